@@ -1,9 +1,7 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
-#include "domain/errors.hpp"
 #include "ga/base/errors.hpp"
 #include "ga/text/nearest.hpp"
 
@@ -13,7 +11,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <malloc.h>
 #include <new>
@@ -23,18 +20,18 @@
 namespace {
 
 void print_help() {
-    std::cout
-        << "rugosa " RUGOSA_VERSION ": rough profiles with the contact behaviour that you ask for\n\n"
-           "Usage: rugosa SUBCOMMAND [flags]\n\nSubcommands:\n"
-        << app::listed(app::commands(), 12)
-        << "\n'rugosa SUBCOMMAND --help' tells its flags and gives examples. To begin with:\n"
-           "  rugosa profile --profile SCAN.txt            what a measured surface is, and a solid to print\n"
-           "  rugosa design --like SCAN.txt --seconds 10   a designed surface that behaves like it\n\n"
-           "--quiet leaves out remarks and progress, --verbose adds details.\n"
-           "mpirun -n R rugosa ... shares the work of design, run, compare and database build among R "
-           "processes\n(where built with MPI).\n"
-           "Exit codes: 0 done; 2 wrong use or bad input; 3 asked for more than was found; 130 "
-           "interrupted.\n";
+    std::cout << "rugosa " RUGOSA_VERSION ": designs rough surfaces that have a given contact behaviour\n\n"
+                 "Usage: rugosa SUBCOMMAND [flags]\n\nSubcommands:\n"
+              << app::listed(app::commands(), 12)
+              << "\n'rugosa SUBCOMMAND --help' lists its flags, with examples. To begin with:\n"
+                 "  rugosa profile --profile SCAN.txt            describes a measured surface; writes a "
+                 "solid to print\n"
+                 "  rugosa design --like SCAN.txt --seconds 10   designs a surface that behaves like it\n\n"
+                 "--quiet omits remarks and progress, --verbose adds details.\n"
+                 "mpirun -n R rugosa ... shares the work of design, run, compare and database build among R "
+                 "processes\n(if built with MPI).\n"
+                 "Exit codes: 0 done; 2 wrong use or bad input;\n"
+                 "3 required similarity missed, target out of reach or no convergence; 130 interrupted.\n";
 }
 
 int dispatch(app::Words words) {
@@ -44,7 +41,7 @@ int dispatch(app::Words words) {
         names.push_back(command.name);
     if (words.empty())
         throw rough::InputError("no subcommand given" + ga::suggestion("", names) +
-                                " ('rugosa --help' tells more)");
+                                " ('rugosa --help' lists more)");
     if (words[0] == "help" && words.size() > 1)
         words = {words[1], "--help"};
     if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
@@ -59,12 +56,12 @@ int dispatch(app::Words words) {
         if (words[0] == command.name)
             return run_with(command, {words.begin() + 1, words.end()});
     if (words[0].starts_with("-"))
-        throw rough::InputError("'" + words[0] + "' given, expected a subcommand before its flags" +
+        throw rough::InputError("'" + words[0] + "' given; put a subcommand before its flags" +
                                 ga::suggestion(words[0], {"--help", "--version"}));
-    throw rough::InputError("'" + words[0] + "' is no subcommand" + ga::suggestion(words[0], names));
+    throw rough::InputError("'" + words[0] + "' is not a subcommand" + ga::suggestion(words[0], names));
 }
 
-/// One line whatever is in it: what was read from a file may hold anything.
+/// Prints a message as one line. Text that it quotes from files may hold any character.
 void complain(const std::string& message) {
     std::string line = message;
     for (char& c : line)
@@ -75,8 +72,8 @@ void complain(const std::string& message) {
     std::cerr << app::error_mark() << line << "\n";
 }
 
-/// The message and the exit code of the exception that is handled now.
-int told() {
+/// Prints the message of the exception that is handled now and returns its exit code.
+int report_exception() {
     try {
         throw;
     } catch (const rough::NotConverged& error) {
@@ -87,13 +84,13 @@ int told() {
     } catch (const ga::UsageError& error) {
         complain(error.what());
     } catch (const std::bad_alloc&) {
-        complain("out of memory, expected fewer nodes, a smaller population or --solver active-set");
+        complain("out of memory; use fewer nodes, a smaller population or --solver active-set");
     } catch (const std::length_error&) {
-        complain("out of memory: more was asked for than any machine holds, expected less");
+        complain("out of memory: no machine holds this much; use fewer nodes or a smaller population");
     } catch (const std::filesystem::filesystem_error& error) {
         complain(error.path1().string() + ": " + error.code().message() +
-                 ", expected a file or folder that can be used");
-    } catch (const std::system_error& error) { // no thread to be had
+                 "; name a file or folder that can be used");
+    } catch (const std::system_error& error) { // no thread could be started
         complain(std::string("the system refused: ") + error.what());
     } catch (const std::exception& error) {
         complain(std::string("internal error: ") + error.what());
@@ -102,22 +99,21 @@ int told() {
     return 2;
 }
 
-/// An exception that no caller can catch, thrown on one of many threads: the same message and exit code.
+/// Ends the program on an exception that no caller can catch, with the same message and exit code.
 [[noreturn]] void end_at_once() {
     int code = 1;
     if (std::current_exception())
-        code = told();
+        code = report_exception();
     std::_Exit(code);
 }
 
-/// What was said must have arrived: a full disk behind standard output is no success.
+/// Flushes standard output. Output that could not be written, as on a full disk, is an error.
 int flushed(int code) {
     std::cout.flush();
     if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout)
         return code;
     complain(std::string("standard output: cannot be written") +
-             (errno ? std::string(" (") + std::strerror(errno) + ")" : "") +
-             ", expected room for what is said");
+             (errno ? std::string(" (") + std::strerror(errno) + ")" : "") + "; make room on the disk");
     return code == 0 ? 2 : code;
 }
 
@@ -129,7 +125,7 @@ int run(app::Words words) {
             return 0;
         return flushed(dispatch(std::move(words)));
     } catch (...) {
-        return told();
+        return report_exception();
     }
 }
 
@@ -137,9 +133,9 @@ int run(app::Words words) {
 
 int main(int count, char** values) {
     std::set_terminate(end_at_once);
-    std::signal(SIGPIPE, SIG_IGN); // a reader that goes ends no work
-    std::signal(SIGXFSZ, SIG_IGN); // nor does a file that may not grow: writing it fails
-    // Each contact solution frees megabytes. To give them back to the system takes longer than the solution.
+    std::signal(SIGPIPE, SIG_IGN); // the work continues without a reader
+    std::signal(SIGXFSZ, SIG_IGN); // writing to a file that may not grow fails, but does not end the program
+    // Each contact solution frees megabytes. Returning them to the system takes longer than the solution.
     mallopt(M_TRIM_THRESHOLD, 1 << 29);
     mallopt(M_MMAP_THRESHOLD, 1 << 25);
     const int code = run({values + 1, values + count});

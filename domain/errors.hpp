@@ -7,22 +7,21 @@
 
 namespace rough {
 
-/// What the user gave cannot be used: one line that says what was given, what was expected, and where.
+/// An input that cannot be used. The message is one line: place, problem and fix.
 struct InputError : std::invalid_argument {
-    /// `about` names the value at fault ("strip width"), so that a program can say which of its flags sets
-    /// it.
+    /// `about` names the value at fault ("strip width"), so that a program can name the flag that sets it.
     explicit InputError(const std::string& line, std::string about = "")
         : std::invalid_argument(line), about(std::move(about)) {}
 
-    std::string about; ///< in words; empty where no single value is at fault
+    std::string about; ///< in words; empty unless a single value is at fault
 };
 
-/// A solver ended without an answer that its certificate bears out.
+/// A solver ended without a solution that its certificate confirms.
 struct NotConverged : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The parts of a line put together; numbers to nine digits.
+/// The parts joined to a line; numbers with nine digits.
 template <typename... Parts>
 std::string line_of(const Parts&... parts) {
     PlainStream line;
@@ -31,13 +30,13 @@ std::string line_of(const Parts&... parts) {
     return line.str();
 }
 
-/// Throws InputError with its parts put together.
+/// Throws InputError with the parts joined to a line.
 template <typename... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
     throw InputError(line_of(parts...));
 }
 
-/// Throws InputError about a value, with its name and ": " in front.
+/// Throws InputError about a value; its name and ": " precede the parts.
 template <typename... Parts>
 [[noreturn]] void refuse_value(const std::string& about, const Parts&... parts) {
     throw InputError(line_of(about, ": ", parts...), about);

@@ -5,7 +5,7 @@
 
 namespace rough {
 
-/// Text whose numbers have a decimal point and no grouping, whatever the program's locale.
+/// A text stream whose numbers have a decimal point and no grouping in every locale.
 struct PlainStream : std::ostringstream {
     PlainStream() { imbue(std::locale::classic()); }
 };

@@ -1,7 +1,7 @@
-"""Which features of a surface drive its response: answers to a target beside random surfaces that miss it.
+"""Finds the features of a surface that drive its response, from answers to a target and random surfaces that miss it.
 
-`rugosa run features.ini` runs this script with one argument, the settings as JSON, and reads what it writes to the
-folder: result.json, features.csv, waves.csv, heldout.csv and best/NAME.json.
+`rugosa run features.ini` runs this script with one argument, the settings as JSON. The script writes result.json,
+features.csv, waves.csv, heldout.csv and best/NAME.json to the folder.
 """
 import concurrent.futures
 import csv
@@ -30,18 +30,18 @@ def designed(target, pipeline, seed):
 
 
 def all_designed(target, pipelines):
-    """The same for each (pipeline, seed), in their order."""
+    """`designed` for each (pipeline, seed), in their order."""
     with concurrent.futures.ThreadPoolExecutor(GIVEN["threads"]) as pool:
         return list(pool.map(lambda one: designed(target, *one), pipelines))
 
 
 def start_of(number):
-    """Every fourth start knows nothing of the target; the others are made for it."""
+    """Every fourth start does not use the target; all other starts are made for it."""
     return "sample 1" if number % 4 == 3 else "shape 1"
 
 
 def features(genome):
-    """Numbers of a surface without dimension; a surface and its mirror image have the same."""
+    """Dimensionless numbers of a surface; they are equal for its mirror image."""
     z = numpy.asarray(genome.profile(nodes=NODES).heights)
     n, depth = len(z), z.max() - z
     z_range, middle = depth.max(), (len(z) - 1) / 2
@@ -146,7 +146,7 @@ def write_csv(name, rows):
 
 
 def main():
-    table, waves, held, told = [], [], [], []
+    table, waves, held, summaries = [], [], [], []
     for file in GIVEN["targets"]:
         target, name = rugosa.Target.read(file), pathlib.Path(file).stem
         answers, misses, starts = collected(name, target)
@@ -172,13 +172,13 @@ def main():
         best = max(answers, key=lambda one: one[1])[0]
         (FOLDER / "best").mkdir(exist_ok=True)
         (FOLDER / "best" / f"{name}.json").write_text(json.dumps(best.to_dict()) + "\n")
-        told.append({"name": name, "answers": len(answers), "misses": len(misses), "starts": starts,
+        summaries.append({"name": name, "answers": len(answers), "misses": len(misses), "starts": starts,
                      "needed_octave": octave, "loss_low": low, "loss_high": high,
                      "enough": high <= TOLERATED, "not_enough": low > TOLERATED})
     write_csv("features.csv", table)
     write_csv("waves.csv", waves)
     write_csv("heldout.csv", held)
-    result = {**GIVEN["origin"], "targets": told, "summary": f"{len(table)} rows of features.csv"}
+    result = {**GIVEN["origin"], "targets": summaries, "summary": f"{len(table)} rows of features.csv"}
     (FOLDER / "result.json").write_text(json.dumps(result, indent=1) + "\n")
 
 

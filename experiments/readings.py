@@ -1,7 +1,7 @@
-"""Which of the paper's claims hold under which reading of its text: the paper's experiment with other keys.
+"""Finds which of the paper's claims hold under which reading of its text, by the paper's experiment with other keys.
 
-`rugosa run readings.ini` runs this script with one argument, the settings as JSON, and reads what it writes to the
-folder: result.json, cells.csv, claims.csv, shares.csv, readings.json and targets/. It needs no module.
+`rugosa run readings.ini` runs this script with one argument, the settings as JSON. The script writes result.json,
+cells.csv, claims.csv, shares.csv, readings.json and targets/ to the folder. It does not need the module rugosa.
 """
 import bisect
 import concurrent.futures
@@ -40,7 +40,7 @@ BY_CLOCK = "minute"  # the claim on the time
 
 
 def part(name, keys, targets, read):
-    """What `read` finds in a folder of the paper's experiment with these keys; kept for --resume."""
+    """Runs the paper's experiment with these keys; `read` takes the values from its folder. Saved for --resume."""
     kept, folder = CHECKPOINTS / f"{name}.json", CHECKPOINTS / name
     if not kept.exists():
         model = {key: value for key, value in SETTINGS.items() if key.startswith("model.") and value}
@@ -61,7 +61,7 @@ def part(name, keys, targets, read):
 
 
 def all_of(work, items):
-    """The same for each item, in their order."""
+    """`work` for each item, in their order."""
     with concurrent.futures.ThreadPoolExecutor(GIVEN["threads"]) as pool:
         return list(pool.map(lambda item: work(*item), items))
 
@@ -81,7 +81,7 @@ def curves_in(folder):
 
 
 def interpolated(curve, p):
-    """Linear between the points, and beyond the ends along the last segments."""
+    """The curve at p, linear between the points and along the last segments beyond the ends."""
     right = min(max(bisect.bisect(curve, [p]), 1), len(curve) - 1)
     (a, y), (b, z) = curve[right - 1:right + 1]
     return y + (z - y) * (p - a) / (b - a)
@@ -168,14 +168,14 @@ def widest(shares):
 
 def main():
     kept = CHECKPOINTS / "settings.json"
-    told = json.dumps([SETTINGS, GIVEN["seed"]])
+    described = json.dumps([SETTINGS, GIVEN["seed"]])
     if not GIVEN["resume"]:
         shutil.rmtree(CHECKPOINTS, ignore_errors=True)
-    elif kept.exists() and kept.read_text() != told:
+    elif kept.exists() and kept.read_text() != described:
         sys.exit(f"--resume: {kept} is of other settings; give those of the interrupted run")
     CHECKPOINTS.mkdir(exist_ok=True)
     (FOLDER / "targets").mkdir(exist_ok=True)
-    kept.write_text(told)
+    kept.write_text(described)
     files = all_of(make_targets, [(body,) for body in range(len(AXES["Body"]))])
     (FOLDER / "targets" / "flat.csv").unlink()
     found = all_of(tried, [(reading, database, files[reading[0]]) for reading, database in plan()])
@@ -198,15 +198,15 @@ def main():
         every, open_in = share(c, sobol), share(c, sobol, "")
         ours, best = (share(c, [cell for cell in sobol if cell["reading"] == one]) for one in (OURS, ranked[0]))
         drawn = share(c, [cell for cell in cells if cell["database"]])
-        most = widest(by_choice)
-        shares.append([*known, ours, best, every, drawn, *most])
+        decider = widest(by_choice)
+        shares.append([*known, ours, best, every, drawn, *decider])
         words[claim["id"]] = (f"holds in {percent(every, 3)}"
                               + (f", is undecidable in {percent(open_in, 3)}" if open_in else "")
                               + f" of {len(ranked)} readings on {len(TARGETS)} targets"
-                              + (f"; depends most on {most[0]}: {most[1]} {percent(most[2], 2)}, {most[3]} "
-                                 f"{percent(most[4], 2)}" if most[0] else ""))
-        if most[0] and 0 < every < 1:
-            deciding[most[0]] = deciding.get(most[0], 0) + 1
+                              + (f"; depends most on {decider[0]}: {decider[1]} {percent(decider[2], 2)}, "
+                                 f"{decider[3]} {percent(decider[4], 2)}" if decider[0] else ""))
+        if decider[0] and 0 < every < 1:
+            deciding[decider[0]] = deciding.get(decider[0], 0) + 1
     write_csv("cells.csv", [*AXES, "database", "target", *(f"claim_{c + 1}" for c in range(len(claims)))],
               [[*(list(values)[v] for v, values in zip(cell["reading"], AXES.values())), cell["database"],
                 cell["target"], *cell["holds"]] for cell in cells])
@@ -221,16 +221,16 @@ def main():
                  **{axis: list(values)[v] for v, (axis, values) in zip(one, AXES.items())},
                  "differs": [{"choice": axis, "value": list(values)[v]}
                              for v, (axis, values) in zip(one, AXES.items()) if v]} for one in ranked]
-    most = readings[0]["claims_hold"]
+    best = readings[0]["claims_hold"]
     result = {**GIVEN["origin"], "seconds": time.monotonic() - BEGAN, "database_count": DATABASES,
               "claim_count": len(claims), "target_count": len(TARGETS), "reading_count": len(ranked),
-              "ours_hold": mean(held[OURS]), "best_hold": most, "worst_hold": readings[-1]["claims_hold"],
-              "near_best": sum(one["claims_hold"] >= most - 0.25 for one in readings),
+              "ours_hold": mean(held[OURS]), "best_hold": best, "worst_hold": readings[-1]["claims_hold"],
+              "near_best": sum(one["claims_hold"] >= best - 0.25 for one in readings),
               "never": of(lambda every: every == 0), "always": of(lambda every: every == 1),
               "depend": len(of(lambda every: 0 < every < 1)),
               "deciding": [{"choice": axis, "claims": deciding[axis]} for axis in AXES if axis in deciding],
               "firm": sum(row[6] is not None and min(row[6], 1 - row[6]) <= 0.05 for row in shares),
-              "readings": readings, "summary": f"most claims hold at once: {most:.3g}"}
+              "readings": readings, "summary": f"most claims hold at once: {best:.3g}"}
     origin = {key: result[key] for key in ("command", "version")}
     (FOLDER / "readings.json").write_text(json.dumps({**origin, "claims": words}, indent=1, ensure_ascii=False) + "\n")
     (FOLDER / "result.json").write_text(json.dumps(result, indent=1) + "\n")

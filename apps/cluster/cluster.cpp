@@ -2,7 +2,7 @@
 
 #include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
-#include "domain/numerics/build.hpp"
+#include "domain/numerics/vector_loops.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
 
@@ -24,7 +24,7 @@ namespace app::cluster {
 
 namespace {
 
-int rank_count = 1, own_rank = 0;
+int rank_count = 1, this_rank = 0;
 
 /// Kinds of messages.
 enum Tag : int {
@@ -51,17 +51,17 @@ void initialise() {
     if (is_set(child_of_rank) ||
         !(is_set("OMPI_COMM_WORLD_SIZE") || is_set("PMIX_RANK") || is_set("PMI_RANK")))
         return;
-    int level = 0; // a thread at a time calls MPI
+    int level = 0; // one thread at a time calls MPI
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
     MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
-    MPI_Comm_rank(MPI_COMM_WORLD, &own_rank);
+    MPI_Comm_rank(MPI_COMM_WORLD, &this_rank);
     ::setenv(child_of_rank, "", 1);
 }
 
 /// Leaves MPI; a worker's exit code other than 0 ends all ranks.
 void finalise(int code) {
     if (int begun = 0; MPI_Initialized(&begun) == MPI_SUCCESS && begun) {
-        if (own_rank > 0 && code != 0)
+        if (this_rank > 0 && code != 0)
             MPI_Abort(MPI_COMM_WORLD, code);
         MPI_Finalize();
     }
@@ -110,7 +110,7 @@ struct Session {
     std::map<std::string, std::pair<json, Work>> prepared; ///< setting and work of the last job, by kind
     std::map<int, std::size_t> answered;                   ///< number of tasks by rank, on rank 0
 
-    /// Whether the job was not prepared before.
+    /// Prepares a job. Returns false if it was prepared before.
     bool prepare(const std::string& kind, const json& setting) {
         auto& [known, work] = prepared[kind];
         if (work && known == setting)
@@ -212,7 +212,7 @@ class Queue {
 
 /// Keeps every worker at work until the queue is empty, and waits for all answers.
 void share(Queue& queue, const Job& of) {
-    std::map<int, Chunk> sent; // by rank
+    std::map<int, Chunk> sent; // chunk of each rank
     const auto give = [&](int rank) {
         Chunk chunk = queue.next();
         queue.guarded([&] {
@@ -241,18 +241,18 @@ bool join(Kinds kinds) {
     char host[256] = "";
     ::gethostname(host, sizeof host - 1);
     const rough::Build build = rough::build(); // and vectors: equal on all ranks for equal bits
-    const json own{host, rough::line_of("rugosa ", RUGOSA_VERSION, ", ", build.compiler, " ", build.flags,
-                                        ", ", build.vectors)};
-    if (own_rank > 0) {
-        send(0, hello, own);
+    const json here{host, rough::line_of("rugosa ", RUGOSA_VERSION, ", ", build.compiler, " ", build.flags,
+                                         ", ", build.vectors)};
+    if (this_rank > 0) {
+        send(0, hello, here);
         serve();
         return true;
     }
     std::string differing;
     for (int others = 1; others < rank_count; ++others)
-        if (const Message other = receive(); other.content.at(1) != own[1])
+        if (const Message other = receive(); other.content.at(1) != here[1])
             differing =
-                rough::line_of("rank ", other.rank, ": ", other.content.dump(), " differs from ", own.dump(),
+                rough::line_of("rank ", other.rank, ": ", other.content.dump(), " differs from ", here.dump(),
                                " of rank 0; run one program on all, with RUGOSA_VECTORS=avx2 on all if "
                                "their processors differ");
     if (!differing.empty())
@@ -261,7 +261,7 @@ bool join(Kinds kinds) {
 }
 
 void leave(int code) {
-    if (own_rank == 0 && !is_alone())
+    if (this_rank == 0 && !is_alone())
         for (int rank = 0; rank < rank_count; ++rank) {
             tell(rough::line_of("rank ", rank, ": ", session.answered[rank], " tasks"));
             if (rank > 0)

@@ -15,14 +15,14 @@ using rough::Genome;
 json json_of(const ga::Slope<DesignProblem>& slope) {
     if (!slope.sensitivity)
         return slope.failure ? json(*slope.failure) : json();
-    return {rough::numbers_of(slope.sensitivity->residuals),
-            rough::numbers_of(slope.sensitivity->jacobian.reshaped())};
+    return json::array(
+        {slope.sensitivity->residuals, Eigen::VectorXd(slope.sensitivity->jacobian.reshaped())});
 }
 void take(const json& j, ga::Slope<DesignProblem>& slope) {
     if (j.is_string()) {
         slope.failure = ga::reason(j.get<std::string>());
     } else if (!j.is_null()) {
-        const Eigen::VectorXd residuals = rough::vector_from(j.at(0)), jacobian = rough::vector_from(j.at(1));
+        const auto residuals = j.at(0).get<Eigen::VectorXd>(), jacobian = j.at(1).get<Eigen::VectorXd>();
         const Eigen::Index columns = jacobian.size() / std::max<Eigen::Index>(1, residuals.size());
         slope.sensitivity = std::make_shared<const ga::Sensitivity>(
             ga::Sensitivity{residuals, jacobian.reshaped(residuals.size(), columns)});
@@ -97,9 +97,8 @@ cluster::Work responses_under(const nlohmann::json& setting) {
     const rough::DatabaseSetup setup = rough::setup_from(setting.get<rough::Fields>(), "the genome database");
     return [setup](const nlohmann::json& genome) {
         const rough::Response response = rough::response_for(setup, genome.get<std::uint64_t>());
-        return json::array({genome, response.range, rough::numbers_of(response.pressure),
-                            rough::numbers_of(response.contact_fraction),
-                            rough::numbers_of(response.tangent_stiffness)});
+        return json::array({genome, response.range, response.pressure, response.contact_fraction,
+                            response.tangent_stiffness});
     };
 }
 
@@ -117,9 +116,9 @@ rough::Computing computing_on_ranks(int threads) {
                                [&](std::size_t, const json& answer) {
                                    rough::Response response;
                                    response.range = answer.at(1);
-                                   response.pressure = rough::vector_from(answer.at(2));
-                                   response.contact_fraction = rough::vector_from(answer.at(3));
-                                   response.tangent_stiffness = rough::vector_from(answer.at(4));
+                                   answer.at(2).get_to(response.pressure);
+                                   answer.at(3).get_to(response.contact_fraction);
+                                   answer.at(4).get_to(response.tangent_stiffness);
                                    orders.take(answer.at(0), std::move(response));
                                },
                            .stopped = orders.ended});

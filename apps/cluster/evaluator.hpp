@@ -7,15 +7,15 @@
 
 namespace app {
 
-/// Evaluates designs on so many threads (0: all) of every rank. The bits do not depend on the ranks.
+/// Evaluates designs on this many threads (0: all) of every rank. The bits do not depend on the ranks.
 std::unique_ptr<ga::Evaluator<rough::DesignProblem>> design_evaluator(int threads);
 
-/// What each rank does for it, given a DesignSetup: outcomes of genomes, and derivatives.
+/// The work of each rank for a DesignSetup: outcomes of genomes, and derivatives.
 cluster::Work designs_under(const nlohmann::json& setup);
 
-/// Responses of a database computed on so many threads of every rank.
+/// Computes the responses of a database on this many threads of every rank.
 rough::Computing computing_on_ranks(int threads);
-/// What each rank does for it: from a genome's number to its response.
+/// The work of each rank: from a genome's number to its response.
 cluster::Work responses_under(const nlohmann::json& setting);
 
 } // namespace app

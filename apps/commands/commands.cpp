@@ -26,12 +26,7 @@ std::string listed(const std::vector<Command>& commands, std::size_t width) {
 
 namespace {
 
-bool asks_help(const Words& words) {
-    return std::any_of(words.begin(), words.end(),
-                       [](const std::string& word) { return word == "--help" || word == "-h"; });
-}
-
-/// In lines of up to 100 letters.
+/// A text in lines of up to 100 letters.
 std::string folded(const std::string& text) {
     constexpr std::size_t widest = 100;
     std::istringstream words(text);
@@ -50,7 +45,7 @@ void print_help(const Command& command, const std::string& name) {
     if (!command.parts.empty())
         std::cout << "\n"
                   << listed(command.parts, 8) << "\n'rugosa " << name << " " << command.parts.front().name
-                  << " --help' and so on tell the flags.\n";
+                  << " --help' and so on list the flags.\n";
     if (!command.settings.empty())
         std::cout << "\n" << described(command.settings);
     std::cout << "\nExamples:\n";
@@ -62,13 +57,11 @@ void print_help(const Command& command, const std::string& name) {
 int run_part(const Command& command, const Words& words) {
     Words names;
     for (const Command& part : command.parts)
-        names.push_back(part.name);
+        if (names.push_back(part.name); !words.empty() && words[0] == part.name)
+            return run_with(part, {words.begin() + 1, words.end()}, command.name + " ");
     if (words.empty())
         throw rough::InputError(command.name + ": nothing given" + ga::suggestion("", names) + " ('rugosa " +
-                                command.name + " --help' tells more)");
-    for (const Command& part : command.parts)
-        if (words[0] == part.name)
-            return run_with(part, {words.begin() + 1, words.end()}, command.name + " ");
+                                command.name + " --help' lists more)");
     throw rough::InputError(command.name + ": '" + words[0] + "' given" + ga::suggestion(words[0], names));
 }
 
@@ -77,7 +70,8 @@ int run_part(const Command& command, const Words& words) {
 int run_with(const Command& command, const Words& words, const std::string& before) {
     const std::string name = before + command.name;
     const bool is_for_part = !command.parts.empty() && (words.empty() || !words[0].starts_with("-"));
-    if (asks_help(words) && !is_for_part) {
+    const auto asks_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
+    if (!is_for_part && std::any_of(words.begin(), words.end(), asks_help)) {
         print_help(command, name);
         return 0;
     }

@@ -8,12 +8,10 @@
 #include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"
 #include "apps/report/units.hpp"
-#include "domain/accuracy/doubts.hpp"
-#include "domain/accuracy/line_of_map.hpp"
+#include "domain/accuracy/reduced.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
-#include "domain/errors.hpp"
 #include "domain/response/model.hpp"
 #include "domain/response/partial_slip.hpp"
 #include "domain/response/response.hpp"
@@ -22,48 +20,26 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <filesystem>
-#include <map>
-#include <string>
 
 namespace app {
 
 namespace {
 
-/// What the page of a contact curve shows beside the curve.
-struct ContactTables {
-    nlohmann::json values;                     ///< keys of CURVE.json
-    std::map<std::string, std::string> tables; ///< CURVE-NAME.csv by NAME
-};
-
 using rough::Index;
 
-/// All load steps, if there are at most four. If there are more: an early one, the middle one and the last.
-std::vector<Index> shown_steps(Index steps) {
-    if (steps > 4)
-        return {steps / 10, (steps - 1) / 2, steps - 1};
-    std::vector<Index> all;
-    for (Index j = 0; j < steps; ++j)
-        all.push_back(j);
-    return all;
-}
-
-rough::ContactCurve solved_again(const rough::Profile& surface, const rough::Model& model,
-                                 const rough::Response& response) {
-    std::vector<double> displacements;
-    for (const Index j : shown_steps(response.steps()))
-        displacements.push_back(response.displacement[j]);
+/// The tables of the page, CURVE-NAME.csv by NAME: `loads`, and pressure and gap along a profile or on a map.
+/// If there are more than four load steps, an early one, the middle one and the last are shown. They are
+/// solved again. The model is complete. Throws as solve_contact.
+std::map<std::string, std::string> contact_tables(const rough::Profile& surface, const rough::Model& model,
+                                                  const rough::Response& response) {
+    const Eigen::VectorXd& all = response.displacement;
+    std::vector<double> shown(all.begin(), all.end());
+    if (const Index steps = all.size(); steps > 4)
+        shown = {all[steps / 10], all[(steps - 1) / 2], all[steps - 1]};
     rough::ContactOptions options = model.contact;
     options.states = true;
     options.tolerance = std::min(options.tolerance, rough::ContactOptions{}.tolerance);
-    return solve_contact(surface, model.body, displacements, options);
-}
-
-/// Values at the last load, and pressure and gap along a profile or on a map at up to four load steps, which
-/// are solved again. The model is complete. Throws as solve_contact.
-ContactTables contact_tables(const rough::Profile& surface, const rough::Model& model,
-                             const rough::Response& response) {
-    const rough::ContactCurve curve = solved_again(surface, model, response);
+    const rough::ContactCurve curve = solve_contact(surface, model.body, shown, options);
     const bool is_2d = surface.is_2d();
     Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
               std::string(is_2d ? "largest_spot_mm2" : "widest_spot_mm") +
@@ -84,53 +60,29 @@ ContactTables contact_tables(const rough::Profile& surface, const rough::Model& 
             along += drawn_rows(std::to_string(i + 1), {positions(surface), at.pressure, at.gap.cwiseMax(0)});
         }
     }
-    const Index last = response.steps() - 1;
-    ContactTables all;
-    all.values = {{"kind", "contact"},
-                  {"is_2d", is_2d},
-                  {"pressed_nodes", surface.nodes()},
-                  {"kernel", name_of(model.body.kernel)},
-                  {"effective_modulus_MPa", model.body.effective_modulus},
-                  {"last",
-                   {{"pressure_MPa", response.pressure[last]},
-                    {"contact_fraction", response.contact_fraction[last]},
-                    {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
-                  {"largest_kkt_residual", response.kkt_residual.maxCoeff()}};
     if (is_2d)
-        all.values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
-    all.tables["loads"] = loads.text();
-    if (is_2d) {
-        all.tables["map"] = map_csv(surface, names, maps);
-    } else {
-        all.tables["along"] = along;
-        all.tables["heights-drawn"] = heights_csv(surface);
-        all.tables["bearing"] = bearing_csv(surface.heights);
-    }
-    return all;
-}
-
-/// The names of the tables.
-std::vector<std::string> contact_table_names(bool is_2d) {
-    return is_2d ? std::vector<std::string>{"loads", "map"}
-                 : std::vector<std::string>{"loads", "along", "heights-drawn", "bearing"};
+        return {{"loads", loads.text()}, {"map", map_csv(surface, names, maps)}};
+    return {{"loads", loads.text()},
+            {"along", along},
+            {"heights-drawn", heights_csv(surface)},
+            {"bearing", bearing_csv(surface.heights)}};
 }
 
 std::vector<Setting> contact_settings() {
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile"},
-        {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
+        {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
-         "page to write (HTML): the curve, and pressure and gap along the profile or on the area [none]"},
+         "page to write (HTML): the curve, with pressure and gap along the profile or on the area [none]"},
         force_setting(),
-        ga::whole("threads", "0", 0, "accepted as in design and run, but a curve needs one thread only")
-            .up_to(1024),
-        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted likewise, but nothing here is random
-        accuracy_setting("",
-                         "the resolved model: --nodes if given, else 64 nodes to the shortest wave; a scan "
-                         "is always solved on its own nodes, a map too unless one line answers for it"),
+        ga::whole("threads", "0", 0, "accepted as in design and run; a curve uses one thread").up_to(1024),
+        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
+        accuracy_setting(
+            "", "the resolved model: --nodes if given, else 64 nodes for the shortest wave; a scan is "
+                "solved on its nodes, and a map too unless one line is enough"),
         positive("friction", "",
-                 "friction coefficient: writes CURVE-slip.csv, partial slip under the last load [none]"),
+                 "friction coefficient; writes partial slip under the last load to CURVE-slip.csv [none]"),
     };
     return joined({area_settings(),
                    settings,
@@ -140,13 +92,7 @@ std::vector<Setting> contact_settings() {
                    model_settings()});
 }
 
-/// The path of CURVE.json, in the folder of CURVE.csv.
-std::filesystem::path account_beside(const std::filesystem::path& curve) {
-    auto account = curve;
-    return curve.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
-}
-
-/// Within an accuracy, the solver's tolerance follows from it unless one is given.
+/// Sets the accuracy. The solver's tolerance follows from it unless one is given.
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     model.accuracy = accuracy_from(settings);
     if (model.accuracy > 0 && !settings.given("tolerance"))
@@ -154,24 +100,12 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     return model;
 }
 
-/// The path of CURVE-NAME.csv, in the folder of CURVE.csv.
-std::filesystem::path beside(const std::filesystem::path& curve, const std::string& name) {
-    return std::filesystem::path(curve).replace_filename(curve.stem().string() + "-" + name +
-                                                         curve.extension().string());
-}
-
-std::string slip_csv(const rough::PartialSlip& slip) {
-    return csv({"tangential_displacement_mm", "tangential_traction_MPa", "tangential_stiffness_MPa_per_mm",
-                "stick_fraction"},
-               {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
-}
-
 /// A surface and its response.
 struct Pressed {
     rough::Profile surface;
     rough::Model model;
     rough::AccountedResponse result;
-    std::vector<std::string> notes;          ///< on the input, and on limits of the model
+    std::vector<std::string> notes;          ///< on the input, and on limits of the model; "": none
     bool is_measured;                        ///< a scan or map, not a genome
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
     rough::ResolutionBand band = {};         ///< for a scan or map
@@ -179,7 +113,7 @@ struct Pressed {
     std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
 };
 
-/// The surface whose nodes last_contact names: of a map that one line answered for, that line.
+/// The surface whose nodes last_contact names: the line, if one line answered for the map.
 rough::Profile pressed_surface(const Pressed& pressed) {
     return pressed.result.account.by_line ? rough::line_of_map(pressed.surface).line : pressed.surface;
 }
@@ -202,7 +136,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
             pressed.warnings.push_back("outliers carry the contact: without them " +
                                        readable(cost.contact_fraction) + " times the contact and " +
                                        readable(cost.stiffness) + " times the stiffness at " +
-                                       readable(cost.pressure) + " MPa; --outliers remove takes them off");
+                                       readable(cost.pressure) + " MPa; --outliers remove removes them");
     }
     const double limit = elastic_limit(settings, pressed.model.body);
     if (std::isinf(limit))
@@ -211,7 +145,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     if (end.is_reached(response))
         pressed.warnings.push_back(
             "the elastic answer ends at " + readable(response.pressure[end.step]) +
-            " MPa: from there on a node carries over " + readable(limit) + " MPa, " +
+            " MPa: from this load on a node carries over " + readable(limit) + " MPa, " +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, more than any solid")) +
             " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
@@ -219,7 +153,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
 
 bool is_resolved(const Pressed& pressed) { return pressed.spot_width >= rough::resolved_spot_nodes; }
 
-/// The contact at the last load as a scan or map tells it, in words.
+/// In words: the contact of a scan or map at the last load, and whether its spots are resolved.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
@@ -249,7 +183,7 @@ nlohmann::json resolution_json(const Pressed& pressed) {
     return values;
 }
 
-/// The curve, for a scan or map with its band. Its cells are empty if it was not computed.
+/// The curve, with the band of a scan or map. Its cells are empty if it was not computed.
 std::string curve_csv(const Pressed& pressed) {
     const rough::Response& response = pressed.result.response;
     if (!pressed.is_measured)
@@ -265,61 +199,43 @@ std::string curve_csv(const Pressed& pressed) {
                columns);
 }
 
-/// The contact spots of a map at the last load step, the largest first; those of a line are as wide as the
-/// map.
-std::string spots_csv(const Pressed& pressed) {
-    const rough::Profile& map = pressed.surface;
+/// The numbers of nodes of the contact spots of a map at the last load step, the largest first. Those of a
+/// line that answered for the map are as wide as the map.
+Eigen::VectorXd spots_of(const Pressed& pressed) {
     const rough::Extent shape = pressed_surface(pressed).shape();
     const auto sizes = rough::contact_spots(pressed.result.last_contact, shape, pressed.model.grid.periodic);
-    Eigen::VectorXd nodes(static_cast<rough::Index>(sizes.size()));
+    Eigen::VectorXd nodes(static_cast<Index>(sizes.size()));
     std::copy(sizes.begin(), sizes.end(), nodes.begin());
-    nodes *= static_cast<double>(map.nodes() / shape.nodes());
-    return csv({"nodes", "area_mm2"}, {nodes, nodes * map.spacing * map.row_spacing});
-}
-
-/// Notes a measured surface whose ends differ, on a periodic body.
-void add_jump_note(const rough::Profile& surface, const rough::Model& model,
-                   std::vector<std::string>& notes) {
-    if (model.body.kernel == rough::Kernel::periodic)
-        if (const std::string note = jump_note(surface); !note.empty())
-            notes.push_back(note);
+    return nodes * static_cast<double>(pressed.surface.nodes() / shape.nodes());
 }
 
 Pressed pressed_area(const Settings& settings) {
     AreaScene scene = area_from(settings);
-    scene.model = within_accuracy(loaded(scene.model, settings), settings);
-    rough::AccountedResponse result =
-        scene.model.accuracy > 0 ? rough::respond_within(scene.map, scene.model, scene.model.accuracy)
-                                 : rough::respond_exactly(scene.map, scene.model);
-    scene.model.contact.tolerance = result.account.tolerance;
-    std::vector<std::string> notes = std::move(scene.notes);
-    if (!settings.has("genome"))
-        add_jump_note(scene.map, scene.model, notes);
-    return {std::move(scene.map), scene.model, std::move(result), std::move(notes), !settings.has("genome")};
+    rough::Model& model = scene.model;
+    model = within_accuracy(loaded(model, settings), settings);
+    rough::AccountedResponse result = respond_within(scene.map, model);
+    model.contact.tolerance = result.account.tolerance;
+    const bool is_measured = !settings.has("genome");
+    if (is_measured && model.grid.periodic)
+        scene.notes.push_back(jump_note(scene.map));
+    return {std::move(scene.map), std::move(model), std::move(result), std::move(scene.notes), is_measured};
 }
 
 Pressed pressed(const Settings& settings) {
-    rough::Source source = source_from(settings, nodes_from(settings, 0));
+    rough::Source source = source_from(settings, nodes_from(settings));
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
-    rough::AccountedResponse result = respond_accounted(source, model);
+    rough::AccountedResponse result = respond_within(source, model);
     model.contact.tolerance = result.account.tolerance;
-    std::vector<std::string> notes;
     rough::Profile profile = source.on(model.grid);
-    if (source.genome) {
-        const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-        for (const std::string& note :
-             {model.grid.periodic ? jump_note(*source.genome, model.grid.length, range) : "",
-              wave_note(*source.genome, model.grid)})
-            if (!note.empty())
-                notes.push_back(note);
-    } else {
-        notes.push_back(source.account);
-        add_jump_note(profile, model, notes);
-    }
+    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
+    const std::string jump = !model.grid.periodic ? ""
+                             : source.genome      ? jump_note(*source.genome, model.grid.length, range)
+                                                  : jump_note(profile);
+    const std::string read = source.genome ? wave_note(*source.genome, model.grid) : source.account;
     return {std::move(profile), std::move(model), std::move(result),
-            std::move(notes),   !source.genome,   std::move(source.outliers)};
+            {read, jump},       !source.genome,   std::move(source.outliers)};
 }
 
 /// A written file as the page links to it.
@@ -328,60 +244,118 @@ std::string from_page(const std::filesystem::path& file, const std::filesystem::
     return std::filesystem::absolute(file).lexically_proximate(folder).string();
 }
 
+/// The files of a contact curve. All are checked before anything is computed.
+struct CurveFiles {
+    std::filesystem::path curve, account, page; ///< CURVE.csv; CURVE.json and the page, if they are written
+    std::map<std::string, std::filesystem::path> tables; ///< CURVE-NAME.csv by NAME
+};
+
+CurveFiles files_from(const Settings& settings, bool is_2d) {
+    if (!settings.has("out"))
+        throw rough::InputError("--out: missing; name the curve file to write");
+    const std::filesystem::path given = settings.text("out");
+    CurveFiles files;
+    files.curve = expect_writable(given, settings);
+    if (std::filesystem::exists(files.curve) && !std::filesystem::is_regular_file(files.curve)) {
+        for (const char* flag : {"friction", "report", is_2d ? "out" : ""}) // a device or a pipe
+            if (*flag && settings.has(flag))
+                throw rough::InputError("--" + std::string(flag) + ": " + given.string() +
+                                        " is not a regular file; choose one that further files can be "
+                                        "written next to");
+        return files;
+    }
+    std::filesystem::path account = given;
+    given.extension() == ".json" ? account += ".json" : account.replace_extension(".json");
+    files.account = expect_writable(account, settings);
+    std::vector<std::string> names;
+    if (settings.has("friction"))
+        names.emplace_back("slip");
+    if (is_2d)
+        names.emplace_back("spots");
+    if (settings.has("report")) {
+        files.page = expect_writable(settings.text("report"), settings);
+        const std::vector<std::string> drawn =
+            is_2d ? std::vector<std::string>{"loads", "map"}
+                  : std::vector<std::string>{"loads", "along", "heights-drawn", "bearing"};
+        names.insert(names.end(), drawn.begin(), drawn.end());
+    }
+    for (const std::string& name : names)
+        files.tables[name] = expect_writable(
+            std::filesystem::path(account).replace_filename(account.stem().string() + "-" + name + ".csv"),
+            settings);
+    return files;
+}
+
+/// Writes CURVE.csv and the other files, the page last.
+void write_files(const CurveFiles& files, const Pressed& found, const std::vector<std::string>& notes,
+                 const Settings& settings) {
+    const rough::Response& response = found.result.response;
+    rough::write_atomically(files.curve, curve_csv(found));
+    if (files.account.empty())
+        return;
+    std::map<std::string, std::string> tables;
+    if (!files.page.empty())
+        tables = contact_tables(found.surface, completed(found.model), response);
+    if (files.tables.contains("slip")) {
+        const rough::PartialSlip slip = partial_slip(response, settings.number("friction"));
+        tables["slip"] = csv({"tangential_displacement_mm", "tangential_traction_MPa",
+                              "tangential_stiffness_MPa_per_mm", "stick_fraction"},
+                             {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
+    }
+    if (files.tables.contains("spots"))
+        tables["spots"] =
+            csv({"nodes", "area_mm2"},
+                {spots_of(found), spots_of(found) * found.surface.spacing * found.surface.row_spacing});
+    for (const auto& [name, table] : tables)
+        rough::write_atomically(files.tables.at(name), table);
+
+    nlohmann::json values = account_json(found.result.account);
+    values["warnings"] = found.warnings;
+    if (found.is_measured)
+        values["resolution"] = resolution_json(found);
+    if (files.page.empty())
+        return write_json(files.account, values);
+    const rough::Profile& surface = found.surface;
+    const rough::Body body = completed(found.model).body;
+    const Index last = response.steps() - 1;
+    values.update({{"kind", "contact"},
+                   {"is_2d", surface.is_2d()},
+                   {"pressed_nodes", surface.nodes()},
+                   {"kernel", name_of(body.kernel)},
+                   {"effective_modulus_MPa", body.effective_modulus},
+                   {"last",
+                    {{"pressure_MPa", response.pressure[last]},
+                     {"contact_fraction", response.contact_fraction[last]},
+                     {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
+                   {"largest_kkt_residual", response.kkt_residual.maxCoeff()},
+                   {"name", settings.text(!found.is_measured ? "genome"
+                                          : surface.is_2d()  ? "surface"
+                                                             : "profile")},
+                   {"notes", notes},
+                   {"curve", files.curve.filename().string().substr(files.account.stem().string().size())}});
+    if (surface.is_2d())
+        values["pressed_nodes"] = {surface.shape().columns, surface.shape().rows};
+    values["notes"].push_back(in_words(found.result.account));
+    for (const auto& file : {files.curve, files.account})
+        values["files"].push_back(from_page(file, files.page));
+    for (const char* name : {"slip", "spots"})
+        if (files.tables.contains(name))
+            values["files"].push_back(from_page(files.tables.at(name), files.page));
+    write_json(files.account, values);
+    rough::write_atomically(files.page, render(page_source(files.account)));
+}
+
 int contact(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("contact: expected one of --genome, --profile and --surface");
-    if (!settings.has("out"))
-        throw rough::InputError("contact: --out is missing, expected the curve file to write");
-    const std::filesystem::path out = expect_writable(settings.text("out"), settings);
-
-    // A device or a pipe has nothing beside it.
-    const bool has_account = !std::filesystem::exists(out) || std::filesystem::is_regular_file(out);
-    std::filesystem::path account = account_beside(settings.text("out"));
-    if (has_account)
-        account = expect_writable(account, settings);
-
-    std::filesystem::path slip_file = beside(settings.text("out"), "slip");
-    if (settings.has("friction")) {
-        if (settings.has("hardness"))
-            throw rough::InputError(
-                "contact: --friction given with --hardness, expected one of them: partial "
-                "slip rests on elastic contact");
-        if (!has_account)
-            throw rough::InputError("--friction: " + settings.text("out") +
-                                    " is no file, expected one that another can stand beside");
-        slip_file = expect_writable(slip_file, settings);
-    }
-    const bool area = asks_for_area(settings);
-    if (area && !has_account)
-        throw rough::InputError("--out: " + settings.text("out") +
-                                " is no file, expected one that an area's spots can stand beside");
-    std::filesystem::path page;
-    std::map<std::string, std::filesystem::path> tables;
-    if (settings.has("report")) {
-        if (!has_account)
-            throw rough::InputError(
-                "--report: " + settings.text("out") +
-                " is not a regular file; choose one that the page's tables can stand beside");
-        page = expect_writable(settings.text("report"), settings);
-        for (const std::string& name : contact_table_names(area))
-            tables[name] = expect_writable(std::filesystem::path(account).replace_filename(
-                                               account.stem().string() + "-" + name + ".csv"),
-                                           settings);
-    }
-    std::filesystem::path spots = beside(settings.text("out"), "spots");
-    if (area)
-        spots = expect_writable(spots, settings);
-    Pressed found = area ? pressed_area(settings) : pressed(settings);
+        throw rough::InputError("contact: give one of --genome, --profile and --surface");
+    if (settings.has("friction") && settings.has("hardness"))
+        throw rough::InputError(
+            "--friction: given with --hardness; give one of them, as partial slip rests on "
+            "elastic contact");
+    const bool is_2d = asks_for_area(settings);
+    const CurveFiles files = files_from(settings, is_2d);
+    Pressed found = is_2d ? pressed_area(settings) : pressed(settings);
     add_doubts(found, settings);
-    if (area) {
-        const std::string table = spots_csv(found);
-        rough::write_atomically(spots, table);
-        tell(spots.string() + ": " + std::to_string(std::count(table.begin(), table.end(), '\n') - 1) +
-             " contact spots under the last load");
-    }
-    const rough::Response& response = found.result.response;
-    rough::write_atomically(out, curve_csv(found));
     std::vector<std::string> notes = found.notes;
     if (found.is_measured)
         notes.insert(notes.begin(), resolution_note(found));
@@ -389,45 +363,26 @@ int contact(const Settings& settings, const std::string&) {
         notes.push_back(note);
     notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
     std::erase(notes, "");
-    nlohmann::json values = account_json(found.result.account);
-    values["warnings"] = found.warnings;
-    if (found.is_measured)
-        values["resolution"] = resolution_json(found);
-    if (has_account)
-        write_json(account, values);
-    if (settings.has("friction")) {
-        const double friction = settings.number("friction");
-        rough::write_atomically(slip_file, slip_csv(partial_slip(response, friction)));
-        tell(slip_file.string() + ": partial slip under the last load, f = " + readable(friction) +
+    write_files(files, found, notes, settings);
+
+    if (files.tables.contains("spots"))
+        tell(files.tables.at("spots").string() + ": " + std::to_string(spots_of(found).size()) +
+             " contact spots under the last load");
+    if (files.tables.contains("slip"))
+        tell(files.tables.at("slip").string() +
+             ": partial slip under the last load, f = " + readable(settings.number("friction")) +
              "; assumed: plane strain, a constant normal load, bodies that do not couple (equal ones, or "
              "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
-    }
-    if (settings.has("report")) {
-        const ContactTables shown = contact_tables(found.surface, completed(found.model), response);
-        for (const auto& [name, file] : tables)
-            rough::write_atomically(file, shown.tables.at(name));
-        values.update(shown.values);
-        values["name"] = settings.text(!found.is_measured ? "genome" : area ? "surface" : "profile");
-        values["notes"] = notes;
-        values["notes"].push_back(in_words(found.result.account));
-        values["curve"] = out.filename().string().substr(account.stem().string().size());
-        values["files"] = {from_page(out, page), from_page(account, page)};
-        if (settings.has("friction"))
-            values["files"].push_back(from_page(slip_file, page));
-        if (area)
-            values["files"].push_back(from_page(spots, page));
-        write_json(account, values);
-        rough::write_atomically(page, render(page_source(account)));
-    }
     for (const std::string& warning : found.warnings)
         say("warning: " + warning);
     for (const std::string& note : notes)
         say(note);
+    const rough::Response& response = found.result.response;
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +
          " mm, largest KKT residual " + readable(response.kkt_residual.maxCoeff()));
-    // Held nodes change what may be made of the curve.
-    (found.result.account.held_nodes > 0 || (area && found.model.accuracy > 0) ? say : tell)(
+    // Held nodes change the meaning of the curve.
+    (found.result.account.held_nodes > 0 || (is_2d && found.model.accuracy > 0) ? say : tell)(
         in_words(found.result.account));
     return 0;
 }
@@ -435,26 +390,25 @@ int contact(const Settings& settings, const std::string&) {
 } // namespace
 
 Command contact_command() {
-    return {"contact",
-            "press a rough profile on an elastic body: pressure, area and stiffness",
-            "(--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out "
-            "CURVE.csv "
-            "[flags]",
-            "Presses a rough profile on an elastic body, load step by load step, and writes displacement, "
-            "mean pressure, contact fraction, tangent and interface stiffness, each step with its KKT "
-            "residual; "
-            "and beside the curve, CURVE.json: what was modelled, and how wrong it may be.",
-            contact_settings(),
-            {"contact --genome surface.json --out curve.csv",
-             "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
-             "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
-             "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
-             "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
-             "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
-             "--report curve.html",
-             "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
-             "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"},
-            contact};
+    return {
+        "contact",
+        "press a rough surface on an elastic body: pressure, contact area, stiffness",
+        "(--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out CURVE.csv "
+        "[flags]",
+        "Presses a rough surface on an elastic body, load step by load step. Writes displacement, mean "
+        "pressure, contact fraction, tangent and interface stiffness to CURVE.csv, with the KKT residual of "
+        "each step, and to CURVE.json what was modelled and how large its error may be.",
+        contact_settings(),
+        {"contact --genome surface.json --out curve.csv",
+         "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
+         "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
+         "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
+         "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
+         "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
+         "--report curve.html",
+         "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
+         "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"},
+        contact};
 }
 
 } // namespace app

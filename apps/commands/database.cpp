@@ -3,13 +3,11 @@
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/starts.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -25,26 +23,26 @@ namespace {
 
 Fields fields_of(rough::GenomeDistribution& law) {
     return {
-        {ga::whole("series", "1", 1, "series a genome is the sum of").up_to(16), law.series},
+        {ga::whole("series", "1", 1, "number of series of a genome").up_to(16), law.series},
         {ga::whole("ridges", "1", 1, "ridges M of each chromosome").up_to(1000), law.ridges},
-        {ga::number("hurst-from", "0.5", 0, 10, "smallest H"), law.H_from},
-        {ga::number("hurst-to", "1.5", 0, 10, "largest H"), law.H_to},
-        {ga::number("gamma-from", "1.4", 1, 1000, "smallest gamma"), law.gamma_from},
-        {ga::number("gamma-to", "2", 1, 1000, "largest gamma"), law.gamma_to},
-        {positive("shortest", "", "shortest wave length, mm [8 node spacings]"), law.shortest},
+        {ga::number("hurst-from", "0.5", 0, 10, "lower bound of H"), law.H_from},
+        {ga::number("hurst-to", "1.5", 0, 10, "upper bound of H"), law.H_to},
+        {ga::number("gamma-from", "1.4", 1, 1000, "lower bound of gamma"), law.gamma_from},
+        {ga::number("gamma-to", "2", 1, 1000, "upper bound of gamma"), law.gamma_to},
+        {positive("shortest", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
         {ga::whole("seed", "1", 0, "seed of the genomes").up_to(0x1p53), law.seed},
     };
 }
 
 Fields fields_of(rough::BuildOptions& options) {
     return {
-        {ga::whole("genomes", "100000", 1, "how many genomes the file is to hold").up_to(1e9),
+        {ga::whole("genomes", "100000", 1, "number of genomes in the file at the end").up_to(1e9),
          options.genomes},
-        {ga::whole("first", "0", 0,
-                   "number of the first: a part of the law's genomes, to be merged with others")
+        {ga::whole("first", "0", 0, "number of the first genome, for a part that is merged with others")
              .up_to(1e12),
          options.first},
-        {ga::whole("batch", "250", 1, "genomes stored at a time: what a kill may cost").up_to(1e5),
+        {ga::whole("batch", "250", 1, "genomes stored at a time, which are lost if the program is killed")
+             .up_to(1e5),
          options.batch},
         {threads_setting(), options.threads},
     };
@@ -52,24 +50,16 @@ Fields fields_of(rough::BuildOptions& options) {
 
 const Setting file_setting{"file", "", "the database (may be given without the flag)"};
 
-/// What the genomes and responses of a database depend on.
+std::filesystem::path given_file(const Settings& settings) {
+    if (!settings.has("file"))
+        throw rough::InputError("database: no file given; name a genome database");
+    return settings.text("file");
+}
+
+/// The settings that decide the genomes and responses of a database.
 std::vector<Setting> set_up_settings() {
     rough::GenomeDistribution usual;
     return joined({settings_of(fields_of(usual)), model_settings()});
-}
-
-std::vector<Setting> build_settings() {
-    rough::BuildOptions usual;
-    return joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()});
-}
-
-rough::DatabaseSetup setup_from_flags(const Settings& settings) {
-    rough::DatabaseSetup setup;
-    setup.model = model_from(settings);
-    setup.law.lambda = setup.model.grid.length;
-    setup.law.shortest = 8 * setup.model.grid.spacing();
-    take(settings, fields_of(setup.law));
-    return setup;
 }
 
 bool any_given(const Settings& settings, const std::vector<Setting>& of) {
@@ -77,21 +67,22 @@ bool any_given(const Settings& settings, const std::vector<Setting>& of) {
                        [&](const Setting& setting) { return settings.given(setting.name); });
 }
 
-/// The file of the flags' set-up; where the flags say nothing of a set-up and the file exists, that file as
-/// it is.
+/// The database for the set-up of the flags. An existing file is opened with its set-up if no flag of one is
+/// given.
 rough::GenomeStore opened(const Settings& settings) {
-    const std::filesystem::path file = settings.text("file");
+    const std::filesystem::path file = given_file(settings);
     if (!any_given(settings, set_up_settings()) && rough::GenomeStore::begun(file))
         return rough::GenomeStore::open(file);
-    const rough::DatabaseSetup setup = setup_from_flags(settings);
+    rough::DatabaseSetup setup{model_from(settings), {}};
+    setup.law.lambda = setup.model.grid.length;
+    setup.law.shortest = 8 * setup.model.grid.spacing();
+    take(settings, fields_of(setup.law));
     rough::validate(setup.law);
-    respond(rough::drawn(setup.law, 0), setup.model); // a set-up without a solution makes no file
+    respond(rough::drawn(setup.law, 0), setup.model); // throws before a file is made
     return rough::GenomeStore::create(file, setup);
 }
 
 int database_build(const Settings& settings, const std::string&) {
-    if (!settings.has("file"))
-        throw rough::InputError("database build: no file given, expected the database to build");
     rough::BuildOptions options;
     take(settings, fields_of(options));
     if (!cluster::is_alone())
@@ -113,30 +104,30 @@ int database_build(const Settings& settings, const std::string&) {
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
     say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
-        std::to_string(stored - before) + " of them in the last " + duration_words(clock.seconds()));
+        std::to_string(stored - before) + " in the last " + duration_words(clock.seconds()));
     return interrupt.asked() ? exit_interrupted : 0;
 }
 
 Command database_build_command() {
-    return {"build",
-            "compute genomes and their responses into a file; goes on where it ended",
-            "FILE [--genomes N] [flags]",
-            "Draws genomes, computes their responses and stores both, batch by batch. A build that "
-            "was stopped or killed goes on where it ended; several may work on one file at once. "
-            "Without model flags, an existing file is continued with its own model.",
-            build_settings(),
-            {"database build genomes.db --genomes 100000",
-             "database build genomes.db --genomes 200000     (doubles it)",
-             "database build b.db --first 100000 --genomes 100000     (other genomes of the same law)",
-             "database build strip.db --kernel strip --nodes 256 --series 2"},
-            database_build,
-            {"file"}};
+    rough::BuildOptions usual;
+    return {
+        "build",
+        "compute genomes and their responses; continues an existing file",
+        "FILE [--genomes N] [flags]",
+        "Draws genomes, computes their responses and stores both, batch by batch. A build that was stopped "
+        "or killed is continued. Several builds may work on one file at once. Without model flags, an "
+        "existing file is continued with its model.",
+        joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()}),
+        {"database build genomes.db --genomes 100000",
+         "database build genomes.db --genomes 200000     (doubles it)",
+         "database build b.db --first 100000 --genomes 100000     (other genomes)",
+         "database build strip.db --kernel strip --nodes 256 --series 2"},
+        database_build,
+        {"file"}};
 }
 
 int database_info(const Settings& settings, const std::string&) {
-    if (!settings.has("file"))
-        throw rough::InputError("database info: no file given, expected a genome database");
-    const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
+    const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
     const auto curves = store.curves();
     const auto failed = std::count_if(curves.range.begin(), curves.range.end(),
                                       [](double range) { return std::isnan(range); });
@@ -148,76 +139,63 @@ int database_info(const Settings& settings, const std::string&) {
 }
 
 Command database_info_command() {
-    return {"info",         "what a file holds and to which set-up it belongs",
-            "FILE",         "Says what a genome database holds and to which set-up it belongs.",
+    return {"info",         "show the contents and the set-up of a database",
+            "FILE",         "Prints the number of genomes of a database and its set-up.",
             {file_setting}, {"database info genomes.db"},
             database_info,  {"file"}};
 }
 
 int database_merge(const Settings& settings, const std::string&) {
-    std::vector<std::filesystem::path> files;
-    for (const std::string& file : settings.words("files"))
-        files.emplace_back(file);
+    const Words names = settings.words("files");
+    const std::vector<std::filesystem::path> files(names.begin(), names.end());
     if (files.size() < 2 || !settings.has("out"))
-        throw rough::InputError("database merge: expected two genome databases at least, then --out and the "
-                                "file to write");
+        throw rough::InputError(
+            "database merge: too little given; name two or more genome databases, then --out "
+            "and the file to write");
     const auto out = expect_writable(settings.text("out"), settings);
     std::error_code none;
     for (const auto& file : files)
         if (std::filesystem::equivalent(file, out, none))
-            throw rough::InputError("--out: " + out.string() +
-                                    " would be written over, and is read here; expected another name");
+            throw rough::InputError("--out: " + out.string() + " is read here; choose another name");
     say(out.string() + ": " + std::to_string(rough::merge(files, out)) + " genomes of " +
         std::to_string(files.size()) + " files");
     return 0;
 }
 
 Command database_merge_command() {
-    return {"merge",
-            "several files of one set-up and law as one",
-            "A.db B.db ... --out C.db",
-            "Puts files of one set-up and law, as built on several machines, into one. Genomes that "
-            "several of them hold are taken once. Every genome is checked against its law.",
-            {Setting("files", "", "the databases (may be given without the flag)").several('\n'),
-             {"out", "", "the file to write"},
-             force_setting()},
-            {"database merge a.db b.db --out genomes.db"},
-            database_merge,
-            {"files"}};
-}
-
-std::vector<Setting> query_settings() {
-    const std::vector<Setting> settings{
-        file_setting,
-        {"target", "", "target file (CSV), as in rugosa design"},
-        max_pressure_setting(),
-        ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
-        {"out", "", "genome file (JSON) to write the best one to"},
-        force_setting(),
-        threads_setting(),
-    };
-    return joined({settings, model_settings()});
+    return {
+        "merge",
+        "merge databases of the same set-up",
+        "A.db B.db ... --out C.db",
+        "Merges databases of the same set-up, as built on several machines. A genome in several of them is "
+        "stored once. Every genome is checked against the distribution that it was drawn from.",
+        {Setting("files", "", "the databases (may be given without the flag)").several('\n'),
+         {"out", "", "the file to write"},
+         force_setting()},
+        {"database merge a.db b.db --out genomes.db"},
+        database_merge,
+        {"files"}};
 }
 
 int database_query(const Settings& settings, const std::string&) {
-    if (!settings.has("file") || !settings.has("target"))
-        throw rough::InputError("database query: expected a genome database and --target");
+    if (!settings.has("target"))
+        throw rough::InputError("--target: missing; name a target file");
     std::filesystem::path out;
     if (settings.has("out"))
         out = expect_writable(settings.text("out"), settings);
     rough::DesignSetup setup;
     settings.take("max-pressure", setup.max_pressure);
-    const auto best = static_cast<std::size_t>(settings.number("best"));
     setup.targets = {rough::read_target(settings.text("target"))};
 
     const ga::Stopwatch clock;
-    const rough::GenomeStore store = rough::GenomeStore::open(settings.text("file"));
-    // The file is scaled to the model of the flags.
+    const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
+    // The stored curves are scaled to the model of the flags.
     setup.model = any_given(settings, model_settings()) ? model_from(settings) : store.setup().model;
-    const auto answers = stored_answers(store, setup, best, settings.whole<int>("threads"));
+    const auto answers =
+        stored_answers(store, setup, settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
     if (answers.empty())
-        throw rough::InputError(store.file().string() + ": no stored curve reaches the end of the target, "
-                                                        "expected a database with more genomes");
+        throw rough::InputError(store.file().string() + ": no stored curve reaches the end of the target; "
+                                                        "use a database with more genomes");
     std::printf("%llu curves screened in %.3f s\n%4s %12s %12s %12s %14s\n",
                 static_cast<unsigned long long>(store.stored()), clock.seconds(), "rank", "genome",
                 "similarity", "worst", "scale");
@@ -233,34 +211,44 @@ int database_query(const Settings& settings, const std::string&) {
 }
 
 Command database_query_command() {
-    return {"query",
-            "the stored genomes nearest to a target",
-            "FILE --target T.csv [--max-pressure P] [--best K] [--out GENOME.json]",
-            "Scores every stored curve against a target (Eq. 12), verifies the nearest as a design is "
-            "verified, and names the best of them. worst is the lowest similarity on the file's grid, on "
-            "a grid four times finer, in four times the load steps, and in both. Flags of a set-up are "
-            "compared with the file's; another length or modulus is scaled to exactly.",
-            query_settings(),
-            {"database query genomes.db --target target.csv --best 5",
-             "database query genomes.db --target target.csv --max-pressure 1.6e-4 --out best.json"},
-            database_query,
-            {"file"}};
+    return {
+        "query",
+        "find the stored genomes nearest to a target",
+        "FILE --target T.csv [--max-pressure P] [--best K] [--out GENOME.json]",
+        "Scores every stored curve against a target (Eq. 12), verifies the nearest as a design is verified, "
+        "and lists the best. `worst` is the lowest similarity on the file's grid, on a grid four times "
+        "finer, "
+        "in four times the load steps, and in both. Stored curves are scaled exactly to another length or "
+        "modulus; other flags of a set-up must agree with the file.",
+        joined({{file_setting,
+                 {"target", "", "target file (CSV), as in rugosa design"},
+                 max_pressure_setting(),
+                 ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
+                 {"out", "", "genome file (JSON) to write the best one to"},
+                 force_setting(),
+                 threads_setting()},
+                model_settings()}),
+        {"database query genomes.db --target target.csv --best 5",
+         "database query genomes.db --target target.csv --max-pressure 1.6e-4 --out best.json"},
+        database_query,
+        {"file"}};
 }
 
 } // namespace
 
 Command database_command() {
-    return {"database",
-            "keep genomes and their responses in a file, and ask it for a target",
-            "(build | info | merge | query) FILE [flags]",
-            "A genome database keeps computed responses, so that a new target is answered in a second.",
-            {},
-            {"database build genomes.db --genomes 100000", "database info genomes.db",
-             "database merge a.db b.db --out genomes.db", "database query genomes.db --target target.csv"},
-            {},
-            {},
-            {database_build_command(), database_info_command(), database_merge_command(),
-             database_query_command()}};
+    return {
+        "database",
+        "keep genomes and their responses in a file, and search it for a target",
+        "(build | info | merge | query) FILE [flags]",
+        "A genome database keeps computed responses. It can be searched for a new target within a second.",
+        {},
+        {"database build genomes.db --genomes 100000", "database info genomes.db",
+         "database merge a.db b.db --out genomes.db", "database query genomes.db --target target.csv"},
+        {},
+        {},
+        {database_build_command(), database_info_command(), database_merge_command(),
+         database_query_command()}};
 }
 
 } // namespace app

@@ -6,7 +6,6 @@
 #include "apps/report/record.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/units.hpp"
-#include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
@@ -22,7 +21,7 @@ namespace app {
 namespace {
 
 /// Shares of --seconds after which the search, the tolerance (planned for a tenth) and the further checks of
-/// the answer end. The rest is left for drawing the report.
+/// the answer end. The rest is for drawing the report.
 constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 /// Seconds for drawing the report if the time is spent.
 constexpr double drawing_seconds = 3;
@@ -33,8 +32,8 @@ int exit_code(const DesignRun& run) {
     return run.summary.found ? 0 : 3;
 }
 
-/// Says what the design found that a folder holds, and gives its exit code.
-int told_again(const std::filesystem::path& result) {
+/// Prints the verdict of a finished design again, and returns its exit code.
+int repeat_verdict(const std::filesystem::path& result) {
     const auto before = rough::parsed_json(rough::read_whole(result), result.string());
     const nlohmann::json::json_pointer found("/summary/found"), verdict("/verdict");
     if (before.contains(verdict) && before.at(verdict).is_string())
@@ -42,7 +41,7 @@ int told_again(const std::filesystem::path& result) {
     return before.contains(found) && before.at(found) == false ? 3 : 0;
 }
 
-/// The least change of what is controlled, and what it gives.
+/// Finds the smallest change of the controlled phases that brings a surface back to its target.
 void morph_into(DesignRun& run) {
     const Production& from = *run.from;
     run.morphed = rough::morph(run.searched, from.genome, from.control, from.largest_change,
@@ -57,8 +56,7 @@ int design(const Settings& settings, const std::string& line) {
     run.origin = {"design", RUGOSA_VERSION, line, run.options.seed, ga::thread_count(run.options.threads)};
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
-        throw rough::InputError(
-            "--resume: given without --out, expected the folder of the interrupted design");
+        throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
     const OutputFolder output(
         settings.text("out"), "design",
         {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
@@ -69,7 +67,7 @@ int design(const Settings& settings, const std::string& line) {
          resume});
     const auto& folder = output.path();
     if (resume && says_finished(folder, "checkpoint.cbor"))
-        return told_again(folder / "result.json");
+        return repeat_verdict(folder / "result.json");
     const bool pictures = settings.choice("pictures") == 0;
     for (const auto& account : run.accounts)
         say(account);
@@ -82,7 +80,7 @@ int design(const Settings& settings, const std::string& line) {
     const auto evaluator = design_evaluator(run.options.threads);
     run.options.evaluator = evaluator.get();
     const auto checkpoint = folder / "checkpoint.cbor";
-    run.options.keeping = rough::Keeping{
+    run.options.checkpoints = rough::CheckpointOptions{
         checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
@@ -99,7 +97,7 @@ int design(const Settings& settings, const std::string& line) {
     run.setup = exactly(run.found.setup);
     run.searched = run.found.setup;
     run.interrupted = interrupt.asked();
-    run.own = response_of(run.setup, run.found.best);
+    run.response = response_of(run.setup, run.found.best);
     if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
         run.not_asked = off_unasked(run);
     run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
@@ -115,7 +113,8 @@ int design(const Settings& settings, const std::string& line) {
         progress.show("verifying");
         run.trust_options.seconds = checked_by * limit - clock.seconds();
         run.trust_options.stop = run.options.stop;
-        run.trust = trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.own);
+        run.trust =
+            trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
         run.interrupted = interrupt.asked();
         run.summary = summary_of(run);
         run.seconds = clock.seconds();
@@ -138,44 +137,46 @@ int design(const Settings& settings, const std::string& line) {
         for (const auto& flag : run.trust->flags)
             say("note: " + flag);
         if (!run.trust->left_out.empty())
-            say("note: no time was left to verify the answer in " +
-                std::to_string(run.trust->left_out.size()) + " ways, named in result.json under trust");
+            say("note: no time was left for " + std::to_string(run.trust->left_out.size()) +
+                " checks of the answer, which result.json names under trust");
     }
     for (const Fact& fact : run.summary.facts)
         say(fact.name + ": " + fact.text);
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(clock.seconds()) + " s)" +
-        (std::filesystem::exists(checkpoint) ? "; --resume goes on with the search" : ""));
+        (std::filesystem::exists(checkpoint) ? "; --resume continues the search" : ""));
     return exit_code(run);
 }
 
 } // namespace
 
 Command design_command() {
-    return {"design",
-            "find a rough profile that answers as a target asks",
-            "(--target T.csv | --like SCAN.txt [--unit U]) [flags]",
-            "Finds a rough profile that answers as the target asks, and says what to believe of it. "
-            "Writes result.json, genome.json, answer.csv and report.html to a folder, of an area a tile "
-            "to print (surface.3mf, surface.stl) beside them. A target is a CSV file with the columns "
-            "pressure_MPa and stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm "
-            "and contact_fraction or pressure_MPa; columns lower and upper give a tolerance band. The "
-            "answer is verified by its worst similarity, over a grid four times finer, four times the "
-            "load steps and both; found is one of 0.99 or what --reach-similarity asks. With --from "
-            "nothing is searched: the named chromosomes' phases of a surface in production are changed as "
-            "little as brings it back to the target, on the set-up's own grid. Exit codes: 0 found; 2 "
-            "wrong use; 3 similarity or limits missed, an area not verified in time, or the target is out "
-            "of reach; 130 interrupted. The best so far is written in every case but wrong use.",
-            design_settings(),
-            {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
-             "design --like scan.txt --unit um --reach-similarity 0.99",
-             "design --target target.csv --database genomes.db --seconds 1",
-             "design --target stiffness.csv,area.csv --weights 1,0.3",
-             "design --target stiffness.csv,area.csv --variant nsga2",
-             "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
-             "design --target target.csv --max-slope 0.05 --min-radius 0.01",
-             "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
-             "1\""},
-            design};
+    return {
+        "design",
+        "design a rough surface that has a given contact behaviour",
+        "(--target T.csv | --like SCAN.txt [--unit U]) [flags]",
+        "Designs a rough surface whose response is that of the target, and verifies the answer. Writes "
+        "result.json, genome.json, answer.csv and report.html to a folder, and for an area a tile to print "
+        "(surface.3mf, surface.stl). A target is a CSV file with the columns pressure_MPa and "
+        "stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm and contact_fraction or "
+        "pressure_MPa. Columns lower and upper are a tolerance band. The answer counts by its lowest "
+        "similarity: on the grid, on a grid four times finer, in four times the load steps, and in both. It "
+        "is found if this is at least 0.99, or --reach-similarity. With --from nothing is searched: the "
+        "phases of "
+        "the named chromosomes of a surface in production are changed as little as brings it back to the "
+        "target. Exit codes: 0 found; 2 wrong use; 3 similarity or limits missed, an area not verified in "
+        "time, or the target is out of reach; 130 interrupted. The best so far is written, except after "
+        "wrong use.",
+        design_settings(),
+        {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
+         "design --like scan.txt --unit um --reach-similarity 0.99",
+         "design --target target.csv --database genomes.db --seconds 1",
+         "design --target stiffness.csv,area.csv --weights 1,0.3",
+         "design --target stiffness.csv,area.csv --variant nsga2",
+         "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
+         "design --target target.csv --max-slope 0.05 --min-radius 0.01",
+         "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
+         "1\""},
+        design};
 }
 
 } // namespace app

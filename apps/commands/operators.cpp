@@ -1,5 +1,4 @@
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/settings.hpp"
 #include "domain/design/pipelines.hpp"
 #include "ga/text/listing.hpp"
 

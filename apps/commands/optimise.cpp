@@ -2,36 +2,32 @@
 #include "apps/commands/optimise/children.hpp"
 #include "apps/external/genes.hpp"
 #include "apps/external/problem.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 
 #include <atomic>
-#include <filesystem>
-#include <functional>
 
 namespace app {
 
 namespace {
 
-/// A search by children.
+/// A search whose genomes are evaluated by child processes.
 struct SearchByChildren : OutsideSearch {
     std::string minimise;                         ///< as for `minimised`
     const std::atomic<bool>* stop = nullptr;      ///< see ga::Budget
     std::filesystem::path checkpoint;             ///< file
-    bool resume = false;                          ///< go on from it
-    std::string description;                      ///< of what decides the result beside the pipeline and seed
+    bool resume = false;                          ///< continue from the checkpoint
+    std::string description;                      ///< all that decides the result besides pipeline and seed
     std::function<void(const std::string&)> show; ///< progress
 };
 
-/// The paid calls, made by children.
+/// Evaluates genomes by children.
 template <class P>
 class ByChildren : public ga::Evaluator<P> {
   public:
@@ -54,76 +50,64 @@ class ByChildren : public ga::Evaluator<P> {
 
 /// Searches for genomes of one type.
 template <class G>
-void search_by_children(SearchByChildren& asked, Children& children) {
+void search_by_children(SearchByChildren& search, Children& children) {
     using P = OutsideProblem<G>;
     const ga::Stopwatch clock;
-    stage_of<P>(asked, 2); // words that are wrong are refused before anything is started
+    stage_of<P>(search, 2); // refuses a wrong text before anything is started
 
     // The first genome that a leading `sample` draws tells how many objectives there are.
     ByChildren<P> evaluator(children);
     ga::RunOptions run;
-    run.seed = asked.seed;
-    run.budget = {2, asked.seconds, asked.stop};
-    asked.stopped =
-        ga::run_by(evaluator, ga::sample(1) | ga::score(), P(asked.genes, {false}), {}, run).stopped;
+    run.seed = search.seed;
+    run.budget = {2, search.seconds, search.stop};
+    search.stopped =
+        ga::run_by(evaluator, ga::sample(1) | ga::score(), P(search.genes, {false}), {}, run).stopped;
     const std::size_t objectives = children.objectives();
     if (objectives == 0)
         return;
-    asked.spent = 1;
-    const P problem(asked.genes, children.record.minimise = minimised(asked.minimise, objectives));
-    const auto stage = stage_of<P>(asked, objectives);
-    asked.searched = stage.text();
+    search.spent = 1;
+    const P problem(search.genes, children.record.minimise = minimised(search.minimise, objectives));
+    const auto stage = stage_of<P>(search, objectives);
+    search.searched = stage.text();
 
-    const bool draws_it_again = asked.searched.starts_with("sample ");
-    const long apart = draws_it_again ? 0 : 1; // evaluations that the run does not count
-    run.variant = asked.variant = variant_of(asked, objectives);
-    run.budget = {asked.evaluations - apart, asked.seconds - clock.seconds(), asked.stop};
-    ga::Checkpoints<P> keeper(asked.checkpoint, asked.description + " " + std::to_string(objectives),
-                              asked.resume, checkpoint_interval());
+    const bool draws_it_again = search.searched.starts_with("sample ");
+    const long extra = draws_it_again ? 0 : 1; // evaluations that the run does not count
+    run.variant = search.variant = variant_of(search, objectives);
+    run.budget = {search.evaluations - extra, search.seconds - clock.seconds(), search.stop};
+    ga::Checkpoints<P> keeper(search.checkpoint, search.description + " " + std::to_string(objectives),
+                              search.resume, checkpoint_interval());
     keeper.keep("record", children.record);
     try {
         const auto found =
-            ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(asked.show)}, &keeper);
-        asked.spent = found.counters.evaluations + apart;
-        asked.stopped = found.stopped;
-        asked.notes = found.notes;
+            ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(search.show)}, &keeper);
+        search.spent = found.counters.evaluations + extra;
+        search.stopped = found.stopped;
+        search.notes = found.notes;
     } catch (const ga::NothingLeft& nothing) {
-        asked.stopped = nothing.what();
-    }
-}
-
-/// Searches. Throws ga::UsageError on a pipeline that cannot work; trouble with a child is the children's to
-/// tell.
-void search(SearchByChildren& search, Children& children) {
-    switch (search.genes.kind) {
-    case Genes::Kind::numbers:
-        return search_by_children<std::vector<double>>(search, children);
-    case Genes::Kind::bits:
-        return search_by_children<std::vector<bool>>(search, children);
-    case Genes::Kind::permutation:
-        return search_by_children<ga::Permutation>(search, children);
+        search.stopped = nothing.what();
     }
 }
 
 using nlohmann::json;
 
 std::vector<Setting> optimise_settings() {
-    Setting minimise("minimise", "", "less is better: in all objectives, or X = 1,3 in those");
+    Setting minimise("minimise", "",
+                     "lower is better: for all objectives, or only for those that X = 1,3 names");
     minimise.alone = "all";
-    const std::vector<Setting> settings{
-        {"genes", "",
-         "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
-         "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
-        {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
-        minimise,
-        positive("timeout", "60", "seconds that one evaluation may take"),
-        ga::whole("threads", "0", 0, "evaluations at a time, one child process each; 0 takes all processors")
-            .up_to(1024),
-        {"out", "", "folder for result.json [out/optimise]"},
-        Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
-        force_setting(),
-    };
-    return joined({settings, outside_settings()});
+    return joined(
+        {{{"genes", "",
+           "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
+           "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
+          {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
+          minimise,
+          positive("timeout", "60", "maximum seconds for one evaluation"),
+          ga::whole("threads", "0", 0,
+                    "number of child processes, which evaluate at the same time; 0: one per processor")
+              .up_to(1024),
+          {"out", "", "folder for result.json [out/optimise]"},
+          Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
+          force_setting()},
+         outside_settings()});
 }
 
 json solution_json(const Solution& solution) {
@@ -137,96 +121,100 @@ json solution_json(const Solution& solution) {
 }
 
 json outside_json(const OutsideSearch& searched, const BestKnown& record, const Settings& settings) {
-    json result;
-    for (const char* name : {"genes", "evaluate"})
-        result[name] = settings.text(name);
-    result["variant"] = searched.variant;
-    result["pipeline"] = searched.searched;
-    result["minimise"] = json::array();
+    json result{
+        {"genes", settings.text("genes")}, {"evaluate", settings.text("evaluate")},
+        {"variant", searched.variant},     {"pipeline", searched.searched},
+        {"minimise", json::array()},       {"best", record.best() ? solution_json(*record.best()) : json()},
+        {"evaluations", searched.spent},   {"stopped", searched.stopped},
+        {"notes", searched.notes}};
     for (std::size_t k = 0; k < record.minimise.size(); ++k)
         if (record.minimise[k])
             result["minimise"].push_back(k + 1);
-    result["best"] = record.best() ? solution_json(*record.best()) : json();
-    if (record.minimise.size() > 1) {
+    if (record.minimise.size() > 1)
         result["front"] = json::array();
-        for (const Solution& solution : record.front())
-            result["front"].push_back(solution_json(solution));
-    }
-    result["evaluations"] = searched.spent;
-    result["stopped"] = searched.stopped;
-    result["notes"] = searched.notes;
+    for (const Solution& solution : record.front()) // empty for one objective
+        result["front"].push_back(solution_json(solution));
     return result;
 }
 
-/// What the settings ask for; their mistakes are found before anything is made.
+/// The search that the settings describe. Their mistakes are found before any file is written.
 SearchByChildren search_from(const Settings& settings) {
     for (const char* needed : {"genes", "evaluate"})
         if (!settings.has(needed))
             throw rough::InputError(
-                std::string("--") + needed + ": missing, expected it" +
+                std::string("--") + needed + ": missing; give it" +
                 (needed[0] == 'g' ? ", e.g. real:5:-5:5" : ", e.g. 'python3 fitness.py'"));
     SearchByChildren search;
     take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
     split_command(settings.text("evaluate"));
     search.minimise = settings.text("minimise");
-    if (search.minimise != "all") // their largest is not known yet
+    if (search.minimise != "all") // the number of objectives is not known yet
         minimised(search.minimise, 1000);
     search.description = json({settings.text("genes"), settings.text("evaluate"), search.minimise}).dump();
     search.resume = settings.is_on("resume");
     if (search.resume && !settings.has("out"))
-        throw rough::InputError("--resume: given without --out, expected the folder of the interrupted run");
+        throw rough::InputError("--resume: given without --out; name the folder of the interrupted run");
     return search;
 }
 
 int optimise(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
-    SearchByChildren asked = search_from(settings);
+    SearchByChildren search = search_from(settings);
     const int threads = ga::thread_count(settings.whole<int>("threads"));
     const double timeout = settings.number("timeout");
     const OutputFolder output(settings.text("out"), "optimise",
                               {{"result.json", "checkpoint.cbor", "checkpoint.cbor.before", "evaluate.log"},
                                settings.files(),
                                settings.is_on("force"),
-                               asked.resume});
+                               search.resume});
     const auto& folder = output.path();
-    asked.checkpoint = folder / "checkpoint.cbor";
-    if (asked.resume && says_finished(folder, "checkpoint.cbor"))
+    search.checkpoint = folder / "checkpoint.cbor";
+    if (search.resume && says_finished(folder, "checkpoint.cbor"))
         return 0;
 
     const Interrupt interrupt;
     Progress progress;
     Children children(settings.text("evaluate"), threads, timeout, folder / "evaluate.log");
-    asked.stop = &interrupt.flag();
-    asked.show = [&](const std::string& line) { progress.show(line); };
-    asked.seconds -= clock.seconds();
-    search(asked, children);
+    search.stop = &interrupt.flag();
+    search.show = [&](const std::string& line) { progress.show(line); };
+    search.seconds -= clock.seconds();
+    switch (search.genes.kind) {
+    case Genes::Kind::numbers:
+        search_by_children<std::vector<double>>(search, children);
+        break;
+    case Genes::Kind::bits:
+        search_by_children<std::vector<bool>>(search, children);
+        break;
+    case Genes::Kind::permutation:
+        search_by_children<ga::Permutation>(search, children);
+    }
     if (!children.trouble().empty())
-        asked.stopped = children.trouble();
+        search.stopped = children.trouble();
     const BestKnown& record = children.record;
     if (record.best() || interrupt.asked()) {
-        json result = origin_json({"optimise", RUGOSA_VERSION, line, asked.seed, threads});
-        result.update(outside_json(asked, record, settings));
+        json result = origin_json({"optimise", RUGOSA_VERSION, line, search.seed, threads});
+        result.update(outside_json(search, record, settings));
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);
     }
-    if (asked.stopped.empty())
+    if (search.stopped.empty())
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(folder / kept);
     if (!children.trouble().empty())
         throw rough::InputError(children.trouble() +
                                 (record.best() ? "; the best so far is in " + folder.string() : ""));
-    tell_notes(asked.notes);
+    tell_notes(search.notes);
     std::string best = "nothing was evaluated";
     if (record.best()) {
         best = "best";
         for (const double value : record.best()->answer.objectives)
             best += " " + readable(value, 6);
     }
-    say(folder.string() + ": " + best + " after " + std::to_string(asked.spent) + " evaluations (" +
-        readable(clock.seconds()) + " s)" + (asked.stopped.empty() ? "" : "; " + asked.stopped) +
-        (std::filesystem::exists(asked.checkpoint)
-             ? ", and --resume with more --evaluations or --seconds goes on"
+    say(folder.string() + ": " + best + " after " + std::to_string(search.spent) + " evaluations (" +
+        readable(clock.seconds()) + " s)" + (search.stopped.empty() ? "" : "; " + search.stopped) +
+        (std::filesystem::exists(search.checkpoint)
+             ? "; --resume with more --evaluations or --seconds continues"
              : ""));
     return interrupt.asked() ? exit_interrupted : 0;
 }
@@ -234,25 +222,26 @@ int optimise(const Settings& settings, const std::string& line) {
 } // namespace
 
 Command optimise_command() {
-    return {"optimise",
-            "optimise what a program in any language evaluates",
-            "--genes KIND --evaluate 'COMMAND' [flags]",
-            "Optimises what a program in any language evaluates. COMMAND is started once a thread, "
-            "without a shell; it reads a line {\"id\":1,\"genes\":[0.5,1]} a genome from its standard "
-            "input and writes a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. "
-            "Greater is better unless --minimise says otherwise. \"violation\":V or [V1,V2,...], above 0 "
-            "for a constraint that is broken, puts a genome behind those that hold all. The same genome "
-            "must have the same answer; then the same seed gives the same bits on any number of threads. "
-            "Writes result.json. Exit codes: 0 done; 2 wrong use, or a child that ended, was silent too "
-            "long or answered nonsense; 130 interrupted. The best so far is written, and --resume goes on.",
-            optimise_settings(),
-            {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
-             "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
-             "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
-             "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
-             "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
-             "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"},
-            optimise};
+    return {
+        "optimise",
+        "optimise genomes that a program in any language evaluates",
+        "--genes KIND --evaluate 'COMMAND' [flags]",
+        "Optimises genomes that a program in any language evaluates. One COMMAND per thread is started, "
+        "without a shell. For each genome it reads a line {\"id\":1,\"genes\":[0.5,1]} from its standard "
+        "input and writes a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. Higher is "
+        "better, except with --minimise. A constraint is broken if its \"violation\":V or [V1,V2,...] is "
+        "above 0; such genomes rank after those that hold all constraints. The same genome must have the "
+        "same answer; then the same seed gives the same bits on any number of threads. Writes result.json. "
+        "Exit codes: 0 done; 2 wrong use, or a child that ended, was silent too long or gave a wrong "
+        "answer; 130 interrupted. The best so far is written, and --resume continues the search.",
+        optimise_settings(),
+        {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
+         "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
+         "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
+         "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
+         "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
+         "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"},
+        optimise};
 }
 
 } // namespace app

@@ -6,7 +6,6 @@
 #include "apps/report/render.hpp"
 #include "apps/report/surface.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
@@ -23,7 +22,7 @@ namespace app {
 
 namespace {
 
-/// What --width, --base and --magnify set.
+/// The parameters --width, --base and --magnify.
 Fields fields_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
@@ -38,69 +37,28 @@ std::vector<Setting> profile_settings() {
     rough::Extrusion usual;
     const std::vector<Setting> settings{
         {"genome", "", "genome file (JSON) of the profile (may be given without the flag)"},
-        {"profile", "", "measured profile in place of a genome: text, SDF, SUR, GSF or X3P"},
+        {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
         Setting(ga::whole("nodes", "", 10,
-                          "nodes of the grid, 10 to 1e7 [512; a scan: its points]; a genome's area: NXxNY")
+                          "nodes of the grid, 10 to 1e7 [512; for a scan: its points]; NXxNY for an area")
                     .up_to(1e7))
             .several('x'),
         positive("length", "",
-                 "length L of the profile, mm [0.84942; a scan, or a genome made for one: its own]; an "
-                 "area: LX or LXxLY")
+                 "length L of the profile, mm [0.84942; for a scan, or a genome made for one: its length]; "
+                 "LXxLY for an area")
             .several('x'),
-        Setting("periodic", "", "the area repeats: nothing is windowed, lags go around its edges", true),
-        Setting(
-            ga::number("smr", "", -1e300, 1e300,
-                       "heights over an area's mean plane, mm, with commas between: what share is higher"))
+        Setting("periodic", "", "the area is periodic: no window is applied, and lags cross its edges", true),
+        Setting(ga::number("smr", "", -1e300, 1e300,
+                           "heights over an area's mean plane, mm, with commas between, whose material "
+                           "ratios are computed"))
             .several(),
         Setting(ga::number("smc", "", 0, 1,
-                           "shares of an area, 0 to 1, with commas between: the height that each exceeds"))
+                           "shares of an area, 0 to 1, with commas between, whose heights are computed"))
             .several(),
         pictures_setting(),
     };
     return joined({area_settings(), settings, settings_of(fields_of(usual)), scan_settings()});
-}
-
-/// A profile and what it was made of: cosines, or a scan.
-struct Shape {
-    rough::Profile profile;
-    std::vector<rough::SpectralLine> lines; ///< of a genome
-    std::string account;
-    std::string jump; ///< in words; "" where its ends meet
-};
-
-Shape shape_from(const Settings& settings) {
-    if (settings.has("profile") && settings.given("length"))
-        throw rough::InputError("--length: given with a scan, which has its own");
-    const rough::Index nodes = nodes_from(settings, 0);
-    const rough::Source source = source_from(settings, nodes);
-    rough::Grid grid = source.grid();
-    if (nodes > 0)
-        grid.nodes = nodes;
-    settings.take("length", grid.length);
-    Shape shape{source.on(grid), {}, source.account, ""};
-    if (!source.genome)
-        return shape;
-    shape.lines = rough::discrete_spectrum(*source.genome);
-    const double shortest = 2 * std::numbers::pi / shape.lines.back().wave_number / grid.spacing();
-    shape.account = source.name + ": " + readable(grid.length, 6) + " mm, " +
-                    std::to_string(shape.lines.size()) + " waves, the shortest " + readable(shortest) +
-                    " nodes long";
-    if (shortest < 8)
-        shape.account += " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)";
-    shape.jump = jump_note(*source.genome, grid.length,
-                           shape.profile.heights.maxCoeff() - shape.profile.heights.minCoeff());
-    return shape;
-}
-
-std::pair<Eigen::VectorXd, Eigen::VectorXd> columns(const std::vector<rough::SpectralLine>& lines) {
-    Eigen::VectorXd k(static_cast<Eigen::Index>(lines.size())), power(k.size());
-    for (Eigen::Index i = 0; i < k.size(); ++i) {
-        k[i] = lines[static_cast<std::size_t>(i)].wave_number;
-        power[i] = lines[static_cast<std::size_t>(i)].power;
-    }
-    return {k, power};
 }
 
 /// A text matrix as --surface reads it.
@@ -113,51 +71,10 @@ std::string matrix(const rough::Profile& map) {
     return table.substr(table.find('\n') + 1);
 }
 
-/// The material ratio curve at one place.
-struct OnCurve {
-    double ratio, height; ///< mm from the mean plane
-};
-
-/// What --smr and --smc ask for, of the mean plane.
-struct MaterialRatios {
-    std::vector<OnCurve> of_heights, of_ratios;
-};
-
-MaterialRatios ratios_of(rough::Profile map, const Settings& settings) {
-    map.heights.array() -= map.heights.mean();
-    MaterialRatios found;
-    for (const double height : settings.numbers("smr"))
-        found.of_heights.push_back({material_ratio(map, height), height});
-    for (const double ratio : settings.numbers("smc"))
-        found.of_ratios.push_back({ratio, rough::material_height(map.heights, ratio)});
-    return found;
-}
-
-/// The ratios that were requested, as rows beside the set that surface.json holds.
-std::vector<rough::SurfaceParameter> told(const MaterialRatios& ratios) {
-    std::vector<rough::SurfaceParameter> all;
-    for (const OnCurve& one : ratios.of_heights) {
-        const Unit unit = length_unit(std::abs(one.height));
-        all.push_back({"Smr(" + brief(unit.factor * one.height, 4) + " " + unit.name + ")", "",
-                       "material ratio at this height over the mean plane", one.ratio});
-    }
-    for (const OnCurve& one : ratios.of_ratios)
-        all.push_back({"Smc(" + brief(100 * one.ratio, 4) + " %)", "mm",
-                       "height that this share of the area exceeds", one.height});
-    return all;
-}
-
-nlohmann::json curve_json(const std::vector<OnCurve>& points) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const OnCurve& one : points)
-        all.push_back({{"material_ratio", one.ratio}, {"height_mm", one.height}});
-    return all;
-}
-
-/// A file by its name, made when it is written: a map's are large.
+/// A file's name and content, which is made when it is written, as those of maps are large.
 using Table = std::pair<std::string, std::function<std::string()>>;
 
-/// What is written of a profile or a map.
+/// The description of a profile or a map.
 struct Description {
     std::string kind; ///< profile or surface, as its files are called
     std::shared_ptr<const rough::Profile> surface;
@@ -168,48 +85,89 @@ struct Description {
     double largest_height;  ///< mm
     nlohmann::json numbers; ///< keys of KIND.json besides those that both have
     std::vector<Table> tables;
-    std::vector<std::string> unlisted = {}; ///< of these, files that the page does not name
+    std::vector<std::string> unlisted = {}; ///< names of tables that the page does not list
     std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
 };
 
 Description described_profile(const Settings& settings) {
-    const auto shape = std::make_shared<Shape>(shape_from(settings));
-    const rough::Profile& profile = shape->profile;
+    if (settings.has("profile") && settings.given("length"))
+        throw rough::InputError("--length: given with a scan; omit it, as a scan has a length");
+    const rough::Source source = source_from(settings, nodes_from(settings));
+    rough::Grid grid = source.grid();
+    settings.take("nodes", grid.nodes);
+    settings.take("length", grid.length);
+    const auto profile = std::make_shared<const rough::Profile>(source.on(grid));
+    std::string account = source.account, jump;
+    std::vector<rough::SpectralLine> lines;
+    if (source.genome) {
+        lines = rough::discrete_spectrum(*source.genome);
+        const double shortest = 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
+        account =
+            source.name + ": " + readable(grid.length, 6) + " mm, " + std::to_string(lines.size()) +
+            " waves, the shortest " + readable(shortest) + " nodes long" +
+            (shortest < 8 ? " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)"
+                          : "");
+        jump =
+            jump_note(*source.genome, grid.length, profile->heights.maxCoeff() - profile->heights.minCoeff());
+    }
     const bool is_roughness = settings.has("lambda-c");
-    const rough::Roughness r = rough::roughness(profile, is_roughness ? settings.number("lambda-c") : 0);
+    const rough::Roughness r = rough::roughness(*profile, is_roughness ? settings.number("lambda-c") : 0);
     Description all{.kind = "profile",
-                    .surface = {shape, &profile},
-                    .spectrum = continuous_spectrum(profile),
-                    .account = shape->account + (shape->jump.empty() ? "" : "\n" + shape->jump),
+                    .surface = profile,
+                    .spectrum = continuous_spectrum(*profile),
+                    .account = account + (jump.empty() ? "" : "\n" + jump),
                     .rows = r.rows,
                     .largest_height = r[is_roughness ? "Rt" : "Pt"],
-                    .numbers = {{"account", shape->account},
-                                {"nodes", profile.nodes()},
-                                {"length_mm", profile.spacing * static_cast<double>(profile.nodes() - 1)},
+                    .numbers = {{"account", account},
+                                {"nodes", profile->nodes()},
+                                {"length_mm", profile->spacing * static_cast<double>(profile->nodes() - 1)},
                                 {"section_length_mm", r.section_length},
                                 {"sections", r.sections}},
                     .tables = {},
                     .pictures = {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}}};
     all.tables = {{"heights.csv",
                    [=] {
-                       return csv({"x_mm", "height_mm"}, {positions(shape->profile), shape->profile.heights});
+                       return csv({"x_mm", "height_mm"}, {positions(*profile), profile->heights});
                    }},
-                  {"heights-drawn.csv", [=] { return heights_csv(shape->profile); }},
+                  {"heights-drawn.csv", [=] { return heights_csv(*profile); }},
                   {"spectrum.csv", [s = all.spectrum] {
                        return csv({"wave_number_rad_per_mm", "density_mm3"}, {s.wave_number, s.density});
                    }}};
     all.unlisted = {"heights-drawn.csv", "lines.csv"};
-    if (!shape->lines.empty()) { // exact, over lengths that all waves divide
-        double m0 = 0, m2 = 0, m4 = 0;
-        for (const auto& [k, power] : shape->lines)
+    if (!lines.empty()) {
+        double m0 = 0, m2 = 0, m4 = 0; // exact, over lengths that all waves divide
+        Csv table("wave_number_rad_per_mm,power_mm2");
+        for (const auto& [k, power] : lines) {
             m0 += power, m2 += power * k * k, m4 += power * k * k * k * k;
+            table.row(k, power);
+        }
         all.numbers["series"] = {{"m0_mm2", m0}, {"m2", m2}, {"m4_per_mm2", m4}};
-        all.tables.emplace_back("lines.csv", [=] {
-            const auto [k, power] = columns(shape->lines);
-            return csv({"wave_number_rad_per_mm", "power_mm2"}, {k, power});
-        });
+        all.tables.emplace_back("lines.csv", [text = table.text()] { return text; });
     }
     return all;
+}
+
+/// Adds the points of the material ratio curve, heights over the mean plane (mm), that --smr and --smc
+/// request.
+void add_requested(Description& all, rough::Profile map, const Settings& settings) {
+    map.heights.array() -= map.heights.mean();
+    const auto add = [&](const char* key, double ratio, double height, rough::SurfaceParameter row) {
+        all.numbers[key].push_back({{"material_ratio", ratio}, {"height_mm", height}});
+        all.requested.push_back(std::move(row));
+    };
+    for (const double height : settings.numbers("smr")) {
+        const Unit unit = length_unit(std::abs(height));
+        const double ratio = material_ratio(map, height);
+        add("Smr_of_heights", ratio, height,
+            {"Smr(" + brief(unit.factor * height, 4) + " " + unit.name + ")", "",
+             "material ratio at this height over the mean plane", ratio});
+    }
+    for (const double ratio : settings.numbers("smc")) {
+        const double height = rough::material_height(map.heights, ratio);
+        add("Smc_of_ratios", ratio, height,
+            {"Smc(" + brief(100 * ratio, 4) + " %)", "mm", "height that this share of the area exceeds",
+             height});
+    }
 }
 
 Description described_map(const Settings& settings) {
@@ -217,14 +175,12 @@ Description described_map(const Settings& settings) {
     rough::Map read = measured ? surface_from(settings) : sampled_from(settings, periodic);
     const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
     const rough::ArealParameters areal = areal_parameters(*map, periodic);
-    const MaterialRatios ratios = ratios_of(*map, settings);
     const auto [nodes, rows] = map->shape();
     Description all{.kind = "surface",
                     .surface = map,
                     .spectrum = continuous_spectrum(*map, periodic),
                     .account = (measured ? settings.text("surface") + ": " : "") + read.account,
                     .rows = areal.rows,
-                    .requested = told(ratios),
                     .largest_height = areal["Sz"],
                     .numbers = {{"account", read.account},
                                 {"length_mm",
@@ -243,10 +199,7 @@ Description described_map(const Settings& settings) {
                                   {s.wave_number, s.density, s.power});
                    }}};
     all.unlisted = {"map.csv"};
-    if (settings.has("smr"))
-        all.numbers["Smr_of_heights"] = curve_json(ratios.of_heights);
-    if (settings.has("smc"))
-        all.numbers["Smc_of_ratios"] = curve_json(ratios.of_ratios);
+    add_requested(all, *map, settings);
     return all;
 }
 
@@ -276,11 +229,11 @@ nlohmann::json numbers_of(const Description& of, const Settings& settings, const
 void print_parameters(const std::vector<rough::SurfaceParameter>& all, double largest) {
     const Unit height = length_unit(largest);
     for (const rough::SurfaceParameter& one : all) {
+        const Unit unit = one.unit == "mm" ? height : Unit{one.unit, 1};
         char line[160];
         if (std::isfinite(one.value))
             std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", one.name.c_str(),
-                          one.value * (one.unit == "mm" ? height.factor : 1),
-                          one.unit == "mm" ? height.name.c_str() : one.unit.c_str(), one.meaning.c_str());
+                          one.value * unit.factor, unit.name.c_str(), one.meaning.c_str());
         else
             std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), "none", "",
                           one.meaning.c_str());
@@ -288,21 +241,8 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
     }
 }
 
-/// Writes report.html and, of each figure, an SVG file. A picture that cannot be drawn costs nothing else.
-void write_pages(const std::filesystem::path& folder,
-                 const std::vector<std::pair<std::string, std::string>>& pictures) {
-    const PageSource source = page_source(folder);
-    for (const auto& [file, figure] : pictures)
-        try {
-            rough::write_atomically(folder / file, figure_file(figure, source));
-        } catch (const rough::InputError& error) {
-            say("note: " + file + " is left out: " + error.what());
-        }
-    rough::write_atomically(page_of(source), render(source));
-}
-
+/// Writes all files of a description; a picture that cannot be drawn is left out.
 void write_description(const Description& of, const Settings& settings, const rough::Extrusion& extrusion) {
-    const bool pictures = settings.choice("pictures") == 0;
     const Solids solids = solids_of(*of.surface, extrusion);
     const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
                                                        : settings.has("profile") ? "profile"
@@ -330,25 +270,32 @@ void write_description(const Description& of, const Settings& settings, const ro
     for (const std::string& solid : write_solids(solids, out.path(), of.kind))
         files.push_back(solid);
     write_json(out.path() / (of.kind + ".json"), numbers_of(of, settings, source.filename().string(), files));
-    if (pictures)
-        write_pages(out.path(), of.pictures);
+    if (settings.choice("pictures") == 0) {
+        const PageSource page = page_source(out.path());
+        for (const auto& [file, figure] : of.pictures)
+            try {
+                write(file, figure_file(figure, page));
+            } catch (const rough::InputError& error) {
+                say("note: " + file + " is left out: " + error.what());
+            }
+        rough::write_atomically(page_of(page), render(page));
+    }
     say(of.account);
-    std::vector<rough::SurfaceParameter> all = of.rows;
-    all.insert(all.end(), of.requested.begin(), of.requested.end());
-    print_parameters(all, of.largest_height);
+    print_parameters(of.rows, of.largest_height);
+    print_parameters(of.requested, of.largest_height);
     say("written to " + out.path().string());
 }
 
 int profile(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("profile: expected one of a genome file, --profile and --surface");
+        throw rough::InputError("profile: give one of a genome file, --profile and --surface");
     rough::Extrusion extrusion;
     take(settings, fields_of(extrusion));
     const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
         if (!is_map && settings.given(name))
             throw rough::InputError("--" + name +
-                                    ": given without an area, expected with --surface or --nodes NXxNY");
+                                    ": given without an area; give --surface or --nodes NXxNY too");
     write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
     return 0;
 }
@@ -356,26 +303,25 @@ int profile(const Settings& settings, const std::string&) {
 } // namespace
 
 Command profile_command() {
-    return {"profile",
-            "what a profile is: heights, solid (STL), picture, roughness, spectrum",
-            "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] "
-            "[flags]",
-            "Writes what a rough profile is: a page to look at (report.html), its heights (heights.csv, "
-            "profile.x3p), a solid to print or mesh (profile.3mf in mm, profile.stl), a picture "
-            "(profile.svg), its parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with "
-            "--lambda-c), its material ratio curve (bearing.csv) and its power spectrum "
-            "(spectrum.csv, spectrum.svg; lines.csv holds a genome's waves). Of a map, and of a genome on "
-            "--nodes NXxNY: ISO 25178 parameters "
-            "(surface.json), heights.txt, surface.x3p, surface.vtk, a tile to print (surface.3mf, "
-            "surface.stl), a picture (heights.svg), bearing.csv and the areal spectrum.",
-            profile_settings(),
-            {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
-             "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
-             "profile --profile map.sur --row 12 --detrend arc --outliers remove",
-             "profile surface.json --nodes 128x128",
-             "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"},
-            profile,
-            {"genome"}};
+    return {
+        "profile",
+        "describe a surface: heights, solid to print (STL), picture, roughness, spectrum",
+        "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] [flags]",
+        "Writes for a profile: report.html, heights (heights.csv, profile.x3p), a solid to print or mesh "
+        "(profile.3mf in mm, profile.stl), a picture (profile.svg), parameters (profile.json: Pa, Pq and so "
+        "on, or Ra, Rq and so on with --lambda-c), the material ratio curve (bearing.csv) and the power "
+        "spectrum (spectrum.csv, spectrum.svg; lines.csv for the waves of a genome). For a map, or a genome "
+        "on --nodes NXxNY: ISO 25178 parameters (surface.json), heights.txt, surface.x3p, surface.vtk, a "
+        "tile to print (surface.3mf, surface.stl), a picture (heights.svg), bearing.csv and the areal "
+        "spectrum.",
+        profile_settings(),
+        {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
+         "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
+         "profile --profile map.sur --row 12 --detrend arc --outliers remove",
+         "profile surface.json --nodes 128x128",
+         "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"},
+        profile,
+        {"genome"}};
 }
 
 } // namespace app

@@ -1,9 +1,6 @@
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
-#include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 
 namespace app {

@@ -1,7 +1,6 @@
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "domain/errors.hpp"
 
 #include <algorithm>
 
@@ -30,13 +29,13 @@ std::vector<Setting> run_settings() {
             .several('\n'),
     };
     for (Setting flag : model_flags()) {
-        flag.meaning = "in place of the experiment's model." + flag.name + ": " + flag.meaning;
+        flag.meaning = "replaces model." + flag.name + " of the experiment: " + flag.meaning;
         settings.push_back(flag);
     }
     return settings;
 }
 
-/// By the file's experiment.kind, which is read before it is known what other keys there may be.
+/// The experiment of the file's experiment.kind. Its other keys are not known before.
 const Experiment& experiment_of(const std::filesystem::path& file,
                                 const std::vector<std::string>& overrides) {
     std::vector<std::string> kinds;
@@ -51,7 +50,7 @@ const Experiment& experiment_of(const std::filesystem::path& file,
     return experiments()[read_ini(file, any, overrides).one_of("experiment.kind", kinds)];
 }
 
-/// Runs an experiment under its short name: the keys of its own section are flags.
+/// Runs an experiment under its short name: the keys of the section with that name are flags.
 int run_by_name(const Experiment& experiment, const Settings& given, const std::string& line) {
     const std::string& kind = experiment.kind;
     std::map<std::string, std::string> values;
@@ -73,8 +72,7 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
         return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
     const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
     if (settings.text("experiment.kind") != kind)
-        throw rough::InputError(settings.place("experiment.kind") + ": " + settings.text("experiment.kind") +
-                                " given, expected " + kind);
+        settings.refuse("experiment.kind", settings.text("experiment.kind") + " given, expected " + kind);
     for (const auto& input : settings.files())
         request.inputs.push_back(input);
     return carry_out(experiment, settings, request);
@@ -110,7 +108,7 @@ Command short_command(const std::string& kind, const std::string& summary) {
 
 int run(const Settings& flags, const std::string& line) {
     if (!flags.has("experiment"))
-        throw rough::InputError("run: no experiment given, expected an .ini file");
+        throw rough::InputError("run: no experiment given; name an .ini file");
     std::vector<std::string> overrides = flags.has("set") ? flags.words("set") : Words{};
     for (const char* key : {"seed", "threads"})
         if (flags.has(key))
@@ -145,7 +143,7 @@ Command compare_command() {
     return short_command("compare", "compare pipelines on problems with known answers");
 }
 Command stability_command() {
-    return short_command("stability", "try every contact solver where methods fail, and tabulate who fails");
+    return short_command("stability", "try every contact solver on difficult cases, and tabulate which fail");
 }
 
 Command run_command() {

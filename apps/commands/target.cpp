@@ -6,7 +6,6 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/units.hpp"
-#include "domain/errors.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/recorded.hpp"
@@ -19,18 +18,20 @@ namespace {
 std::vector<Setting> target_settings() {
     const std::vector<Setting> settings{
         {"formula", "",
-         "the target as a formula of p (MPa), or of d (mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
-        {"genome", "", "genome file (JSON) whose own response is the target"},
-        {"like", "", "measured profile whose own response is the target"},
-        {"check", "", "target file to check in place of making one"},
+         "formula of p (pressure, MPa) or of d (displacement, mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
+        {"genome", "", "genome file (JSON); its response becomes the target"},
+        {"like", "", "measured profile; its response becomes the target"},
+        {"check", "", "target file to check; none is written"},
         Setting("quantity", "stiffness",
-                "of what, against pressure or (area-displacement, load) displacement")
+                "quantity of the target, against displacement for area-displacement and load, else against "
+                "pressure")
             .of(rough::quantity_names()),
         positive("to", "",
-                 "last pressure (MPa) or displacement (mm) [the response's own; needed with --formula]"),
+                 "last pressure (MPa) or displacement (mm) [last of the response; --formula needs it]"),
         ga::whole("points", "20", 1, "points of the target, evenly spaced").up_to(1e6),
         ga::number("band", "", 0, 1,
-                   "tolerance band, a fraction of each value on both sides [none; a scan: its resolution's]"),
+                   "tolerance band on both sides, as a fraction of each value [none; a scan: that of its "
+                   "resolution]"),
         resistivity_setting(),
         {"out", "", "target file to write (CSV)"},
         force_setting(),
@@ -38,25 +39,21 @@ std::vector<Setting> target_settings() {
     return joined({settings, scan_settings(), {resolution_setting()}, model_settings()});
 }
 
-struct Made {
-    rough::Target goal;
-    rough::Model model;
-};
-
-Made made_target(const Settings& settings) {
+/// Makes the target that --formula, --genome or --like describes, and the model that it is meant for.
+std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     const auto quantity = static_cast<rough::Quantity>(settings.choice("quantity"));
-    const rough::Index points = static_cast<rough::Index>(settings.number("points"));
+    const auto points = settings.whole<rough::Index>("points");
     if (settings.has("formula")) {
         if (!settings.has("to"))
             throw rough::InputError(
-                "--to: missing, expected the last pressure (MPa) or displacement (mm) of the formula");
+                "--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const rough::Model model = model_from(settings);
         rough::Target goal = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
         goal.recorded = recorded_model(model);
         return {std::move(goal), model};
     }
-    const rough::Source source = source_from(settings, nodes_from(settings, 0), "like");
+    const rough::Source source = source_from(settings, nodes_from(settings), "like");
     if (!source.account.empty())
         say(source.account);
     const rough::Model model = model_from(settings, source);
@@ -64,16 +61,17 @@ Made made_target(const Settings& settings) {
     double last = 0;
     settings.take("to", last);
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
+    const auto resolution =
+        source.genome || settings.has("band") ? rough::Resolution::off : resolution_from(settings);
     return {placing(settings, "",
                     [&] {
                         return target_like(source.on(model.grid), loaded, source.name, quantity, points, last,
-                                           source.genome || settings.has("band") ? rough::Resolution::off
-                                                                                 : resolution_from(settings));
+                                           resolution);
                     }),
             model};
 }
 
-/// Says what the target is; gives the exit code, 3 where it is out of reach.
+/// Describes the target and returns the exit code: 3 if no profile can reach it.
 int report(const rough::Target& goal, const rough::Model& model, const Settings& settings) {
     const rough::Columns columns = columns_of(goal.quantity);
     say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
@@ -92,7 +90,7 @@ int target(const Settings& settings, const std::string&) {
     for (const char* source : {"formula", "genome", "like", "check"})
         given += settings.has(source);
     if (given != 1)
-        throw rough::InputError("target: expected one of --formula, --genome, --like and --check");
+        throw rough::InputError("target: give one of --formula, --genome, --like and --check");
     if (settings.has("check")) {
         const rough::Model model = model_from(settings);
         const rough::Target goal = goal_from(settings, settings.text("check"), model);
@@ -103,31 +101,30 @@ int target(const Settings& settings, const std::string&) {
         return report(goal, model, settings);
     }
     if (!settings.has("out"))
-        throw rough::InputError("target: --out is missing, expected the target file to write");
+        throw rough::InputError("--out: missing; name the target file to write");
     const std::filesystem::path out = expect_writable(settings.text("out"), settings);
-    Made made = made_target(settings);
+    auto [goal, model] = made_target(settings);
     if (settings.has("band")) {
-        const double part = settings.number("band");
-        made.goal.lower = (1 - part) * made.goal.y;
-        made.goal.upper = (1 + part) * made.goal.y;
+        goal.lower = (1 - settings.number("band")) * goal.y;
+        goal.upper = (1 + settings.number("band")) * goal.y;
     }
-    validate(made.goal);
-    rough::write_atomically(out, to_csv(made.goal));
+    validate(goal);
+    rough::write_atomically(out, to_csv(goal));
     for (const auto& note : without_effect(settings))
         say(note);
-    return report(made.goal, made.model, settings);
+    return report(goal, model, settings);
 }
 
 } // namespace
 
 Command target_command() {
     return {"target",
-            "make target files for a design, or check one",
+            "make or check a target file for a design",
             "(--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv) [--out T.csv] "
             "[flags]",
-            "Makes target files for rugosa design, or checks one: reads it, and tests exactly whether any "
-            "profile could answer so. A file made here records the body, length and datum it is meant for. "
-            "Exit code 3 says that the target is out of reach.",
+            "Makes a target file for rugosa design, or checks one: reads it, and tests exactly whether any "
+            "profile could have this response. A file made here records the body, length and datum that it "
+            "is meant for. Exit code 3: no profile can reach the target.",
             target_settings(),
             {"target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
              "target --genome surface.json --quantity area --out area.csv",

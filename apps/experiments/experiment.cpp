@@ -24,26 +24,16 @@ std::vector<Setting> Experiment::all_settings() const {
         {{{"experiment.kind", "paper",
            "paper, variants, accuracy, chart, stability, compare, readings, features or statistical"},
           ga::whole("experiment.seed", "1", 0,
-                    "seed of the random numbers; with several runs a variant, the first seed")
+                    "seed of the random numbers; the first one if each variant runs several times")
               .up_to(0x1p53),
-          ga::whole("experiment.threads", "0", 0, "threads, where no time is measured; 0 takes all")
+          ga::whole("experiment.threads", "0", 0, "threads, unless times are measured; 0 takes all")
               .up_to(1024)},
          settings});
 }
 
-namespace {
-
-std::string in_one(const Settings& settings) {
-    std::string text;
-    for (const std::string& name : settings.names_under(""))
-        if (name != "experiment.threads")
-            text += name + "=" + settings.text(name) + "\n";
-    return text;
-}
-
-} // namespace
-
 void write(Findings& found, const Origin& origin, const std::filesystem::path& folder) {
+    for (const auto& [name, table] : found.tables)
+        found.files[name] = table.text();
     for (const auto& [name, text] : found.files) {
         if (const auto parent = std::filesystem::path(name).parent_path(); !parent.empty())
             subfolder(folder, parent.string());
@@ -56,10 +46,10 @@ void write(Findings& found, const Origin& origin, const std::filesystem::path& f
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
     if (request.resume && !experiment.resumes)
-        throw rough::InputError("--resume: given with an experiment of kind " + experiment.kind +
-                                ", which keeps no checkpoints");
+        throw rough::InputError("--resume: experiments of kind " + experiment.kind +
+                                " do not write checkpoints; leave it out");
     if (request.resume && request.out.empty())
-        throw rough::InputError("--resume: given without --out, expected the folder of the interrupted run");
+        throw rough::InputError("--resume: no --out; give the folder of the interrupted run");
     std::vector<std::string> names = experiment.files;
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)
@@ -77,8 +67,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         const Origin origin{experiment.kind, RUGOSA_VERSION, request.command,
                             settings.whole<std::uint64_t>("experiment.seed"),
                             ga::thread_count(settings.whole<int>("experiment.threads"))};
-        found = experiment.run(
-            settings, {origin, progress, interrupt.flag(), folder, request.resume, in_one(settings)});
+        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
         output.restored();
         if (!found.result.is_null())
             write(found, origin, folder);
@@ -91,9 +80,9 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
             std::filesystem::remove_all(folder / "checkpoints");
     }
     say(folder.string() + ": " +
-        (found.result.is_null() ? "interrupted before anything was found, nothing written"
+        (found.result.is_null() ? "interrupted before the first result, nothing written"
          : interrupt.asked() && experiment.resumes
-             ? "interrupted; what was found is in result.json; --resume goes on"
+             ? "interrupted, the results so far are in result.json; --resume continues"
              : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s"));
     return interrupt.asked() ? exit_interrupted : found.code;
 }

@@ -2,8 +2,8 @@
 
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
+#include "apps/report/csv.hpp"
 #include "apps/report/record.hpp"
-#include "ga/base/stopwatch.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -11,23 +11,27 @@
 
 namespace app {
 
-/// Under what an experiment runs.
+/// The circumstances of a run.
 struct Conditions {
     Origin origin;
     Progress& progress;
-    const std::atomic<bool>& stop; ///< somebody asks it to end, with what was found so far
-    std::filesystem::path folder;  ///< its results go there
-    bool resume = false;           ///< go on from the checkpoints that are there
-    std::string settings = {};     ///< those given, in one text; threads left out, as they change nothing
-    ga::Stopwatch clock = {};      ///< since it began
+    const std::atomic<bool>& stop; ///< true ends the run; results so far are kept
+    std::filesystem::path folder;  ///< for the results
+    bool resume = false;           ///< continue from the folder's checkpoints
 };
 
-/// What an experiment found.
+/// Results of an experiment.
 struct Findings {
-    nlohmann::json result = {}; ///< of result.json, which the run's origin joins; null: nothing was found
-    std::map<std::string, std::string> files = {}; ///< tables and other files by name, a folder before it
-    std::string summary = {};                      ///< in one line, for the end
+    nlohmann::json result = {}; ///< result.json without the run's origin; null without any results
+    std::map<std::string, std::string> files = {}; ///< other files by name, perhaps with a folder
+    std::string summary = {};                      ///< one line, shown at the end
     int code = 0;                                  ///< exit code of the program
+    std::map<std::string, Csv> tables = {};        ///< by file name, perhaps with a folder
+
+    /// The table of a file; it is created by the first call.
+    Csv& table(const std::string& name, const std::string& header, int digits = 17) {
+        return tables.try_emplace(name, header, digits).first->second;
+    }
 };
 
 /// A kind of experiment.
@@ -35,11 +39,11 @@ struct Experiment {
     std::string kind; ///< as in `experiment.kind = paper`
     std::string summary;
     std::vector<Setting> settings;  ///< its keys, without the common ones
-    std::vector<std::string> files; ///< that it writes beside result.json and its page
+    std::vector<std::string> files; ///< written files, except result.json and the page
     Findings (*run)(const Settings& settings, const Conditions& conditions);
-    bool resumes = false;                   ///< it keeps checkpoints in the folder `checkpoints`
-    std::vector<std::string> examples = {}; ///< flags of its short name, where it has one
-    /// Its short name may be followed by an .ini file, has --seed and --threads, and writes report.html.
+    bool resumes = false;                   ///< writes checkpoints to the folder `checkpoints`
+    std::vector<std::string> examples = {}; ///< examples of its short command, if it has one
+    /// The short command takes an .ini file, --seed and --threads, and writes report.html.
     bool takes_file = false;
 
     std::vector<Setting> all_settings() const; ///< with the common keys of the section [experiment]
@@ -55,22 +59,22 @@ Experiment readings_experiment();
 Experiment features_experiment();
 Experiment statistical_experiment();
 
-/// Every kind.
+/// All kinds of experiments.
 const std::vector<Experiment>& experiments();
 
-/// How a run was asked for.
+/// A requested run.
 struct Request {
-    std::string command;                       ///< as it was typed
-    std::string out, name;                     ///< --out or, without it, the name of a folder in out/
-    std::vector<std::filesystem::path> inputs; ///< files that are not to be written over
-    std::string page;                          ///< its file's name
+    std::string command;                       ///< as typed
+    std::string out, name;                     ///< --out; if it is empty, the name of a folder in out/
+    std::vector<std::filesystem::path> inputs; ///< files that must not be overwritten
+    std::string page;                          ///< file name of the page
     bool pictures = true, force = false, resume = false;
 };
 
 /// Writes result.json and the other files of an experiment to its folder.
 void write(Findings& found, const Origin& origin, const std::filesystem::path& folder);
 
-/// Runs an experiment and writes what it finds; returns the program's exit code.
+/// Runs an experiment and writes its results; returns the program's exit code.
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request);
 
 } // namespace app

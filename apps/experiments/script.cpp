@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <sys/wait.h>
 
@@ -23,20 +24,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// The last line that a script wrote to standard error.
-std::string last_line(std::FILE* file) {
-    std::rewind(file);
-    std::string line, last;
-    for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file))
-        if (c == '\n')
-            last = std::exchange(line, "");
-        else
-            line += static_cast<char>(c);
-    return line.empty() ? last : line;
-}
-
-/// Runs an experiment's script with the settings as JSON. The script writes result.json and tables to the
-/// folder.
+/// Runs an experiment's script with the settings as JSON. The script writes result.json and tables.
 Findings findings_of_script(const Experiment& experiment, const Settings& settings,
                             const Conditions& conditions) {
     const std::string& kind = experiment.kind;
@@ -68,7 +56,10 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
         if (conditions.stop)
             kill(-child, SIGTERM);
     if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
-        const std::string problem = last_line(errors.get());
+        std::ifstream lines("/proc/self/fd/" + std::to_string(fileno(errors.get())));
+        std::string problem; // the last line
+        for (std::string line; std::getline(lines, line);)
+            problem = line;
         throw rough::InputError(kind + ": " + problem +
                                 (problem.find("No module") == std::string::npos
                                      ? ""
@@ -90,7 +81,7 @@ Experiment features_experiment() {
                 {{{"features.answers", "200", "different answers for each target, and as many that miss"},
                   {"features.similarity", "0.99", "lowest similarity of an answer"},
                   {"features.difference", "0.001",
-                   "least difference of two answers: 1 less the correlation of their heights"},
+                   "minimum difference of two answers: 1 less the correlation of their heights"},
                   {"features.starts", "6000", "maximum number of starts"},
                   {"features.held-out", "128", "starts of the held-out check"},
                   {"targets.files", "", "target curves (CSV), separated by commas"},
@@ -117,9 +108,8 @@ Experiment readings_experiment() {
         .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
         .run =
             [](const Settings& settings, const Conditions& conditions) {
-                expect_none(settings,
-                            {{"model.kernel", "", ""}, {"model.datum", "", ""}, {"model.reach", "", ""}},
-                            "given, expected none: the readings try several");
+                expect_none(settings, {"model.kernel", "model.datum", "model.reach"},
+                            "cannot be set, because the readings try several values; leave it out");
                 model_from(settings, "model.");
                 return findings_of_script(readings_experiment(), settings, conditions);
             },

@@ -4,54 +4,43 @@
 #include "domain/text/words.hpp"
 #include "ga/base/number.hpp"
 
+#include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 namespace app {
 
-using rough::InputError;
-
 namespace {
 
-constexpr double most_genes = 1e6;
+constexpr double max_genes = 1e6;
 
 std::vector<std::string> parts_of(const std::string& text) {
     std::vector<std::string> parts;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, ':');)
-        parts.push_back(part);
-    if (text.ends_with(':'))
-        parts.emplace_back();
-    return parts;
+    return boost::split(parts, text, boost::is_any_of(":"));
 }
 
-std::size_t count_from(const std::string& word, const std::string& where, double least, double most) {
+std::size_t count_from(const std::string& word, const std::string& where, double min, double max) {
     const double value = rough::number_from(word, where);
-    if (value != std::floor(value) || value < least || value > most)
-        throw InputError(where + ": " + word + " given, expected a whole number from " + ga::number(least) +
-                         " to " + ga::number(most));
+    if (value != std::floor(value) || value < min || value > max)
+        rough::refuse(where, ": ", word, " is not a whole number from ", ga::number(min), " to ",
+                      ga::number(max));
     return static_cast<std::size_t>(value);
 }
-
-} // namespace
-
-namespace {
 
 Fields fields_of(OutsideSearch& search) {
     return {
         {{"variant", "",
-          "ga, nsga2, for numbers bipop-cma-es, ipop-cma-es or lshade [ga; of several objectives nsga2]"},
+          "ga, nsga2, for numbers bipop-cma-es, ipop-cma-es or lshade [ga; for several objectives nsga2]"},
          search.variant},
-        {{"pipeline", "", "search by this text, its objectives called f1, f2, ... (rugosa operators)"},
+        {{"pipeline", "", "search by this text, with objectives f1, f2, ... (see rugosa operators)"},
          search.pipeline},
-        {ga::whole("evaluations", "10000", 1, "most that may be asked for").up_to(0x1p53),
+        {ga::whole("evaluations", "10000", 1, "maximum number of evaluations").up_to(0x1p53),
          search.evaluations},
         {positive("seconds", "",
-                  "most wall time, of the whole search; alone, it takes the place of evaluations"),
+                  "maximum wall time of the whole search; without evaluations, the only limit"),
          search.seconds},
         {seed_setting(), search.seed},
     };
@@ -66,8 +55,8 @@ std::vector<Setting> outside_settings() {
 
 void take_search(const Settings& settings, OutsideSearch& search) {
     if (settings.has("variant") && settings.has("pipeline"))
-        throw InputError("optimise: expected either " + settings.place("variant") + " or " +
-                         settings.place("pipeline"));
+        rough::refuse("optimise: ", settings.place("variant"), " and ", settings.place("pipeline"),
+                      " exclude each other; give one");
     const bool unlimited = settings.has("seconds") && !settings.given("evaluations");
     take(settings, fields_of(search));
     if (unlimited)
@@ -115,32 +104,31 @@ namespace {
 
 constexpr const char* kinds_of_genes =
     "real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., "
-    "with commas between, or bits:COUNT or permutation:COUNT alone";
+    "separated by commas, or only bits:COUNT or permutation:COUNT";
 
 Genes::Part part_from(const std::string& text) {
     const auto words = parts_of(text);
-    const std::string kind = words.empty() ? "" : words.front();
-    const bool real = kind == "real", whole = kind == "int", choice = kind == "choice";
+    const bool real = words[0] == "real", whole = words[0] == "int", choice = words[0] == "choice";
     if ((!choice || words.size() < 4) && (!(real || whole) || words.size() != 4))
-        throw InputError("--genes: \"" + text + "\" given, expected " + kinds_of_genes);
+        rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
     Genes::Part part;
-    part.count = count_from(words[1], "--genes", 1, most_genes);
+    part.count = count_from(words[1], "--genes", 1, max_genes);
     part.is_whole = !real;
     if (choice) {
         part.words.assign(words.begin() + 2, words.end());
         part.upper = static_cast<double>(part.words.size()) - 1;
         if (std::set<std::string>(part.words.begin(), part.words.end()).size() < part.words.size())
-            throw InputError("--genes: \"" + text + "\" given, expected different words");
+            rough::refuse("--genes: \"", text, "\" repeats a word; give different words");
         return part;
     }
     part.lower = rough::number_from(words[2], "--genes");
     part.upper = rough::number_from(words[3], "--genes");
     if (!(part.lower < part.upper) || !std::isfinite(part.upper - part.lower))
-        throw InputError("--genes: \"" + text +
-                         "\" given, expected a lower bound below the upper one, a finite way apart");
+        rough::refuse("--genes: \"", text,
+                      "\" is out of order; give a lower bound below the upper one, at a finite distance");
     if (whole && (part.lower != std::round(part.lower) || part.upper != std::round(part.upper) ||
                   std::max(-part.lower, part.upper) > 1e15))
-        throw InputError("--genes: \"" + text + "\" given, expected whole bounds up to 1e15");
+        rough::refuse("--genes: \"", text, "\" is out of range; give whole bounds up to 1e15");
     return part;
 }
 
@@ -152,7 +140,7 @@ Genes genes_from(const std::string& text) {
     if (words.size() == 2 && (words[0] == "bits" || words[0] == "permutation")) {
         genes.kind = words[0] == "bits" ? Genes::Kind::bits : Genes::Kind::permutation;
         genes.count =
-            count_from(words[1], "--genes", genes.kind == Genes::Kind::permutation ? 2 : 1, most_genes);
+            count_from(words[1], "--genes", genes.kind == Genes::Kind::permutation ? 2 : 1, max_genes);
         return genes;
     }
     genes.count = 0;
@@ -160,8 +148,8 @@ Genes genes_from(const std::string& text) {
         genes.parts.push_back(part_from(part));
         genes.count += genes.parts.back().count;
     }
-    if (genes.parts.empty() || static_cast<double>(genes.count) > most_genes)
-        throw InputError("--genes: \"" + text + "\" given, expected " + kinds_of_genes);
+    if (genes.parts.empty() || static_cast<double>(genes.count) > max_genes)
+        rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
     return genes;
 }
 
@@ -181,7 +169,7 @@ std::vector<bool> minimised(const std::string& text, std::size_t objectives) {
 }
 
 ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
-    const std::string rate = ga::number(1 / static_cast<double>(genes.count)); // one gene a child
+    const std::string rate = ga::number(1 / static_cast<double>(genes.count)); // one gene per child
     std::string vary = "tournament 2 | ";
     switch (genes.kind) {
     case Genes::Kind::numbers:
@@ -197,16 +185,17 @@ ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
     std::string pareto = "pareto";
     for (const std::string& name : objective_names(objectives))
         pareto += " " + name;
-    const std::string on = "repeat 1000000000 { " + vary;
+    const std::string begin = "repeat 1000000000 { " + vary;
     ga::Variants variants{
-        {"ga", "sample 40 | score | " + on + " | score | elite 2 } | best 1"},
-        {"nsga2", "sample 100 | " + pareto + " | " + on + " | " + pareto + " | plus 100 } | front"}};
+        {"ga", "sample 40 | score | " + begin + " | score | elite 2 } | best 1"},
+        {"nsga2", "sample 100 | " + pareto + " | " + begin + " | " + pareto + " | plus 100 } | front"}};
     if (genes.kind == Genes::Kind::numbers) {
-        const std::size_t many = std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
-        const std::string ever = " | score | repeat 1000000000 { ";
-        variants["bipop-cma-es"] = "sample 1" + ever + "cma-es | score }";
-        variants["ipop-cma-es"] = "sample 1" + ever + "cma-es restarts=ipop sigma=0.5 | score }";
-        variants["lshade"] = "sample " + std::to_string(many) + ever + "l-shade | score | duel }";
+        const std::size_t individuals =
+            std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga
+        const std::string loop = " | score | repeat 1000000000 { ";
+        variants["bipop-cma-es"] = "sample 1" + loop + "cma-es | score }";
+        variants["ipop-cma-es"] = "sample 1" + loop + "cma-es restarts=ipop sigma=0.5 | score }";
+        variants["lshade"] = "sample " + std::to_string(individuals) + loop + "l-shade | score | duel }";
     }
     return variants;
 }

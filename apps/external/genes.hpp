@@ -10,62 +10,62 @@
 
 namespace app {
 
-/// What a genome is made of, as --genes says it: bits:40, permutation:20, or numbers and words in several
-/// parts, real:5:-5:5,int:3:0:120,choice:2:a:b:c.
+/// The genes of a genome, as in --genes: bits:40, permutation:20, or parts of numbers and words, as in
+/// real:5:-5:5,int:3:0:120,choice:2:a:b:c.
 struct Genes {
     enum class Kind { numbers, bits, permutation };
-    /// Genes of one range. A whole number and a word are genes like others, rounded when they are evaluated.
+    /// Genes of one range. Integers and words are real genes that are rounded for the evaluation.
     struct Part {
         std::size_t count = 1;
-        double lower = 0, upper = 1;         ///< of each; a word's place in `words`
-        bool is_whole = false;               ///< an integer or a word
-        std::vector<std::string> words = {}; ///< that the gene chooses from
+        double lower = 0, upper = 1;         ///< bounds of each gene; for words, of their index
+        bool is_whole = false;               ///< whether the genes are integers or words
+        std::vector<std::string> words = {}; ///< words to choose from
     };
     Kind kind = Kind::numbers;
-    std::size_t count = 1;        ///< of all genes
-    std::vector<Part> parts = {}; ///< of numbers
+    std::size_t count = 1;        ///< number of all genes
+    std::vector<Part> parts = {}; ///< parts of Kind::numbers
 
     /// Whether every gene is a real number.
     bool all_real() const;
 };
 
-/// What is asked of a search whose genomes are evaluated outside, and what came of it beside the best.
+/// A search whose genomes are evaluated by another program or by Python, and its result except the answers.
 struct OutsideSearch {
     Genes genes = {};
-    std::string variant = {}, pipeline = {}; ///< one of them, or none for ga or, of several objectives, nsga2
+    std::string variant = {}, pipeline = {}; ///< one of them; by default ga, or nsga2 for several objectives
     std::uint64_t seed = 1;
-    long evaluations = std::numeric_limits<long>::max();      ///< at most
-    double seconds = std::numeric_limits<double>::infinity(); ///< at most, from the call on
+    long evaluations = std::numeric_limits<long>::max();      ///< maximum number
+    double seconds = std::numeric_limits<double>::infinity(); ///< maximum time of the whole search
 
-    std::string searched = {};           ///< the pipeline as it was run
-    long spent = 0;                      ///< evaluations
-    std::string stopped = {};            ///< why it ended before its pipeline; empty when it did not
+    std::string searched = {};           ///< the pipeline that ran
+    long spent = 0;                      ///< number of evaluations
+    std::string stopped = {};            ///< why it ended before its pipeline did; "" if it did not
     std::vector<std::string> notes = {}; ///< the engine's remarks
 };
-/// Its parameters that the program and Python share: variant, pipeline, evaluations, seconds and seed.
+/// The parameters that the program and Python share: variant, pipeline, evaluations, seconds and seed.
 std::vector<Setting> outside_settings();
-/// Reads them. Seconds alone take the place of evaluations. Throws rough::InputError.
+/// Reads them. If only `seconds` is given, evaluations are unlimited. Throws rough::InputError.
 void take_search(const Settings& settings, OutsideSearch& search);
 
-/// The range of every number, half a unit more on both sides of a whole one; none of other kinds.
+/// The bounds of each number, extended by 0.5 on both sides for integers and words. Empty for other kinds.
 std::vector<ga::Variable> range_of(const Genes& genes);
-/// The numbers as they are evaluated: whole ones rounded, within their range.
+/// The numbers to evaluate: integers and words are rounded and within their bounds.
 std::vector<double> rounded(const Genes& genes, std::vector<double> numbers);
-/// As a JSON array, "[0.5,3,\"a\"]": 17 digits where they are needed.
+/// The genes as a JSON array, "[0.5,3,\"a\"]", with as many digits as are needed to read the same numbers.
 std::string genes_text(const Genes& genes, const std::vector<double>& numbers);
 
-/// Throws rough::InputError on anything else.
+/// The genes of a text as in --genes. Throws rough::InputError if it is malformed.
 Genes genes_from(const std::string& text);
 
-/// "f1", "f2", ...: what pipelines call the objectives.
+/// The names of the objectives in pipelines: "f1", "f2", ...
 std::vector<std::string> objective_names(std::size_t count);
 
-/// Whether less is better, by the value of --minimise: "" for none, "all", or numbers from 1. Throws
-/// rough::InputError on others.
+/// Which objectives are minimised, from the value of --minimise: "" for none, "all", or numbers from 1.
+/// Throws rough::InputError.
 std::vector<bool> minimised(const std::string& text, std::size_t objectives);
 
-/// The pipelines that have a name: ga (one objective) and nsga2 (several), for real genes bipop-cma-es,
-/// ipop-cma-es and lshade. They end with the run's budget.
+/// The named pipelines: ga (one objective), nsga2 (several), and for real genes bipop-cma-es, ipop-cma-es and
+/// lshade. They end with the run's budget.
 ga::Variants outside_variants(const Genes& genes, std::size_t objectives);
 
 } // namespace app

@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// "[0,1]" of bits or a permutation.
+/// Bits or a permutation as a JSON array, "[0,1]".
 template <class G>
 std::string genes_text(const G& genome) {
     std::string text;
@@ -19,17 +19,16 @@ std::string genes_text(const G& genome) {
     return text + "]";
 }
 
-/// A problem whose evaluations are made by an evaluator: genomes are drawn here, and no more is known of
-/// them.
+/// A problem that only draws genomes. An evaluator makes its evaluations.
 template <class G>
 struct OutsideProblem {
     using Genome = G;
     using Outcome = Answer;
 
-    std::size_t count;                       ///< genes
-    std::vector<ga::Variable> range;         ///< of real genes
+    std::size_t count;                       ///< number of genes
+    std::vector<ga::Variable> range;         ///< bounds of real genes
     std::vector<ga::Objective<Answer>> list; ///< f1, f2, ...
-    Genes genes = {};                        ///< which of them are whole numbers and words
+    Genes genes = {};                        ///< kinds of the genes
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
                    const std::vector<bool>& minimise)
@@ -44,14 +43,14 @@ struct OutsideProblem {
         genes = of;
     }
 
-    Answer evaluate(const G&) const { throw std::logic_error("evaluated here, expected by the evaluator"); }
+    Answer evaluate(const G&) const { throw std::logic_error("evaluations are the evaluator's"); }
     const std::vector<ga::Objective<Answer>>& objectives() const { return list; }
-    /// Numbers that are rounded alike are one genome.
+    /// Genomes that are rounded to the same numbers have one key.
     std::string key(const G& genome) const requires std::same_as<G, std::vector<double>> {
         const std::vector<double> values = rounded(genes, genome);
         return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
     }
-    /// As a JSON array.
+    /// The genes as a JSON array.
     std::string text_of(const G& genome) const {
         if constexpr (std::same_as<G, std::vector<double>>)
             return genes_text(genes, genome);
@@ -89,7 +88,7 @@ Registry<P> whole_vocabulary(); // text/whole_vocabulary.hpp, which brings Eigen
 
 namespace app {
 
-/// The variant that a search runs: the given one, "pipeline" for a text, or what suits the objectives.
+/// The variant of a search: the given one, "pipeline" for a text, or the default for the objectives.
 inline std::string variant_of(const OutsideSearch& search, std::size_t objectives) {
     return !search.variant.empty()    ? search.variant
            : !search.pipeline.empty() ? "pipeline"
@@ -97,7 +96,7 @@ inline std::string variant_of(const OutsideSearch& search, std::size_t objective
                                       : "ga";
 }
 
-/// What a search runs, by the words of `registry`. Throws ga::UsageError on a text that cannot work.
+/// The pipeline of a search, parsed with the words of `registry`. Throws ga::UsageError if it cannot work.
 template <class P>
 ga::Stage<P> stage_of(const OutsideSearch& search, std::size_t objectives,
                       ga::Registry<P> registry = ga::whole_vocabulary<P>()) {

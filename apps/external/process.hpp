@@ -6,11 +6,12 @@
 
 namespace app {
 
-/// Starts a program without a shell, these descriptors its standard streams, in a process group of its own so
-/// that all of it can be ended, SIGPIPE as the system has it. Gives 0, or the error.
+/// Starts a program without a shell, with these descriptors as its standard streams. It leads a process
+/// group, so that its children can be killed too, and SIGPIPE has the default action. Returns 0 or an error
+/// number.
 int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err);
 
-/// Whether a process ends within so many seconds; `status` is as waitpid has it then.
+/// Whether a process ends within a time. If it does, `status` is that of waitpid.
 bool process_ended_within(double seconds, pid_t process, int& status);
 
 } // namespace app

@@ -7,41 +7,42 @@
 
 namespace app {
 
-/// What is said of a genome from outside.
+/// The answer of an evaluation outside the program.
 struct Answer {
-    std::vector<double> objectives;     ///< as they were given
+    std::vector<double> objectives;     ///< as reported
     std::vector<double> violation = {}; ///< one number per constraint; 0 or less if it holds
 };
 
-/// The answer's "violation": a number or an array, none if there is none. Throws nlohmann's exceptions on
-/// anything else.
+/// The answer's "violation", a number or an array; empty if it is missing. Throws nlohmann's exceptions on
+/// other types.
 std::vector<double> violation_from(const nlohmann::json& answer);
-/// Sum of what is violated, 0 or more.
+/// The sum of the positive violations.
 double violated(const Answer& answer);
 
 /// A genome that was evaluated.
 struct Solution {
-    std::string genes; ///< as JSON, as it was sent
+    std::string genes; ///< JSON array that was sent
     Answer answer;
 };
 
 ///@{
-/// As checkpoints hold them.
+/// The form in checkpoints.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Answer, objectives, violation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Solution, genes, answer)
 ///@}
 
-/// The best of all that was evaluated. It depends on what that was and not on the order in which it came: of
-/// equals the one whose genes come first in the alphabet stays.
+/// The best of all evaluated solutions. It does not depend on their order. Ties: the first in alphabetical
+/// order of the genes.
 class BestKnown {
   public:
-    /// Whether less is better, one an objective.
+    /// Whether each objective is minimised.
     std::vector<bool> minimise;
 
     void take(const Solution& solution);
-    /// By the first objective and Deb's rules: without violation first, then less of it. Nothing at first.
+    /// The best by Deb's rules (less violation is better), then by the first objective; null before the
+    /// first.
     const Solution* best() const { return best_.genes.empty() ? nullptr : &best_; }
-    /// Those that none dominates, best first by the first objective; empty for one objective.
+    /// The non-dominated solutions, sorted by the first objective; empty for one objective.
     std::vector<Solution> front() const;
 
     NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, minimise, best_, front_)

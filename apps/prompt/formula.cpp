@@ -1,9 +1,7 @@
 #include "apps/prompt/goals.hpp"
-#include "domain/errors.hpp"
 
 #include <charconv>
 #include <cmath>
-#include <map>
 
 namespace app {
 
@@ -19,7 +17,7 @@ class Reader {
         : text_(text), name_(std::move(name)), where_(std::move(where)) {
         if (text_.size() > longest)
             throw rough::InputError(where_ + ": a formula of " + std::to_string(text_.size()) +
-                                    " characters given, expected at most " + std::to_string(longest));
+                                    " characters is too long; use at most " + std::to_string(longest));
     }
 
     Function whole() {
@@ -49,7 +47,7 @@ class Reader {
         if (++depth_ > deepest)
             throw rough::InputError(where_ + ": column " + std::to_string(at_ + 1) +
                                     ": parentheses, signs or powers more than " + std::to_string(deepest) +
-                                    " deep, expected fewer");
+                                    " deep; nest fewer");
         const Function result = signed_power();
         --depth_;
         return result;

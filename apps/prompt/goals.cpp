@@ -1,9 +1,8 @@
 #include "apps/prompt/goals.hpp"
 
 #include "domain/contact/names.hpp"
-#include "domain/errors.hpp"
 #include "domain/target/recorded.hpp"
-#include "domain/target/target_table.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 
@@ -19,26 +18,26 @@ const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},
                                                  {"datum_mm", "datum"},
                                                  {"strip_width_mm", "strip-width"}};
 
-/// Names all that differs, and the flags with which nothing would.
+/// Throws rough::InputError that names all differences, and the flags that remove them.
 void expect_same_model(const rough::Target& goal, const rough::Model& model) {
     const auto differences = recorded_differences(goal, model);
-    for (const auto& [key, recorded, own] : differences)
+    for (const auto& [key, recorded, actual] : differences)
         if ((key == "datum_mm" && model.grid.is_2d()) || (key == "width_mm" && !model.grid.is_2d()))
             throw rough::InputError(goal.name + ": recorded with " + key + " " + recorded +
-                                    ", expected a target of " +
-                                    (model.grid.is_2d() ? "an area, which has none"
-                                                        : "a profile, or --nodes and --length as pairs"));
+                                    (model.grid.is_2d()
+                                         ? "; give a target of an area, which has none"
+                                         : "; give a target of a profile, or --nodes and --length as pairs"));
     std::string flags;
-    for (const auto& [key, recorded, own] : differences) {
+    for (const auto& [key, recorded, actual] : differences) {
         const auto length = goal.recorded.find("length_mm");
         const bool is_length = length != goal.recorded.end() && length->second == recorded;
         if (!(key == "datum_mm" && is_length)) // the datum is the length unless it is given
             flags += " --" + flag_of.at(key) + " " + recorded;
     }
     if (!differences.empty())
-        throw rough::InputError(
-            goal.name + ": recorded with " + in_words(differences) +
-            ", expected the same, as the target depends on it:" + (flags.empty() ? " no --datum" : flags));
+        throw rough::InputError(goal.name + ": recorded with " + in_words(differences) +
+                                "; use the recorded model, as the target depends on it:" +
+                                (flags.empty() ? " no --datum" : flags));
 }
 
 } // namespace
@@ -51,7 +50,7 @@ Setting resistivity_setting() {
 
 Setting max_pressure_setting() {
     return ga::number("max-pressure", "", ga::above_zero, 1e100,
-                      "rescale every genome to this mean pressure at full approach (Eq. 11), MPa "
+                      "mean pressure at full approach to which every genome is rescaled (Eq. 11), MPa "
                       "[amplitude is a gene]");
 }
 
@@ -100,7 +99,7 @@ std::vector<std::string> without_effect(const Settings& settings, const std::vec
 std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name) {
     std::vector<std::filesystem::path> files = settings.paths(name);
     if (files.empty())
-        throw rough::InputError(settings.place(name) + ": none given, expected target files (CSV)");
+        settings.refuse(name, "none given; name target files (CSV)");
     return files;
 }
 

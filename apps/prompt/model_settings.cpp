@@ -5,32 +5,20 @@
 #include "domain/contact/materials.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/plain_stream.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/text/words.hpp"
+#include "ga/base/number.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <map>
 #include <sstream>
 
 namespace app {
 
 namespace {
 
-/// A number as it would be given: 1e-6.
-std::string plain(double value) {
-    rough::PlainStream text;
-    text << std::setprecision(15) << value;
-    std::string digits = text.str();
-    if (const auto at = digits.find("e-0"); at != std::string::npos)
-        digits.erase(at + 2, 1);
-    return digits;
-}
-
-/// The material that is named; null if none is.
+/// The --material; null if none is given.
 const rough::Material* material_from(const Settings& settings, const std::string& prefix = "") {
     return settings.has(prefix + "material") ? &rough::materials()[settings.choice(prefix + "material")]
                                              : nullptr;
@@ -46,9 +34,9 @@ std::string material_note(const Settings& settings) {
     const rough::Material* material = material_from(settings);
     if (!material)
         return "";
-    return material->name + " (" + material->of + "): E " + plain(material->modulus) + " MPa, nu " +
-           plain(material->poissons) + " (" + material->elastic + "), hardness " + plain(material->hardness) +
-           " MPa (" + material->indented + ")";
+    return material->name + " (" + material->of + "): E " + ga::number(material->modulus) + " MPa, nu " +
+           ga::number(material->poissons) + " (" + material->elastic + "), hardness " +
+           ga::number(material->hardness) + " MPa (" + material->indented + ")";
 }
 
 double elastic_limit(const Settings& settings, const rough::Body& body) {
@@ -60,7 +48,7 @@ double elastic_limit(const Settings& settings, const rough::Body& body) {
 
 namespace {
 
-/// What the flags of a model set: E* follows from E and nu.
+/// The values that the flags of a model set. E* follows from E and nu.
 struct ModelParameters {
     rough::Model model = {};
     double modulus = rough::Model().body.effective_modulus, poisson = 0;
@@ -77,13 +65,13 @@ std::vector<rough::Layer> layers_from(const std::string& text, const std::string
         std::istringstream parts(word);
         for (std::string part; std::getline(parts, part, ':');)
             numbers.push_back(rough::number_from(part, place));
-        if (numbers.size() != 1 && numbers.size() != 3)
-            throw rough::InputError(place + ": \"" + word +
-                                    "\" given, expected a thickness T (mm), or T:E:NU");
-        layers.push_back(
-            {numbers[0], numbers.size() == 3 ? numbers[1] : 0, numbers.size() == 3 ? numbers[2] : 0});
-        if (numbers.size() == 3 && !(numbers[1] > 0))
-            throw rough::InputError(place + ": \"" + word + "\" given, expected a modulus above 0");
+        const bool has_elasticity = numbers.size() == 3;
+        if (numbers.size() != 1 && !has_elasticity)
+            throw rough::InputError(place + ": \"" + word + "\" given; give a thickness T (mm), or T:E:NU");
+        if (has_elasticity && !(numbers[1] > 0))
+            throw rough::InputError(place + ": \"" + word + "\" has no modulus above 0; give T:E:NU");
+        numbers.resize(3); // 0: that of the body
+        layers.push_back({numbers[0], numbers[1], numbers[2]});
     }
     return layers;
 }
@@ -94,13 +82,13 @@ Fields fields_of(ModelParameters& of) {
     return {
         {Setting(ga::whole("nodes", "", 2,
                            "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) +
-                               "; a scan: its points]")
+                               "; for a scan: its points]")
                      .up_to(1e7))
              .several('x'),
          grid.nodes},
         {positive("length", "",
-                  "length L of the profile, mm [" + plain(usual.grid.length) +
-                      "; a scan, or a genome made for one: its own]")
+                  "length L of the profile, mm [" + ga::number(usual.grid.length) +
+                      "; for a scan, or a genome made for one: its length]")
              .several('x'),
          grid.length},
         {Setting("kernel", name_of(usual.body.kernel), "elastic body").of(rough::kernel_names()),
@@ -109,29 +97,29 @@ Fields fields_of(ModelParameters& of) {
          body.datum},
         {positive("strip-width", "", "width W of the strip, mm [L/511]"), body.strip_width},
         {Setting("material", "",
-                 "gives E, nu and the hardness beyond which contact warns; modulus and poisson replace its "
+                 "sets E, nu and the hardness above which contact warns; modulus and poisson replace its "
                  "values")
              .of(rough::material_names()),
          of.material},
-        {positive("modulus", plain(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
+        {positive("modulus", ga::number(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
         {ga::number("poisson", "0", -0.999999, 0.5, "Poisson's ratio nu; E* = E/(1 - nu^2)"), of.poisson},
-        {Setting("layer", "",
-                 "a layer of the periodic body, T (mm) or T:E:NU, bonded to what follows; repeated, the top "
-                 "one first "
-                 "[none]")
+        {Setting(
+             "layer", "",
+             "a layer of the periodic body, T (mm) or T:E:NU, bonded to the next; may be repeated, the top "
+             "one first [none]")
              .several('\n'),
          of.layers},
-        {Setting("base", "elastic", "what bears the layers, elastic: the half-space of modulus and poisson")
+        {Setting("base", "elastic", "body under the layers; elastic: the half-space of modulus and poisson")
              .of({"elastic", "rigid"}),
          body.layering.rigid_base},
         {ga::whole("steps", std::to_string(usual.loading.steps), 2, "load steps n_t, at least 2").up_to(1e6),
          loading.steps},
         {ga::number("reach", "", ga::above_zero, 1,
-                    "largest displacement over the profile's range [1; periodic: 0.95]"),
+                    "largest displacement over the height range [1; periodic: 0.95]"),
          loading.reach},
         {Setting("solver", name_of(usual.contact.solver), "contact solver").of(rough::solver_names()),
          contact.solver},
-        {ga::number("tolerance", plain(usual.contact.tolerance), 1e-15, 0.1,
+        {ga::number("tolerance", ga::number(usual.contact.tolerance), 1e-15, 0.1,
                     "relative tolerance of the iterative solvers"),
          contact.tolerance},
     };
@@ -140,24 +128,25 @@ Fields fields_of(ModelParameters& of) {
 Fields fields_of(rough::ScanOptions& options) {
     return {
         {{"unit", "",
-          "unit of a scan's columns whose header names none, e.g. um, or mm,um for x and heights [mm]"},
+          "unit of a scan's columns without one in their header, e.g. um, or mm,um for x and heights [mm]"},
          options.unit},
-        {positive("spacing", "", "distance of the points of a scan with one column, in that unit")
+        {positive("spacing", "", "distance of the points of a scan with one column, in this unit")
              .several('x'),
          options.spacing},
-        {ga::whole("row", "", 1, "row of an areal map to take, 1 the first (of a text matrix with --spacing)")
+        {ga::whole("row", "", 1,
+                   "row of an areal map to take as the profile, from 1 (a text matrix needs --spacing)")
              .up_to(1e7),
          options.row},
-        {Setting("detrend", "line", "form taken off a scan's heights").of(rough::detrend_names()),
+        {Setting("detrend", "line", "form that is removed from a scan's heights").of(rough::detrend_names()),
          options.detrend},
-        {Setting("outliers", "keep", "what is done to a scan's outliers, remove: interpolate")
+        {Setting("outliers", "keep", "whether a scan's outliers are kept, or removed by interpolation")
              .of({"keep", "remove"}),
          options.remove_outliers},
         {positive("lambda-s", "",
-                  "cut-off of the filter that takes off shorter waves (ISO 16610-21), mm [none]"),
+                  "cut-off of the filter that removes shorter wavelengths (ISO 16610-21), mm [none]"),
          options.lambda_s},
         {positive("lambda-c", "",
-                  "cut-off of the filter that takes off longer waves (ISO 16610-21), mm [none]"),
+                  "cut-off of the filter that removes longer wavelengths (ISO 16610-21), mm [none]"),
          options.lambda_c},
         {Setting("fill", "", "replace a scan's missing heights by linear interpolation", true), options.fill},
     };
@@ -172,7 +161,7 @@ std::vector<Setting> model_settings(const std::string& prefix) {
 
 Setting accuracy_setting(const std::string& prefix, const std::string& against) {
     return ga::number(prefix + "accuracy", "", ga::above_zero, 1,
-                      "largest relative error allowed of a response, above 0 to 1, against " + against +
+                      "largest relative error allowed for a response, above 0 to 1, against " + against +
                           " [none: every response is solved throughout]");
 }
 
@@ -182,9 +171,8 @@ double accuracy_from(const Settings& settings, const std::string& prefix) {
     return accuracy;
 }
 
-rough::Index nodes_from(const Settings& settings, rough::Index otherwise) {
-    settings.take("nodes", otherwise);
-    return otherwise;
+rough::Index nodes_from(const Settings& settings) {
+    return settings.has("nodes") ? settings.whole<rough::Index>("nodes") : 0;
 }
 
 rough::Kernel kernel_from(const Settings& settings, const std::string& prefix) {
@@ -195,21 +183,18 @@ rough::Model model_on(const rough::Grid& grid, const Settings& settings, const s
     ModelParameters given;
     given.model.grid = grid;
     take(settings, fields_of(given), prefix);
-    if (const rough::Material* material = material_from(settings, prefix)) {
-        if (!settings.given(prefix + "modulus"))
-            given.modulus = material->modulus;
-        if (!settings.given(prefix + "poisson"))
-            given.poisson = material->poissons;
-    }
+    const rough::Material* material = material_from(settings, prefix);
+    if (material && !settings.given(prefix + "modulus"))
+        given.modulus = material->modulus;
+    if (material && !settings.given(prefix + "poisson"))
+        given.poisson = material->poissons;
     given.model.body.effective_modulus = rough::effective_modulus(given.modulus, given.poisson);
     rough::Layering& layering = given.model.body.layering;
     layering.layers = layers_from(given.layers, settings.place(prefix + "layer"));
     layering.poissons_ratio = given.poisson;
-    return placing(settings, prefix, [&] {
-        const rough::Model whole = completed(given.model);
-        validate(whole);
-        return whole;
-    });
+    rough::Model model = completed(std::move(given.model));
+    placing(settings, prefix, [&] { validate(model); });
+    return model;
 }
 
 rough::Model model_from(const Settings& settings, const std::string& prefix) {
@@ -224,15 +209,15 @@ namespace {
 
 Fields loading_fields(rough::Model& model) {
     return {{ga::number("to-pressure", "", ga::above_zero, 1e100,
-                        "mean pressure of the last load step, MPa, in place of --reach"),
+                        "mean pressure of the last load step, MPa; replaces --reach"),
              model.loading.to_pressure},
             {Setting(ga::number("pressures", "", ga::above_zero, 1e100,
-                                "mean pressures of the load steps, MPa, as P1,P2,…, in place of --reach "
-                                "and --steps"))
+                                "mean pressures of the load steps, MPa, as P1,P2,…; replaces --reach and "
+                                "--steps"))
                  .several(),
              model.loading.pressures},
             {ga::number("hardness", "", ga::above_zero, 1e100,
-                        "largest pressure that a node bears, MPa; nodes at it sink in [none]"),
+                        "largest pressure that a node carries, MPa; nodes that reach it sink in [none]"),
              model.body.hardness}};
 }
 
@@ -245,16 +230,17 @@ std::vector<Setting> loading_settings() {
 
 rough::Model loaded(rough::Model model, const Settings& settings) {
     if (settings.given("to-pressure") + settings.given("pressures") + settings.given("reach") > 1)
-        throw rough::InputError(settings.place(settings.given("pressures") ? "pressures" : "to-pressure") +
-                                ": given with another end of the load; give one of reach, to-pressure and "
-                                "pressures");
+        settings.refuse(settings.given("pressures") ? "pressures" : "to-pressure",
+                        "given with another end of the load; give one of reach, to-pressure and "
+                        "pressures");
     if (settings.given("pressures") && settings.given("steps"))
-        throw rough::InputError(settings.place("steps") + ": given with pressures, expected one of them");
+        settings.refuse("steps", "given with pressures; give one of them");
     take(settings, loading_fields(model));
     const auto& all = model.loading.pressures;
     if (std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
-        throw rough::InputError(settings.place("pressures") + ": " + settings.text("pressures") +
-                                " given, expected positive increasing numbers with commas between, MPa");
+        settings.refuse("pressures",
+                        settings.text("pressures") +
+                            " given; give positive increasing numbers (MPa) with commas between");
     if (!all.empty())
         model.loading.steps = static_cast<int>(all.size());
     return model;
@@ -267,9 +253,10 @@ std::vector<Setting> scan_settings(const std::string& prefix) {
 
 Setting resolution_setting() {
     Setting setting =
-        Setting("resolution", "auto",
-                "band of K and A over the heights as measured and interpolated 4 times; auto: up to "
-                "2e6 interpolated nodes of a map, 1e7 of a line")
+        Setting(
+            "resolution", "auto",
+            "band of stiffness and contact area over the heights as measured and interpolated 4 times; auto: "
+            "up to 2e6 interpolated nodes of a map, 1e7 of a line")
             .of(rough::resolution_names());
     setting.group = "How a scan is read";
     return setting;
@@ -292,50 +279,43 @@ rough::Source scan_from(const std::filesystem::path& file, const Settings& setti
 rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan) {
     if (!settings.has("genome"))
         return scan_from(settings.text(scan), settings, nodes);
-    expect_none(settings, scan_settings(), "given with a genome, expected with --" + scan + " only");
+    expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");
     return rough::open_genome(settings.text("genome"));
 }
 
 namespace {
 
-/// Throws if one of these keys, which only a profile has, or its kernel is given.
+/// Throws if one of these keys, which only a profile has, or the kernel of a profile is given.
 void expect_of_areas(const Settings& settings, const std::string& prefix,
-                     const std::vector<const char*>& keys) {
-    for (const char* key : keys)
-        if (const std::string name = prefix + key; settings.knows(name) && settings.has(name))
-            throw rough::InputError(settings.place(name) +
-                                    ": given with an area, expected none: it is for profiles alone");
+                     const std::vector<std::string>& keys) {
+    for (const std::string& key : keys)
+        if (settings.knows(prefix + key) && settings.has(prefix + key))
+            settings.refuse(prefix + key, "given with an area; omit it, as it is for profiles only");
     if (settings.text(prefix + "kernel") == "strip")
-        throw rough::InputError(settings.place(prefix + "kernel") +
-                                ": strip given with an area, expected free or periodic");
+        settings.refuse(prefix + "kernel", "strip given with an area; give free or periodic");
 }
 
-/// The settings with the first number of each pair, those along x.
-Settings along_x(const Settings& settings, const std::string& prefix) {
-    std::map<std::string, std::string> values;
-    for (const char* key : {"nodes", "length"})
-        if (const std::string name = prefix + key; settings.has(name))
-            values[name] = settings.words(name).front();
-    return settings.with(values);
-}
-
-/// A grid along x with the rows and the width of --nodes and --length, or of `usual`.
-rough::Grid crossed(rough::Grid grid, const rough::Grid& usual, const Settings& settings,
-                    const std::string& prefix) {
-    const std::string nodes = prefix + "nodes", length = prefix + "length";
-    grid.rows = settings.has(nodes) ? static_cast<rough::Index>(settings.numbers(nodes).back()) : usual.nodes;
-    grid.width = settings.has(length) ? settings.numbers(length).back() : usual.length;
-    if (static_cast<double>(grid.nodes) * static_cast<double>(grid.rows) > 1e7)
-        throw rough::InputError(settings.place(nodes) + ": '" + settings.text(nodes) +
-                                "' given, expected at most 1e7 in all");
+/// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
+rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
+    rough::Grid grid = usual;
+    std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);
+    settings.take(prefix + "nodes", nodes);
+    settings.take(prefix + "length", length);
+    grid.nodes = static_cast<rough::Index>(nodes.front());
+    grid.rows = static_cast<rough::Index>(nodes.back());
+    grid.length = length.front();
+    grid.width = length.back();
+    if (nodes.front() * nodes.back() > 1e7)
+        settings.refuse(prefix + "nodes",
+                        "'" + settings.text(prefix + "nodes") + "' has more than 1e7 nodes; give fewer");
     return grid;
 }
 
 /// The model of an area on a grid that --nodes and --length may change.
-rough::Model area_model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
-    rough::Model model = model_on(grid, along_x(settings, prefix), prefix);
-    model.grid = crossed(model.grid, grid, settings, prefix);
-    return model;
+rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
+                           const std::string& prefix = "") {
+    return model_on(area_grid(usual, settings, prefix),
+                    settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix);
 }
 
 } // namespace
@@ -343,15 +323,13 @@ rough::Model area_model_on(const rough::Grid& grid, const Settings& settings, co
 std::vector<Setting> area_settings() {
     return {
         {"surface", "",
-         "measured area in place of a genome: X3P, SDF, SUR, GSF; a text matrix, a line a row along x, with "
-         "--spacing DX or DXxDY; or columns x, y, height"}};
+         "measured area instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
+         "with --spacing DX or DXxDY; or columns x, y, height"}};
 }
 
 rough::Map surface_from(const Settings& settings, const std::string& flag) {
-    for (const char* name : {"nodes", "length", "row", "fill", "outliers"})
-        if (settings.given(name))
-            throw rough::InputError(settings.place(name) + ": given with --" + flag +
-                                    " of a map, expected none: it is for profiles");
+    expect_none(settings, {"nodes", "length", "row", "fill", "outliers"},
+                "given with --" + flag + " of a map; omit it, as it is for profiles");
     rough::MapLayout layout{settings.text("unit")};
     if (settings.has("spacing")) {
         layout.spacing = settings.numbers("spacing").front();
@@ -366,15 +344,15 @@ rough::Map surface_from(const Settings& settings, const std::string& flag) {
     const auto [columns, rows] = surface.shape();
     map.account = "a map of " + std::to_string(columns) + " x " + std::to_string(rows) + " heights (" +
                   map.account + "), " +
-                  (form == rough::Detrend::none   ? "taken as it is"
-                   : form == rough::Detrend::line ? "its plane taken off"
-                                                  : "its form taken off: " + name_of(form));
+                  (form == rough::Detrend::none   ? "used as it is"
+                   : form == rough::Detrend::line ? "its plane removed"
+                                                  : "its form removed: " + name_of(form));
     for (const bool is_long : {false, true})
         if (const char* name = is_long ? "lambda-c" : "lambda-s"; settings.has(name)) {
             const Eigen::VectorXd passed = low_passed(surface, settings.number(name));
             surface.heights = is_long ? (surface.heights - passed).eval() : passed;
             map.account += std::string(", waves ") + (is_long ? "over " : "under ") +
-                           readable(settings.number(name)) + " mm taken off";
+                           readable(settings.number(name)) + " mm removed";
         }
     return map;
 }
@@ -421,14 +399,9 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
 }
 
 rough::Map sampled_from(const Settings& settings, bool periodic) {
-    expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
+    expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
     const rough::Source source = rough::open_genome(settings.text("genome"));
-    const rough::Grid usual = source.grid(periodic);
-    rough::Grid grid = usual;
-    const Settings x = along_x(settings, "");
-    x.take("nodes", grid.nodes);
-    x.take("length", grid.length);
-    grid = crossed(grid, usual, settings, "");
+    const rough::Grid grid = area_grid(source.grid(periodic), settings);
     const std::string note = fit_note(*source.genome, grid);
     return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
                                               std::to_string(grid.rows) + " nodes on " +
@@ -447,10 +420,9 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
         scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) +
                               " mm");
     } else {
-        expect_none(settings, scan_settings(), "given with a genome, expected with --surface only");
+        expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
         const rough::Source source = rough::open_genome(settings.text("genome"));
-        scene.model =
-            area_model_on(source.grid(kernel_from(settings) == rough::Kernel::periodic), settings, "");
+        scene.model = area_model_on(source.grid(kernel_from(settings) == rough::Kernel::periodic), settings);
         scene.map = sample(*source.genome, scene.model.grid);
         if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
             scene.notes.push_back(note);

@@ -10,98 +10,96 @@
 
 namespace app {
 
-/// Says which pressures those of an unstated modulus are.
+/// The note that pressures are in units of E.
 inline constexpr const char* modulus_note =
     "note: no --modulus or --material given: E is 1 MPa, so pressures and stiffness are in units of E";
-/// Whether a modulus is stated, as --modulus or by a --material.
+/// Whether a modulus is given, by --modulus or --material.
 bool states_modulus(const Settings& settings);
 /// The --material with its values and their sources in words; "" if none is given.
 std::string material_note(const Settings& settings);
-/// The local pressure (MPa) up to which the answer of the stated elastic body holds: the hardness of its
-/// --material, or largest_elastic_pressure of a --modulus. Infinite if neither is stated, or if --hardness
+/// The local pressure (MPa) up to which the response of the elastic body holds: the hardness of its
+/// --material, or largest_elastic_pressure of a --modulus. Infinite if neither is given, or if --hardness
 /// caps pressures.
 double elastic_limit(const Settings& settings, const rough::Body& body);
 
-/// The settings that make a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix
-/// "model.").
+/// The settings of a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix "model.").
 std::vector<Setting> model_settings(const std::string& prefix = "");
 
-/// How exactly a search or a curve must know a genome's response, for commands that can take less:
-/// --accuracy. `against` says what the response is compared with.
-Setting accuracy_setting(const std::string& prefix = "", const std::string& against = "the model's own");
-/// 0 where none is asked for.
+/// --accuracy: the error allowed for the response of a genome. `against` says what the error is relative to.
+Setting accuracy_setting(const std::string& prefix = "",
+                         const std::string& against = "the response of the whole model");
+/// 0 if it is not given.
 double accuracy_from(const Settings& settings, const std::string& prefix = "");
 
-/// --nodes, or what stands for it where it is not given.
-rough::Index nodes_from(const Settings& settings, rough::Index otherwise);
+/// --nodes; 0 if it is not given.
+rough::Index nodes_from(const Settings& settings);
 
 rough::Kernel kernel_from(const Settings& settings, const std::string& prefix = "");
 
-/// The model on a grid that --nodes and --length may change, complete. Throws rough::InputError if it has no
-/// solution.
+///@{
+/// The complete model that the settings describe, on a grid that --nodes and --length may change: a given
+/// grid, the default, or that of a source. Throws rough::InputError if the model has no solution.
 rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix = "");
-/// The model they describe, complete. Throws rough::InputError where it has no solution.
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
-/// The same for what brings its own grid along: nodes and length default to that.
 rough::Model model_from(const Settings& settings, const rough::Source& source,
                         const std::string& prefix = "");
+///@}
 
-/// The end of the load and what a node bears: --to-pressure, --pressures and --hardness.
+/// The last load and the cap of local pressures: --to-pressure, --pressures and --hardness.
 std::vector<Setting> loading_settings();
-/// The model under that load. Throws rough::InputError on loads that contradict each other.
+/// The model under these loads. Throws rough::InputError on loads that contradict each other.
 rough::Model loaded(rough::Model model, const Settings& settings);
 
-/// The settings that say how to read a measured profile: unit, spacing, row, outliers, form,
-/// filters, fill.
+/// How to read a measured profile: unit, spacing, row, outliers, form, filters, fill.
 std::vector<Setting> scan_settings(const std::string& prefix = "");
 
 /// --resolution: whether a measured surface is pressed again with interpolated heights.
 Setting resolution_setting();
 rough::Resolution resolution_from(const Settings& settings);
 
-/// Opens the scan. `nodes` resamples it to that many; 0 keeps its own number.
+/// Opens a scan and resamples it to `nodes` nodes; 0 keeps the number of its points.
 rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                         const std::string& prefix = "");
 
-/// Opens what --genome, or else --`scan`, names. Throws rough::InputError where settings of a scan are given
+/// Opens the file of --genome, or else of --`scan`. Throws rough::InputError if settings of a scan are given
 /// with a genome.
 rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan = "profile");
 
-/// The flag that names a measured area.
+/// --surface: a measured area.
 std::vector<Setting> area_settings();
 
-/// Of an area on the free body.
+/// The note on an area on the free body.
 inline constexpr const char* no_datum_note =
     "an area on a half-space needs no datum: displacements are measured to infinity";
 
 /// Whether the settings ask for an area: by --surface, or by --nodes, --length or --spacing as a pair.
 bool asks_for_area(const Settings& settings, const std::string& prefix = "");
 
-/// The model on a surface's own nodes. Throws rough::InputError on what only a profile has.
+/// The model on the nodes of a surface. Throws rough::InputError on settings that only a profile has.
 rough::Model model_of(const rough::Profile& surface, const Settings& settings);
 
-/// The model that the settings describe, of an area where --nodes or --length is a pair. Throws
-/// rough::InputError on what only a profile has.
+/// The model that the settings describe, 2-D if --nodes or --length is a pair. Throws rough::InputError on
+/// settings that only a profile has.
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix = "");
 
-/// By how much a genome's wave vectors were moved to fit a periodic area; "" where none was.
+/// The note by how much a genome's wave vectors were moved to fit a periodic area; "" if they were not.
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 
-/// The map of the flag of that name, its form and waves removed as --detrend (by default its plane),
-/// --lambda-s and --lambda-c say.
+/// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
+/// --lambda-s and --lambda-c remove.
 rough::Map surface_from(const Settings& settings, const std::string& flag = "surface");
 
 /// The heights of --genome on the area of --nodes and --length, which is periodic or not.
 rough::Map sampled_from(const Settings& settings, bool periodic);
 
-/// An area as the settings give it, and what it is pressed on.
+/// An area and the model that it is pressed under.
 struct AreaScene {
     rough::Profile map;             ///< heights, mm
     rough::Model model;             ///< complete, with the map's grid
-    std::vector<std::string> notes; ///< what was done to it, a line each
+    std::vector<std::string> notes; ///< how the map was read or sampled, one line each
 };
-/// The area of the map that the flag of that name gives, or of --genome. Throws rough::InputError on what
-/// only a profile has.
+/// The area of --genome or of the map that the flag names. Throws rough::InputError on settings that only a
+/// profile has.
 AreaScene area_from(const Settings& settings, const std::string& map = "surface");
 
 } // namespace app

@@ -23,14 +23,7 @@ using rough::InputError;
 namespace {
 
 constexpr const char* too_many = "words too many";
-constexpr std::size_t most_ini_bytes = 1'000'000;
-
-std::vector<std::string> names_of(const std::vector<Setting>& known, const std::string& mark = "") {
-    std::vector<std::string> names;
-    for (const auto& setting : known)
-        names.push_back(mark + setting.name);
-    return names;
-}
+constexpr std::size_t max_ini_bytes = 1'000'000;
 
 po::options_description options_of(const std::vector<Setting>& known, const std::string& heading = "") {
     po::options_description options(heading);
@@ -47,7 +40,7 @@ po::options_description options_of(const std::vector<Setting>& known, const std:
     return options;
 }
 
-/// Those whose values are lines may be given several times.
+/// Whether a setting may be given several times: its values are lines.
 bool repeats(const std::vector<Setting>& known, const std::string& name) {
     return std::any_of(known.begin(), known.end(), [&](const Setting& setting) {
         return setting.name == name && setting.between == '\n';
@@ -60,10 +53,10 @@ std::map<std::string, std::string> values_of(const po::parsed_options& parsed,
     for (const auto& option : parsed.options) {
         const std::string value = option.value.empty() ? "on" : option.value.front();
         if (value.empty())
-            throw InputError("--" + option.string_key + ": \"\" given, expected a value");
+            throw InputError("--" + option.string_key + ": \"\" given; give a value");
         const auto [before, is_first] = values.emplace(option.string_key, value);
         if (!is_first && !repeats(known, option.string_key))
-            throw InputError("--" + option.string_key + ": given twice, expected once");
+            throw InputError("--" + option.string_key + ": given twice; give it once");
         if (!is_first)
             before->second += "\n" + value;
     }
@@ -71,15 +64,15 @@ std::map<std::string, std::string> values_of(const po::parsed_options& parsed,
 }
 
 struct Ini {
-    std::map<std::string, std::string> values; ///< by section.key
+    std::map<std::string, std::string> values; ///< keys are section.key
     std::map<std::string, int> lines;
 };
 
-/// Read by Boost line by line, each below its section's, so that a message can name it.
+/// Boost reads each line after that of its section, so that a message can name the line.
 Ini parsed_ini(const std::filesystem::path& file) {
     Ini ini;
     std::string section;
-    std::istringstream in(rough::read_whole(file, most_ini_bytes));
+    std::istringstream in(rough::read_whole(file, max_ini_bytes));
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) { // the bytes of file names stay as they are
         if (number == 1 && line.starts_with("\xEF\xBB\xBF"))
@@ -90,12 +83,12 @@ Ini parsed_ini(const std::filesystem::path& file) {
         try {
             for (const auto& option : po::parse_config_file(one, po::options_description(), true).options) {
                 if (!ini.values.emplace(option.string_key, rough::trim(option.value.front())).second)
-                    throw InputError(place + option.string_key + ": given twice, expected once");
+                    throw InputError(place + option.string_key + ": given twice; give it once");
                 ini.lines[option.string_key] = number;
             }
         } catch (const po::error&) {
             throw InputError(place + "\"" + std::string(text.substr(0, 60)) +
-                             "\" given as a line, expected [section] or key = value");
+                             "\" is not a line of an .ini file; write [section] or key = value");
         }
         if (text.starts_with('['))
             section = line;
@@ -103,7 +96,7 @@ Ini parsed_ini(const std::filesystem::path& file) {
     return ini;
 }
 
-/// What a key may have meant: a name near to it, else those of its section, else the sections.
+/// The suggestion for an unknown key: the nearest name, else the keys of its section, else the sections.
 std::string key_suggestion(const std::string& name, const std::vector<std::string>& names) {
     const std::set<std::string> keys(names.begin(), names.end());
     std::set<std::string> sections;
@@ -190,7 +183,7 @@ Settings::Settings(std::string source, std::vector<Setting> known, std::map<std:
         check(name);
 }
 
-/// A name that is not known is another's to refuse.
+/// Unknown names are refused elsewhere.
 void Settings::check(const std::string& name) const {
     const auto setting = known_.find(name);
     if (setting == known_.end() || text(name).empty())
@@ -212,6 +205,10 @@ std::string Settings::place(const std::string& name) const {
     return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
 }
 
+void Settings::refuse(const std::string& name, const std::string& problem) const {
+    throw InputError(place(name) + ": " + problem);
+}
+
 const std::string& Settings::text(const std::string& name) const {
     const auto found = given_.find(name);
     return found != given_.end() ? found->second : known_.at(name).fallback;
@@ -223,14 +220,14 @@ bool Settings::is_on(const std::string& name) const {
         return true;
     if (value.empty() || value == "off" || value == "no" || value == "false" || value == "0")
         return false;
-    throw InputError(place(name) + ": \"" + value + "\" given, expected on or off");
+    refuse(name, "\"" + value + "\" given; give on or off");
 }
 
 double Settings::number_in(const std::string& name, const std::string& word,
                            const ga::Parameter& range) const {
     const double value = rough::number_from(word, place(name));
     if (!range.is_text() && !range.allows(value))
-        throw InputError(place(name) + ": " + word + " given, expected " + range.expected(true));
+        refuse(name, word + " is not " + range.expected(true));
     return value;
 }
 
@@ -242,8 +239,7 @@ std::vector<double> Settings::numbers(const std::string& name) const {
     std::vector<double> all;
     const auto given = words(name);
     if (known_.at(name).between == 'x' && given.size() > 2)
-        throw InputError(place(name) + ": '" + text(name) +
-                         "' given, expected two numbers with an x between, as in 64x48");
+        refuse(name, "'" + text(name) + "' given; give two numbers with an x between, as in 64x48");
     for (const std::string& word : given)
         all.push_back(number_in(name, word, known_.at(name).takes));
     return all;
@@ -289,7 +285,7 @@ std::size_t Settings::one_of(const std::string& name, const std::vector<std::str
     const auto found = std::find(words.begin(), words.end(), text(name));
     if (found != words.end())
         return static_cast<std::size_t>(found - words.begin());
-    throw InputError(place(name) + ": \"" + text(name) + "\" given" + ga::suggestion(text(name), words));
+    refuse(name, "\"" + text(name) + "\" given" + ga::suggestion(text(name), words));
 }
 
 std::vector<std::string> Settings::names_under(const std::string& prefix) const {
@@ -334,19 +330,20 @@ Settings read_command_line(const std::vector<std::string>& given, const std::vec
         for (const auto& option : parsed.options)
             if (option.string_key == too_many)
                 throw InputError(
-                    "'" + option.value.front() + "' given, expected " +
-                    (positional.empty() ? "flags only" : "one " + positional.front() + " beside the flags"));
+                    "'" + option.value.front() + "' given; give " +
+                    (positional.empty() ? "flags only" : "one " + positional.front() + " and flags only"));
         return {"", known, values_of(parsed, known)};
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
         name.erase(0, name.find_first_not_of('-'));
-        std::vector<std::string> names = names_of(known, "--");
-        names.insert(names.end(), {"--help", "--quiet", "--verbose"});
-        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, names));
+        std::vector<std::string> flags{"--help", "--quiet", "--verbose"};
+        for (const Setting& setting : known)
+            flags.push_back("--" + setting.name);
+        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, flags));
     } catch (const po::invalid_command_line_syntax& error) {
         throw InputError(error.get_option_name() + (error.kind() == error.extra_parameter
-                                                        ? ": a value given, expected none"
-                                                        : ": no value given, expected one"));
+                                                        ? ": takes no value; omit it"
+                                                        : ": lacks its value; give one"));
     } catch (const po::error& error) {
         throw InputError(error.what());
     }
@@ -358,7 +355,7 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     for (const auto& override_text : overrides) {
         const auto equals = override_text.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw InputError("--set: \"" + override_text + "\" given, expected section.key=value");
+            throw InputError("--set: \"" + override_text + "\" given; give section.key=value");
         const std::string name = override_text.substr(0, equals);
         values[name] = override_text.substr(equals + 1);
         lines.erase(name);
@@ -397,10 +394,18 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
     return all;
 }
 
-void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where) {
-    for (const Setting& setting : of)
-        if (settings.given(setting.name))
-            throw InputError(settings.place(setting.name) + ": " + where);
+std::vector<std::string> names_of(const std::vector<Setting>& settings) {
+    std::vector<std::string> names;
+    for (const Setting& setting : settings)
+        names.push_back(setting.name);
+    return names;
+}
+
+void expect_none(const Settings& settings, const std::vector<std::string>& names,
+                 const std::string& problem) {
+    for (const std::string& name : names)
+        if (settings.given(name))
+            settings.refuse(name, problem);
 }
 
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error) {

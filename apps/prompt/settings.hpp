@@ -17,45 +17,47 @@ namespace app {
 /// A parameter that a user may set: a flag of a command, a key of an experiment, a keyword of Python.
 struct Setting {
     std::string name;       ///< flag without its dashes, or section.key
-    std::string fallback;   ///< what it is if not given; "" is nothing
+    std::string fallback;   ///< value if it is not given; "": no value
     std::string meaning;    ///< one line, with the unit; "" leaves it out of the help page
     bool is_switch = false; ///< a flag without a value
-    std::string group = {}; ///< heading in the help page; "" for the command's own
-    /// What may be given, which is checked when settings are read: any words, or a number in a range.
+    std::string group = {}; ///< heading in the help page; "": the first one
+    /// Allowed values, which are checked when settings are read: any words, or a number in a range.
     ga::Parameter takes = ga::word_list({}, {});
-    std::vector<std::string> choices = {}; ///< one of these words, where there are any
-    std::string alone = {};                ///< what a flag without a value stands for; "": it needs one
-    char between = 0; ///< parts several values: ',', 'x' of a pair along x and y, a line's end; 0: one value
+    std::vector<std::string> choices = {}; ///< allowed words; empty: any value that `takes` allows
+    std::string alone = {};                ///< value of the flag if none follows it; "": one must follow
+    char between =
+        0; ///< separates several values: ',', 'x' of a pair along x and y, a line's end; 0: one value
 
     Setting(std::string name, std::string fallback, std::string meaning, bool is_switch = false);
     Setting(const ga::Parameter& parameter); ///< one that ga::number or ga::whole describes
-    /// The same with several values, so parted.
+    /// A copy that takes several values, separated by this character.
     Setting several(char between = ',') const;
-    /// The same for these words alone.
+    /// A copy that takes one of these words.
     Setting of(std::vector<std::string> words) const;
 };
 
 ///@{
-/// Parameters that several commands have, and a number above 0.
+/// Parameters of several commands.
 Setting seed_setting();
 Setting threads_setting();
 Setting force_setting();
 Setting pictures_setting();
+///@}
+/// A number above 0.
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning);
 /// A pressure (MPa) whose squares fit double precision.
 Setting pressure(const std::string& name, const std::string& fallback, const std::string& meaning);
-///@}
 
-/// A setting's name as Python has it: strip_width.
+/// The name of a setting in Python: strip_width.
 std::string keyword(std::string name);
 
-/// Values by name. The constructor and every reader throw rough::InputError naming the setting, what was
-/// given and what was expected.
+/// Values by name. The constructor and every reader throw rough::InputError that names the setting, its value
+/// and the allowed values.
 class Settings {
   public:
     static constexpr const char* keywords = "()";
-    /// `source` is an .ini file, "" for a command line or `keywords` for a call in Python; `lines` are those
-    /// of the file, by name, of what was not given on the command line.
+    /// `source` is an .ini file, "" for a command line, or `keywords` for a call in Python. `lines` are the
+    /// file's lines by name, without those that the command line replaces.
     Settings(std::string source, std::vector<Setting> known, std::map<std::string, std::string> given,
              std::map<std::string, int> lines = {});
 
@@ -65,13 +67,15 @@ class Settings {
     const std::string& text(const std::string& name) const;
     bool is_on(const std::string& name) const;
     double number(const std::string& name) const;
-    /// Of a setting with several values.
+    ///@{
+    /// The values of a setting with several.
     std::vector<double> numbers(const std::string& name) const;
     std::vector<std::string> words(const std::string& name) const;
+    ///@}
     /// The place of its word among the setting's choices.
     std::size_t choice(const std::string& name) const;
-    /// Sets a value to what stands for the setting, if anything does; an enumeration, or a bool that is no
-    /// switch, by the place among the setting's choices.
+    /// Sets a value to that of the setting, if it has one. An enumeration, and a bool that is not a switch,
+    /// get the place among the setting's choices.
     template <class Value>
     void take(const std::string& name, Value& value) const {
         if (!has(name))
@@ -87,48 +91,48 @@ class Settings {
         else
             value = static_cast<Value>(number(name));
     }
-    /// Of a setting that takes whole numbers.
+    /// The value of a setting that takes whole numbers.
     template <class Whole = long>
     Whole whole(const std::string& name) const {
         return static_cast<Whole>(number(name));
     }
-    /// A file: as given on the command line, or beside the .ini that names it.
+    /// A file: relative to the working directory, or to the .ini file that names it.
     std::filesystem::path path(const std::string& name) const { return beside(name, text(name)); }
-    /// The same of several, with commas between.
+    /// Several files, with commas between, each as by `path`.
     std::vector<std::filesystem::path> paths(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
 
-    /// Every file that is there and that a value names, but those of --out and --report: those that are read.
+    /// The existing files that the values name, except --out and --report: those that are read.
     std::vector<std::filesystem::path> files() const;
 
-    /// "--nodes", of a call in Python "nodes", "paper.ini:12: model.nodes" or, where no line of the file
-    /// gives it, "paper.ini: model.nodes"; for messages.
+    /// The setting as messages name it: "--nodes"; "nodes" in Python; "paper.ini:12: model.nodes", or
+    /// "paper.ini: model.nodes" if no line of the file gives it.
     std::string place(const std::string& name) const;
-    /// The same with some values changed; "" takes one away. Some settings may be described anew.
+    /// Throws rough::InputError that begins with the place of a setting.
+    [[noreturn]] void refuse(const std::string& name, const std::string& problem) const;
+    /// A copy with some values changed, or removed by "". `described` replaces the descriptions of settings.
     Settings with(const std::map<std::string, std::string>& values,
                   const std::vector<Setting>& described = {}) const;
-    /// The names given whose beginning is `prefix`, without it, in alphabetical order.
+    /// The given names that begin with `prefix`, without it, in alphabetical order.
     std::vector<std::string> names_under(const std::string& prefix) const;
-    /// The same names with what stands for them, as those of variants with their pipelines; "" takes one
-    /// away.
+    /// The names as by `names_under`, each with its text unless that is empty: variants and their pipelines.
     std::vector<std::pair<std::string, std::string>> texts_under(const std::string& prefix) const;
 
   private:
     std::filesystem::path beside(const std::string& name, const std::string& word) const;
-    /// The number that a word is. Throws rough::InputError on one that the setting's range does not hold.
     double number_in(const std::string& name, const std::string& word, const ga::Parameter& range) const;
     void check(const std::string& name) const;
 
     std::string source_;
     std::map<std::string, Setting> known_;
     std::map<std::string, std::string> given_;
-    std::map<std::string, int> lines_; ///< of the file
+    std::map<std::string, int> lines_;
 };
 
-/// A parameter with the place of its value: where the set-up of a command keeps it.
+/// A parameter with a reference to its value, which a set-up of a command holds.
 struct Field {
     Setting setting;
-    std::function<void(const Settings&, const std::string& name)> take; ///< into the value
+    std::function<void(const Settings&, const std::string& name)> take; ///< sets the value
 
     template <class Value>
     Field(Setting described, Value& value)
@@ -139,7 +143,7 @@ using Fields = std::vector<Field>;
 /// Their settings, each name behind `prefix`, under a heading of the help page.
 std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix = "",
                                  const std::string& group = "");
-/// Sets the values of those that were given, or that have a fallback.
+/// Sets the values of the fields that are given or have a fallback.
 void take(const Settings& settings, const Fields& fields, const std::string& prefix = "");
 
 /// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name), an empty value
@@ -148,21 +152,22 @@ void take(const Settings& settings, const Fields& fields, const std::string& pre
 Settings read_command_line(const std::vector<std::string>& words, const std::vector<Setting>& known,
                            const std::vector<std::string>& positional = {});
 
-/// Reads an .ini file, then `overrides` ("section.key=value"). A key that ends in ".*" among `known` admits
-/// any key of that section; an empty value is none. Throws rough::InputError on an unknown section or key
+/// Reads an .ini file, then `overrides` ("section.key=value"). A known key that ends in ".*" admits any key
+/// of that section. An empty value counts as not given. Throws rough::InputError on an unknown section or key
 /// (with the nearest name).
 Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
                   const std::vector<std::string>& overrides = {});
 
-/// Settings one list after another.
+/// The settings of several lists.
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 
-/// Throws rough::InputError on the first of these that was given; `where` says where it may be.
-void expect_none(const Settings& settings, const std::vector<Setting>& of, const std::string& where);
-/// The message of a rough::InputError with the place in front of the setting that sets the value it is about:
-/// "datum" is --datum, or model.datum of an experiment where `prefix` is "model.".
+std::vector<std::string> names_of(const std::vector<Setting>& settings);
+/// Throws rough::InputError on the first of these that was given: its place and `problem`.
+void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
+/// The message of a rough::InputError, after the place of the setting whose value it is about, if there is
+/// one. "datum" is --datum, or model.datum of an experiment if `prefix` is "model.".
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error);
-/// What `work` gives; a rough::InputError of the domain, which knows values and no flags, is placed.
+/// Returns work(). The domain knows values and no flags; its rough::InputError is placed.
 template <class Work>
 auto placing(const Settings& settings, const std::string& prefix, Work work) {
     try {
@@ -171,8 +176,8 @@ auto placing(const Settings& settings, const std::string& prefix, Work work) {
         throw rough::InputError(placed(settings, prefix, error));
     }
 }
-/// What `work` gives, its ga::UsageError as a rough::InputError that begins with the key's place: for text of
-/// an experiment that ga reads.
+/// Returns work(), which reads the text of a key. Its ga::UsageError becomes a rough::InputError that begins
+/// with the key's place.
 template <class Work>
 auto read_at(const Settings& settings, const std::string& key, Work work) {
     try {
@@ -182,7 +187,7 @@ auto read_at(const Settings& settings, const std::string& key, Work work) {
     }
 }
 
-/// The settings as a help page lists them.
+/// The settings as lines of a help page.
 std::string described(const std::vector<Setting>& known);
 
 } // namespace app

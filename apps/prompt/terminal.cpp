@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -16,39 +15,27 @@ namespace app {
 
 namespace {
 
-Voice& kept() {
-    static Voice voice = Voice::plain;
-    return voice;
-}
-
-bool taken(std::vector<std::string>& words, const char* word) {
-    const auto found = std::find(words.begin(), words.end(), word);
-    if (found == words.end())
-        return false;
-    words.erase(found);
-    return true;
-}
+enum class Verbosity { quiet, plain, verbose };
+Verbosity verbosity = Verbosity::plain;
 
 } // namespace
 
 void parse_verbosity(std::vector<std::string>& words) {
-    const bool quiet = taken(words, "--quiet"), verbose = taken(words, "--verbose");
+    const bool quiet = std::erase(words, "--quiet") > 0, verbose = std::erase(words, "--verbose") > 0;
     if (quiet && verbose)
-        throw rough::InputError("--quiet and --verbose given, expected one of them");
-    kept() = quiet ? Voice::quiet : verbose ? Voice::verbose : Voice::plain;
+        throw rough::InputError("--quiet and --verbose given; give one of them");
+    verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::plain;
 }
 
-Voice voice() { return kept(); }
-
 void say(const std::string& remark) {
-    if (voice() == Voice::quiet)
+    if (verbosity == Verbosity::quiet)
         return;
     clear_progress();
     std::cout << remark << "\n";
 }
 
 void tell(const std::string& detail) {
-    if (voice() == Voice::verbose)
+    if (verbosity == Verbosity::verbose)
         say(detail);
 }
 
@@ -60,7 +47,7 @@ namespace {
 constexpr const char* clear_line = "\r\033[K";
 std::atomic<bool> stands = false;
 
-/// What fits into a terminal's line: a longer one would wrap, and its first part stay.
+/// A text cut to the width of the terminal. A longer one would wrap, and its first part would stay.
 std::string cut(std::string text) {
     winsize size{};
     constexpr std::size_t usual = 80;
@@ -76,7 +63,7 @@ std::string cut(std::string text) {
 }
 } // namespace
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && voice() != Voice::quiet) {}
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verbosity::quiet) {}
 
 Progress::~Progress() { clear_progress(); }
 
@@ -104,7 +91,7 @@ std::string duration_words(double seconds) {
 
 namespace {
 
-std::atomic<bool> asked_to_stop = false; // lock-free, so a signal handler may set it
+std::atomic<bool> asked_to_stop = false; // lock-free, so that a signal handler may set it
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void ask(int signal) {
@@ -112,26 +99,24 @@ void ask(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
-constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+/// Handles the signals that ask to stop, except those that are ignored.
+void handle(void (*handler)(int)) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, handler) == SIG_IGN)
+            std::signal(signal, SIG_IGN);
+}
 
 } // namespace
 
 Interrupt::Interrupt() {
     asked_to_stop = false;
-    for (const int signal : signals)
-        if (std::signal(signal, ask) == SIG_IGN)
-            std::signal(signal, SIG_IGN);
+    handle(ask);
 }
 
-Interrupt::~Interrupt() {
-    for (const int signal : signals)
-        if (std::signal(signal, SIG_DFL) == SIG_IGN)
-            std::signal(signal, SIG_IGN);
-}
+Interrupt::~Interrupt() { handle(SIG_DFL); }
 
 const std::atomic<bool>& Interrupt::flag() { return asked_to_stop; }
 
-bool stop_asked() { return asked_to_stop; }
 void ask_to_stop() { asked_to_stop = true; }
 
 } // namespace app

@@ -7,29 +7,25 @@
 
 namespace app {
 
-/// How much the program says beside its results.
-enum class Voice { quiet, plain, verbose };
-
-/// Takes --quiet and --verbose out of the words and keeps to them from then on. Throws rough::InputError on
-/// both.
+/// Removes --quiet and --verbose from the words and applies them from then on. Throws rough::InputError if
+/// both are given.
 void parse_verbosity(std::vector<std::string>& words);
-Voice voice();
 
-void say(const std::string& remark);  ///< a line on standard output, unless --quiet
-void tell(const std::string& detail); ///< a line on standard output, with --verbose alone
+void say(const std::string& remark);  ///< prints a line on standard output, unless --quiet
+void tell(const std::string& detail); ///< prints a line on standard output, with --verbose only
 
-/// What begins an error's line: "rugosa: ", in red where stderr is a terminal (and NO_COLOR is not set).
+/// The beginning of an error's line: "rugosa: ", in red if stderr is a terminal and NO_COLOR is not set.
 std::string error_mark();
 
-/// A line on a terminal's stderr that is written over while a run takes longer than a second, cut at the
-/// terminal's width; nothing when piped.
+/// A line on a terminal's stderr that shows the progress of a run of more than a second, cut at the
+/// terminal's width. Nothing is written to a pipe.
 class Progress {
   public:
     Progress();
     ~Progress();
     Progress(const Progress&) = delete;
 
-    /// What is being done, e.g. "gco: 12 of 40"; shown at most ten times a second.
+    /// Shows a text, e.g. "gco: 12 of 40", at most ten times per second.
     void show(const std::string& text);
 
   private:
@@ -38,15 +34,15 @@ class Progress {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-/// Takes away the line where one stands, so that what is said next does not stick to it.
+/// Removes the line of progress, if there is one, before other output.
 void clear_progress();
 
 /// "45 s", or "12 min 5 s" from two minutes on.
 std::string duration_words(double seconds);
 
-/// From its construction on, the first interrupt (Ctrl-C), request to end or hang-up asks the program to stop
-/// at the next safe place; a second one ends it at once. A signal that was ignored when the program began, as
-/// nohup has it, stays ignored.
+/// While it exists, the first interrupt (Ctrl-C), request to end or hang-up asks the program to stop at the
+/// next safe place. A second one ends the program at once. Signals that were ignored when the program began,
+/// as under nohup, stay ignored.
 class Interrupt {
   public:
     Interrupt();
@@ -58,9 +54,7 @@ class Interrupt {
     static const std::atomic<bool>& flag(); ///< for the engine's budget
 };
 
-/// Whether a stop was asked for: for what has no Interrupt at hand.
-bool stop_asked();
-void ask_to_stop(); ///< as a signal would
+void ask_to_stop(); ///< as a signal does
 
 constexpr int exit_interrupted = 130;
 

@@ -23,7 +23,7 @@ Requires-Dist: numpy
 
 
 def _build(folder):
-    fresh = not (pathlib.Path(folder) / "CMakeCache.txt").exists()  # a build that is there keeps its tests
+    fresh = not (pathlib.Path(folder) / "CMakeCache.txt").exists()  # an existing build keeps its tests
     subprocess.run(["cmake", "-S", str(HERE.parents[1]), "-B", folder, "-DRUGOSA_PYTHON=ON",
                     f"-DPython_EXECUTABLE={sys.executable}", *["-DRUGOSA_TESTS=OFF"] * fresh], check=True)
     subprocess.run(["cmake", "--build", folder, "--target", "rugosa_python", "--parallel",
@@ -36,7 +36,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     tag = f"{version}-{version}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
     name = f"rugosa-{VERSION}-{tag}.whl"
     information = f"rugosa-{VERSION}.dist-info"
-    # RUGOSA_BUILD names a folder that is kept, so that building again is quick.
+    # RUGOSA_BUILD names a folder that is kept, which makes the next build quick.
     with tempfile.TemporaryDirectory() as temporary:
         package = _build(os.environ.get("RUGOSA_BUILD", temporary))
         files = {f"rugosa/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}

@@ -1,8 +1,10 @@
 #include "apps/report/csv.hpp"
 
 #include "domain/plain_stream.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/text/words.hpp"
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -13,7 +15,7 @@ namespace app {
 
 namespace {
 
-/// Whether a spreadsheet would run a cell: text that begins like a formula and is no number.
+/// Whether a spreadsheet would take a cell for a formula: it begins like one, and is not a number.
 bool runs(const std::string& word) {
     double value = 0;
     const char* const end = word.data() + word.size();
@@ -25,6 +27,28 @@ bool runs(const std::string& word) {
 void put_number(std::ostream& out, double number) {
     if (!std::isnan(number))
         out << number;
+}
+
+/// The rows of columns of equal length as CSV, each behind `begin`.
+std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::string& begin = "") {
+    rough::PlainStream out;
+    out.precision(17);
+    for (Eigen::Index row = 0; row < columns.front().size(); ++row) {
+        out << begin;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            put_number(out << (c ? "," : ""), columns[c][row]);
+        out << "\n";
+    }
+    return out.str();
+}
+
+/// The rows of columns that a picture can show; the first column is x.
+std::vector<Eigen::VectorXd> shown(const std::vector<Eigen::VectorXd>& columns, bool logarithmic) {
+    const auto rows = rows_to_draw(columns[0], {columns.begin() + 1, columns.end()}, logarithmic);
+    std::vector<Eigen::VectorXd> all;
+    for (const Eigen::VectorXd& column : columns)
+        all.emplace_back(column(rows));
+    return all;
 }
 
 } // namespace
@@ -87,17 +111,7 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
 }
 
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
-    rough::PlainStream out;
-    out.precision(17);
-    for (std::size_t c = 0; c < header.size(); ++c)
-        out << (c ? "," : "") << header[c];
-    out << "\n";
-    for (Eigen::Index row = 0; row < columns.front().size(); ++row) {
-        for (std::size_t c = 0; c < columns.size(); ++c)
-            put_number(out << (c ? "," : ""), columns[c][row]);
-        out << "\n";
-    }
-    return out.str();
+    return boost::algorithm::join(header, ",") + "\n" + rows_text(columns);
 }
 
 std::string csv(const rough::Response& response, const std::vector<std::string>& further,
@@ -124,12 +138,12 @@ std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eige
             rows.push_back(i);
         return rows;
     }
-    const double places = 0.5 * max_rows / static_cast<double>(lines.size());
+    const double intervals = 0.5 * max_rows / static_cast<double>(lines.size());
     const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
     const double from = along(0), length = along(x.size() - 1) - from;
-    const auto place = [&](Index i) { return std::floor((along(i) - from) / length * (places - 1)); };
+    const auto interval = [&](Index i) { return std::floor((along(i) - from) / length * (intervals - 1)); };
     for (Index begin = 0, end = 0; begin < x.size(); begin = end) {
-        for (end = begin + 1; end < x.size() && place(end) == place(begin);)
+        for (end = begin + 1; end < x.size() && interval(end) == interval(begin);)
             ++end;
         std::vector<Index> extremes;
         for (const Eigen::VectorXd& line : lines)
@@ -146,21 +160,11 @@ std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eige
 
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic) {
-    const auto rows = rows_to_draw(columns[0], {columns.begin() + 1, columns.end()}, logarithmic);
-    std::vector<Eigen::VectorXd> drawn;
-    for (const Eigen::VectorXd& column : columns)
-        drawn.emplace_back(column(rows));
-    return csv(header, drawn);
+    return csv(header, shown(columns, logarithmic));
 }
 
 std::string drawn_rows(const std::string& word, const std::vector<Eigen::VectorXd>& columns) {
-    const std::string rows = drawn_csv(std::vector<std::string>(columns.size()), columns);
-    std::string text;
-    for (std::size_t begin = rows.find('\n') + 1, end; begin < rows.size(); begin = end + 1) {
-        end = rows.find('\n', begin);
-        text += word + "," + rows.substr(begin, end + 1 - begin);
-    }
-    return text;
+    return rows_text(shown(columns, false), word + ",");
 }
 
 Eigen::VectorXd positions(const rough::Profile& profile) {
@@ -175,9 +179,9 @@ std::string heights_csv(const rough::Profile& profile) {
 
 std::string map_csv(const rough::Profile& map, const std::vector<std::string>& names,
                     const std::vector<Eigen::VectorXd>& values) {
-    constexpr Index max_places = 256;
+    constexpr Index max_blocks = 256;
     const auto [columns, rows] = map.shape();
-    const Index every = (std::max(columns, rows) + max_places - 1) / max_places;
+    const Index every = (std::max(columns, rows) + max_blocks - 1) / max_blocks;
     rough::PlainStream out;
     out.precision(6);
     out << "x_mm,y_mm";
@@ -188,7 +192,7 @@ std::string map_csv(const rough::Profile& map, const std::vector<std::string>& n
     };
     for (Index j = 0; j < rows; j += every)
         for (Index i = 0; i < columns; i += every) {
-            // Places are even, also the last ones, which may stand for fewer nodes.
+            // Blocks are evenly spaced, also the last ones, which may have fewer nodes.
             out << "\n" << map.spacing * middle(i, every) << "," << map.row_spacing * middle(j, every);
             for (const Eigen::VectorXd& value : values) {
                 const auto nodes = value.reshaped(columns, rows)

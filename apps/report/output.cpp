@@ -20,7 +20,7 @@
 namespace app {
 
 namespace fs = std::filesystem;
-using rough::InputError;
+using rough::refuse;
 
 namespace {
 
@@ -30,7 +30,7 @@ bool is_among(const fs::path& file, const std::vector<fs::path>& files) {
                        [&](const fs::path& other) { return fs::equivalent(file, other, error); });
 }
 
-/// Those that are there, of names in the folder.
+/// The files in the folder that have these names.
 std::vector<fs::path> present(const fs::path& folder, const std::vector<std::string>& names) {
     std::vector<fs::path> all;
     std::error_code error;
@@ -39,7 +39,7 @@ std::vector<fs::path> present(const fs::path& folder, const std::vector<std::str
             for (const auto& entry : fs::directory_iterator(folder, error))
                 if (entry.path().extension() == name.substr(1))
                     all.push_back(entry.path());
-        } else if (fs::exists(fs::symlink_status(folder / name, error))) { // a link to nothing too
+        } else if (fs::exists(fs::symlink_status(folder / name, error))) { // also a link to nothing
             all.push_back(folder / name);
         }
     return all;
@@ -60,21 +60,19 @@ OutputFolder::OutputFolder(const std::string& given, const std::string& name, co
 
 void OutputFolder::expect_free(const Writing& writing) const {
     std::error_code error;
-    const std::string begins = "--out: " + path_.string();
     for (const fs::path& file : present(path_, writing.names)) {
         if (is_among(file, writing.inputs))
-            throw InputError("--out: " + file.string() +
-                             " would be written over, and is read here; expected another folder");
+            refuse("--out: ", file.string(), " is read here and would be overwritten; choose another folder");
         if (fs::is_symlink(file, error) && !writing.force)
-            throw InputError("--out: " + file.string() +
-                             " is a link, expected another folder, or --force to take it away");
+            refuse("--out: ", file.string(),
+                   " is a symbolic link; choose another folder, or remove it with --force");
         if (writing.force || writing.resume)
             continue;
         if (file.stem() == "checkpoint" || file.stem() == "checkpoints")
-            throw InputError(begins +
-                             " holds an interrupted run, expected --resume, another folder or --force");
-        throw InputError(begins + " holds " + file.filename().string() +
-                         " already, expected another folder or --force");
+            refuse("--out: ", path_.string(),
+                   " holds an interrupted run; set --resume, choose another folder or set --force");
+        refuse("--out: ", path_.string(), " already holds ", file.filename().string(),
+               "; choose another folder or set --force");
     }
 }
 
@@ -91,9 +89,9 @@ void OutputFolder::make(const std::string& given, const std::string& name) {
         make_all(path_);
     } else {
         if (name.empty() || name == "." || name == "..")
-            throw InputError("--out: not given, and '" + name + "' names no folder; expected one");
+            refuse("--out: not given, and '", name, "' is not a folder name; set it");
         make_all("out");
-        // Who makes a folder has it: two runs that begin at once take two.
+        // The run that makes a folder has it: two runs that begin at once get two folders.
         path_ = fs::path("out") / name;
         for (int number = 2; !fs::create_directory(path_, error) && !error; ++number)
             path_ = "out/" + name + "-" + std::to_string(number);
@@ -101,13 +99,12 @@ void OutputFolder::make(const std::string& given, const std::string& name) {
             made_.insert(made_.begin(), path_);
     }
     if (error || !fs::is_directory(path_, error))
-        throw InputError("--out: " + path_.string() +
-                         " cannot be made, expected a folder that can be written");
+        refuse("--out: ", path_.string(), " cannot be made; choose another folder");
     if (access(path_.c_str(), W_OK | X_OK) != 0)
-        throw InputError("--out: " + path_.string() + " cannot be written, expected a folder that can be");
+        refuse("--out: ", path_.string(), " cannot be written; choose another folder");
 }
 
-/// The kernel's lock on the folder itself: nothing is written, and it ends with the process whatever ends it.
+/// Locks the folder itself by the kernel, until the process ends.
 void OutputFolder::lock() {
     locked_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     const auto is_taken = [&] {
@@ -117,8 +114,7 @@ void OutputFolder::lock() {
     for (int tries = 0; tries < 40 && is_taken(); ++tries)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     if (is_taken())
-        throw InputError("--out: " + path_.string() +
-                         " is in use by another run, expected another folder, or to wait for its end");
+        refuse("--out: ", path_.string(), " is in use by another run; choose another folder, or wait");
 }
 
 OutputFolder::~OutputFolder() {
@@ -132,7 +128,7 @@ OutputFolder::~OutputFolder() {
 const fs::path& OutputFolder::restored() const {
     std::error_code error;
     if (!fs::exists(path_, error) && fs::create_directories(path_, error))
-        say("note: " + path_.string() + " was taken away during the run; what was found is in a new one");
+        say("note: " + path_.string() + " was removed during the run; the results are in a new one");
     return path_;
 }
 
@@ -142,7 +138,7 @@ fs::path subfolder(const fs::path& folder, const std::string& name) {
     if (!fs::is_symlink(path, error))
         fs::create_directory(path, error);
     if (fs::is_symlink(path, error) || !fs::is_directory(path, error))
-        throw InputError(path.string() + ": is no folder of its own, expected one or nothing there");
+        refuse(path.string(), ": it is a file or symbolic link; remove it or choose another folder");
     return path;
 }
 
@@ -152,14 +148,13 @@ void expect_distinct(const std::vector<std::string>& names, const std::vector<st
     seen.insert({"", ".", ".."});
     for (const std::string& name : names)
         if (!seen.insert(name).second)
-            throw InputError(where + ": '" + name +
-                             "' given as a name, expected each once and none that the run itself takes");
+            refuse(where, ": '", name, "' is given as a name twice or used by the run; choose another name");
 }
 
 bool says_finished(const fs::path& folder, const std::string& checkpoint) {
     if (!fs::exists(folder / "result.json") || fs::exists(folder / checkpoint))
         return false;
-    say(folder.string() + ": is finished, there is nothing to resume; --force starts anew");
+    say(folder.string() + ": the run is finished and needs no --resume; --force restarts it");
     return true;
 }
 
@@ -170,8 +165,7 @@ double checkpoint_interval() {
     char* end = nullptr;
     const double seconds = std::strtod(given, &end);
     if (end == given || *end || !(seconds >= 0))
-        throw InputError("RUGOSA_CHECKPOINTS: '" + std::string(given) +
-                         "' given in the environment, expected seconds between two checkpoints");
+        refuse("RUGOSA_CHECKPOINTS: '", given, "' in the environment is not a number of seconds; correct it");
     return seconds;
 }
 
@@ -187,15 +181,14 @@ void write_json(const fs::path& file, const nlohmann::json& content) {
 fs::path expect_writable(const fs::path& file, const Settings& settings) {
     std::error_code error;
     if (fs::is_directory(file, error))
-        throw InputError("--out: " + file.string() + " is a folder, expected a file");
+        refuse("--out: ", file.string(), " is a folder; give the name of a file");
     if (is_among(file, settings.files()))
-        throw InputError("--out: " + file.string() +
-                         " would be written over, and is read here; expected another name");
+        refuse("--out: ", file.string(), " is read here and would be overwritten; choose another name");
     if (fs::is_regular_file(file, error) && !settings.is_on("force"))
-        throw InputError("--out: " + file.string() + " exists, expected another name or --force");
+        refuse("--out: ", file.string(), " exists; choose another name or set --force");
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error))
-        throw InputError("--out: there is no folder " + folder.string() + ", expected one that exists");
+        refuse("--out: the folder ", folder.string(), " does not exist; make it or choose another");
     return fs::exists(file, error) && !fs::is_regular_file(file, error) ? file : rough::without_links(file);
 }
 

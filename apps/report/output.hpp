@@ -10,19 +10,19 @@
 
 namespace app {
 
-/// Files to write, and what must not be lost for them.
+/// Files that a run writes to its folder, and what it may overwrite.
 struct Writing {
-    std::vector<std::string> names;            ///< in the folder; "*.x3p" is every file of that kind
-    std::vector<std::filesystem::path> inputs; ///< what the command reads: never written over
-    bool force = false;                        ///< other files may be
-    bool resume = false;                       ///< so may those of the run that is gone on with
+    std::vector<std::string> names;            ///< names in the folder; "*.x3p": every file of that kind
+    std::vector<std::filesystem::path> inputs; ///< files that the command reads, which are never overwritten
+    bool force = false;                        ///< whether other files may be overwritten
+    bool resume = false;                       ///< whether those of the resumed run may be
 };
 
-/// Where a run's results go: --out or, without it, out/NAME below the working directory, or out/NAME-2 and on
-/// where that exists. It is this run's alone until the object goes. Throws rough::InputError, before any work
-/// is done, when the folder cannot be made or written, is in use by another run, or has a file that would be
-/// lost. A link among the files to write is never followed: --force takes it away. Folders made in vain are
-/// taken away again.
+/// The folder of a run's results: --out or, by default, out/NAME below the working directory, or out/NAME-2
+/// and so on if that exists. No other run can use it while this object lives. Throws rough::InputError if
+/// the folder cannot be made or written, is in use, or has a file that would be lost. Symbolic links among
+/// the files to write are never followed: --force removes them. The destructor removes folders that stayed
+/// empty.
 class OutputFolder {
   public:
     OutputFolder(const std::string& given, const std::string& name, const Writing& writing);
@@ -30,42 +30,44 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// The same, made anew where it was taken away during the run.
+    /// The path of the folder, which is made again if it was removed during the run.
     const std::filesystem::path& restored() const;
 
   private:
-    OutputFolder() = default; // what is thrown once it is made undoes it
+    OutputFolder() = default; // delegated to, so that the destructor runs if the constructor throws
     void make(const std::string& given, const std::string& name);
     void lock();
     void expect_free(const Writing& writing) const;
 
     std::filesystem::path path_;
-    std::vector<std::filesystem::path> made_; ///< the innermost first
+    std::vector<std::filesystem::path> made_; ///< innermost first
     int locked_ = -1;                         ///< a descriptor of the folder
 };
 
-/// The folder of that name in a run's folder, made where it is missing. Throws rough::InputError on a link.
+/// The folder of that name in a run's folder, made if it is missing. Throws rough::InputError on a symbolic
+/// link.
 std::filesystem::path subfolder(const std::filesystem::path& folder, const std::string& name);
 
-/// Names that are to be folders, or rows of a table: each once, none that leads elsewhere or is among those
-/// that the run itself writes. Throws rough::InputError that begins with `where`.
+/// Checks names of folders or of rows of a table. Throws rough::InputError, which begins with `where`, if a
+/// name occurs twice, leads out of the folder, or is in `written`.
 void expect_distinct(const std::vector<std::string>& names, const std::vector<std::string>& written,
                      const std::string& where);
 
-/// Whether a folder holds a result without the checkpoint to go on from; says so, as there is nothing to do.
+/// Whether a folder holds a finished result, with no checkpoint to resume from. Prints a line if it does.
 bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint);
 
-/// Seconds between two checkpoints of a run, at least: 1, or what RUGOSA_CHECKPOINTS in the environment says.
+/// Minimum number of seconds between two checkpoints of a run: 1, or the variable RUGOSA_CHECKPOINTS of the
+/// environment.
 double checkpoint_interval();
 
-/// Tells what could not be kept on the way, and with --verbose the engine's other remarks.
+/// Prints notes on files that could not be written, and with --verbose the engine's other notes.
 void tell_notes(const std::vector<std::string>& notes);
 
-/// Writes a JSON file whole or not at all. A number that is not known (NaN) is null in it.
+/// Writes a JSON file whole or not at all. NaN becomes null.
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);
 
-/// A file to write at an explicit place, --out or beside it: its folder must exist; it must not be there
-/// unless --force, and be none that the command reads. Gives where to write: where a link there ends.
+/// The path to write for --out or a file next to it: the target of a symbolic link there. Throws
+/// rough::InputError if its folder is missing, the command reads the file, or it exists without --force.
 std::filesystem::path expect_writable(const std::filesystem::path& file, const Settings& settings);
 
 } // namespace app

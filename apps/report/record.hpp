@@ -12,78 +12,76 @@
 #include <string>
 #include <vector>
 
-/// The record of a run, which result files, pages and experiments read. An unknown number is NaN.
+/// The record of a run, from which result files and pages are written. An unknown number is NaN.
 namespace app {
 
-/// What it takes to repeat a run.
+/// The data needed to repeat it.
 struct Origin {
-    std::string kind;             ///< of the result: names the template of its page
-    std::string version, command; ///< the command as it was typed
+    std::string kind;             ///< kind of the result, which names the template of its page
+    std::string version, command; ///< version of the program; the command as it was typed
     std::uint64_t seed = 1;
     int threads = 1;
 };
 
-/// A genome and what it answers: its scale is Eq. 11's, so that the response's last pressure is p_max.
+/// A genome, scaled by Eq. 11, and its response, whose last pressure is p_max.
 struct Answered {
     rough::Genome genome;
     rough::Response response;
 };
 
 struct Candidate {
-    std::uint64_t id = 0; ///< stays when it is refined; database genomes are 0..99 in their order
-    std::vector<std::uint64_t> parents; ///< none, or the two that were united
-    double similarity = 0;              ///< over all points; NaN where the stage left it unscored
+    std::uint64_t id = 0;               ///< kept by refinement; database genomes are 0..99 in their order
+    std::vector<std::uint64_t> parents; ///< none, or the two united genomes
+    double similarity = 0;              ///< similarity over all points; NaN if the stage did not score it
 };
 
 /// The population after one stage.
 struct StageRecord {
     std::string path; ///< e.g. "sog/refine.2"
     std::vector<Candidate> candidates;
-    long spent = 0; ///< contact curves and gradients of the run until then
+    long spent = 0; ///< contact curves and gradients of the run so far
 };
 
-/// One algorithm's way to its answer.
+/// The run of one variant.
 struct VariantRun {
     std::string name;                ///< e.g. sog-minimax
-    std::string pipeline;            ///< as it was run; "" for those composed in code
-    std::vector<StageRecord> stages; ///< in order; what stands before the first "refine" is GCMMA (0)
+    std::string pipeline;            ///< pipeline that ran; "" if it was composed in code
+    std::vector<StageRecord> stages; ///< in order; the stage before the first "refine" is GCMMA (0)
     std::vector<std::string> notes;  ///< the engine's remarks, e.g. that a threshold took its "at least"
     Answered answer;
-    double similarity = 0;         ///< of the answer, on the run's grid
-    double similarity_refined = 0; ///< of the same genome at 4(N-1)+1 nodes, Eq. 11 anew
-    double similarity_worst = 0;   ///< least of these and of four times the load steps on either grid
+    double similarity = 0;         ///< similarity of the answer on the run's grid
+    double similarity_refined = 0; ///< similarity at 4(N-1)+1 nodes, with Eq. 11 applied again
+    double similarity_worst = 0;   ///< lowest of these and of four times the load steps on either grid
     double seconds = 0;            ///< wall time
     long curves = 0, gradients = 0;
 
-    /// What an answer is verified by: it must survive finer grids and load steps.
-    double lowest() const { return similarity_worst; }
+    double lowest() const { return similarity_worst; } ///< The similarity that an answer is verified by.
 };
 
-/// What one or several variants found for one target.
+/// The runs of one or several variants for one target.
 struct Record {
     Origin origin;
-    rough::Model model;                 ///< of the search
-    std::vector<rough::Model> loaded;   ///< the same, one for each way in which the target is loaded
-    std::optional<double> max_pressure; ///< MPa, of Eq. 11; none: amplitude is a gene
+    rough::Model model;                 ///< model of the search
+    std::vector<rough::Model> loaded;   ///< this model with each kind of load of the target
+    std::optional<double> max_pressure; ///< p_max of Eq. 11, MPa; none: amplitude is a gene
     rough::Target target;
     std::vector<VariantRun> variants;
 };
 
-/// So many candidates are kept of every generation; afterwards a stage's record stands in the place of its
-/// last.
-constexpr std::size_t most_candidates = 200000;
+/// Number of candidates up to which every generation is kept. Then the record of a stage replaces its last
+/// one.
+constexpr std::size_t max_candidates = 200000;
 
-/// An observer that keeps every stage's candidates: identity, parents and similarity (the problem's first
-/// objective; NaN where a stage left it unscored).
+/// An observer that records the candidates of every stage, with the problem's first objective as similarity.
 ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);
 
 ///@{
-/// As checkpoints keep them, and result.json but for `spent`.
+/// The form in checkpoints, and in result.json except `spent`.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate, id, parents, similarity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent)
 ///@}
 
-/// The first record at the path, or nothing.
+/// The first record at the path, or null.
 const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path);
 
 } // namespace app

@@ -98,8 +98,7 @@ std::string file_text(const std::string& name, const Rendering& rendering) {
         return rough::read_whole(rendering.templates / name);
     const auto found = builtin_files().find(name);
     if (found == builtin_files().end())
-        throw rough::InputError("report: there is no " + name +
-                                "; choose a folder of --templates that has it");
+        rough::refuse("report: ", name, " was not found; choose a folder of --templates that has it");
     return found->second;
 }
 
@@ -288,7 +287,7 @@ PageSource page_source(const std::filesystem::path& place) {
     if (!kind.is_string() ||
         kind.get<std::string>().find_first_not_of("abcdefghijklmnopqrstuvwxyz-") != std::string::npos)
         throw rough::InputError(file.string() +
-                                ": kind is missing or no kind of result; run the command again");
+                                ": kind is missing or is not a kind of result; run the command again");
     return source;
 }
 

@@ -2,11 +2,10 @@
 
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond.hpp"
-#include "domain/contact/datum.hpp"
 #include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/numerics/build.hpp"
+#include "domain/numerics/vector_loops.hpp"
 #include "domain/problem/response.hpp"
 
 #include <algorithm>
@@ -51,9 +50,9 @@ json account_json(const rough::Account& account) {
 }
 
 json modelled_json(const rough::Genome& genome, const rough::Model& model) {
-    const rough::AccountedResponse found = respond_accounted(genome, model);
+    const rough::AccountedResponse found = respond_within(genome, model);
     json result = account_json(found.account);
-    result.erase("seconds"); // of this one curve; the search's own stand beside
+    result.erase("seconds"); // the variant has the seconds of its search
     result["true_error"] =
         model.accuracy > 0
             ? rough::relative_error(found.response.pressure, respond(genome, exactly(model)).pressure)
@@ -182,9 +181,9 @@ ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages) {
                  {individual.parents.begin(), individual.parents.end()},
                  scored ? individual.value() : std::numeric_limits<double>::quiet_NaN()});
         }
-        for (; counted < stages.size(); ++counted) // one more, or those of a run that is gone on with
+        for (; counted < stages.size(); ++counted) // one more, or those of a resumed run
             candidates += stages[counted].candidates.size();
-        const auto last = candidates < most_candidates
+        const auto last = candidates < max_candidates
                               ? stages.rend()
                               : std::find_if(stages.rbegin(), stages.rend(), [&](const StageRecord& each) {
                                     return each.path == event.path;

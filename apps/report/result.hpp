@@ -8,30 +8,28 @@
 
 namespace app {
 
-/// A search's way and answer, of the name; the answer's response is left to whoever needs it.
+/// The record of a search under a name, without the response of its answer.
 VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
                        std::vector<StageRecord> stages, double seconds);
 
-/// The model set-up: grid, body, load steps.
+/// The model: grid, body, load steps.
 nlohmann::json model_json(const rough::Model& model);
 
-/// Name and points, in the columns of the target's file.
+/// Name and points of a target, with the columns of its file as keys.
 nlohmann::json target_json(const rough::Target& target);
 
-/// version, command, seed and threads: what every result.json begins with.
+/// The keys of every result.json: version, command, seed and threads.
 nlohmann::json origin_json(const Origin& origin);
 
-/// result.json of a record; a kind of run adds keys of its own. Each variant has its stages and answer, what
-/// was modelled of the answer (an account for each way the target is loaded) and, for the free half-plane,
-/// dK/d ln d at each load step.
+/// result.json of a record, to which a kind of run adds keys. Each variant has its stages, its answer, and an
+/// account of the answer's model per kind of load. On the free half-plane it has dK/d ln d per load step.
 nlohmann::json result_json(const Record& record);
 
-/// What was modelled, as CURVE.json and result.json hold it: nodes, steps, chromosomes used and dropped with
-/// their bound, solver, tolerance, seconds, estimated error, and the same in words.
+/// An account as in CURVE.json and result.json. It has nodes, steps, used and dropped chromosomes with their
+/// bound, solver, tolerance, seconds, estimated errors, and a description in words.
 nlohmann::json account_json(const rough::Account& account);
 
-/// What a search modelled of a genome, and how far off that is from the same model solved throughout
-/// (`true_error`).
+/// The account of a genome's response in a search, and its error against the exact model (`true_error`).
 nlohmann::json modelled_json(const rough::Genome& genome, const rough::Model& model);
 
 } // namespace app

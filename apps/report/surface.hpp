@@ -5,28 +5,27 @@
 
 #include <filesystem>
 
-/// What is said of a surface, and its solid.
+/// Notes on a surface, and its solid.
 namespace app {
 
-/// In words: that a genome jumps at the ends of a length (mm) if it is continued with that period, and by
-/// which share of its height range (mm); "" where it does not.
+/// A note that a genome with a period (mm) has a step at its ends. It gives the step as a share of the height
+/// range (mm). "" if there is none.
 std::string jump_note(const rough::Genome& genome, double length, double range);
 
-/// The same of measured heights: that their opposite ends differ, rms, by over three times the rms step from
-/// node to node along that direction.
+/// A note that opposite ends of measured heights differ, rms, by over three times the rms step from node to
+/// node along that direction. "" if they do not.
 std::string jump_note(const rough::Profile& surface);
 
-/// In words: that a genome has waves under 8 node distances; "" where it has none.
+/// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid);
 
-/// A surface's solid as files' bytes, each empty where it would be of no use.
+/// The solid of a surface as contents of files, each empty if the surface has too many nodes for it.
 struct Solids {
     std::string stl, three_mf;
-    rough::Index nodes = 0;
 };
 Solids solids_of(const rough::Profile& surface, const rough::Extrusion& extrusion);
 
-/// Writes NAME.stl and NAME.3mf, and says which is left out and why; returns those written.
+/// Writes NAME.stl and NAME.3mf, and prints which is left out and why. Returns the names of those written.
 std::vector<std::string> write_solids(const Solids& solids, const std::filesystem::path& folder,
                                       const std::string& name);
 

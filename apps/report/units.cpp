@@ -11,12 +11,21 @@ namespace app {
 
 namespace {
 
-/// The first unit, from the smallest on, that leaves fewer than four digits before the point.
+/// The smallest unit with fewer than four digits before the point.
 Unit fitting(double largest, const std::vector<Unit>& units) {
     for (const Unit& unit : units)
         if (std::abs(largest) * unit.factor < 1000)
             return unit;
     return units.back();
+}
+
+/// A whole number in Unicode superscripts, for pages and terminals.
+std::string superscript(int number) {
+    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = number < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(number)))
+        text += digits[digit - '0'];
+    return text;
 }
 
 } // namespace
@@ -29,26 +38,13 @@ Unit length_unit(double largest) {
     return fitting(largest, {{"nm", 1e6}, {"µm", 1e3}, {"mm", 1}, {"m", 1e-3}});
 }
 
-namespace {
-
-/// A whole number in Unicode's superscripts, which pages and terminals both show.
-std::string superscript(int number) {
-    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = number < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(number)))
-        text += digits[digit - '0'];
-    return text;
-}
-
-} // namespace
-
 std::string readable(double value, int digits) {
     if (!std::isfinite(value))
         return "–";
     if (value == 0)
         return "0";
     char text[64];
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, std::abs(value)); // rounds, which may gain a digit
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, std::abs(value)); // rounding may add a digit
     const std::string mantissa(text, std::strcspn(text, "e"));
     const int order = std::atoi(text + mantissa.size() + 1);
     const std::string sign = value < 0 ? "−" : "";
@@ -63,7 +59,7 @@ std::string percent(double share, int digits) { return readable(100 * share, dig
 
 std::string brief(double value, int digits) {
     const std::string text = readable(value, digits);
-    const std::size_t end = std::min(text.find(' '), text.size()); // of the number before a power of ten
+    const std::size_t end = std::min(text.find(' '), text.size()); // end of the number before a power of ten
     if (text.find('.') >= end)
         return text;
     const std::size_t last = text.find_last_not_of('0', end - 1);

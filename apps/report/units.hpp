@@ -4,25 +4,25 @@
 
 namespace app {
 
-/// A unit to show a quantity in: the number shown is the program's own times `factor`.
+/// A unit for display: the shown number is the program's value (mm, MPa) times `factor`.
 struct Unit {
     std::string name;
     double factor;
 };
 
-/// The unit in which the largest of some pressures (MPa) is a number of 1 to 1000, within Pa to GPa.
+/// The unit, Pa to GPa, in which the largest of some pressures (MPa) is a number from 1 to 1000.
 Unit pressure_unit(double largest);
 
-/// The same for lengths (mm), within nm to m.
+/// The unit, nm to m, in which the largest of some lengths (mm) is a number from 1 to 1000.
 Unit length_unit(double largest);
 
-/// A number in `digits` significant digits, as for reading: "0.954", "1.2 × 10⁻⁷", "–" if it is none.
+/// A number with `digits` significant digits: "0.954", "1.2 × 10⁻⁷", "–" for NaN.
 std::string readable(double value, int digits = 3);
 
 /// A share in percent: 0.954 as "95.4 %".
 std::string percent(double share, int digits = 3);
 
-/// As readable, without the noughts at its end: "0.95", "30".
+/// Like readable(), without zeros at its end: "0.95", "30".
 std::string brief(double value, int digits = 2);
 
 } // namespace app

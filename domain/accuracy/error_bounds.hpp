@@ -1,52 +1,113 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "domain/profile/profile.hpp"
+#include "domain/response/response.hpp"
 
+#include <vector>
+
+/// @file
+/// How far a curve's pressures may be from the exact ones: bounds, estimates, and relative errors.
 namespace rough {
 
-/// Pressures under this part of the last one are verified against it, not against themselves.
+/// Errors of pressures below this share of the last pressure are relative to that share of it.
 constexpr double light_load = 0.01;
 
-/// What relative errors of a curve are relative to: at each row its pressure, and the difference to the row
-/// before (the secant stiffness times the row's step); if the pressure is below `light` of the last one, no
-/// less than that part of it. MPa.
+/// The pressures that relative errors of a curve refer to, one entry per row. Both are at least `light` times
+/// the last pressure in rows whose pressure is below that.
 struct ErrorScale {
-    Eigen::VectorXd pressure;   ///< MPa, one a row
-    Eigen::VectorXd difference; ///< MPa, one a row
+    Eigen::VectorXd pressure;   ///< the row's pressure, MPa
+    Eigen::VectorXd difference; ///< to the row before, MPa: the secant stiffness times the row's step
 };
 /// The scale of a curve's pressures (MPa, increasing).
 ErrorScale error_scale(const Eigen::VectorXd& pressure, double light = light_load);
 
-/// How many of the first rows have less than 1 % of the last pressure.
-Eigen::Index light_rows(const Eigen::VectorXd& pressure);
+/// Number of first rows with less than 1 % of the last pressure.
+Index light_rows(const Eigen::VectorXd& pressure);
 
 /// P_j - P_{j-1}, P_0 = 0.
 Eigen::VectorXd differences(const Eigen::VectorXd& pressure);
 
-/// How far off pressures and their differences from row to row may be, MPa.
+/// Largest possible errors of pressures and of their differences from row to row.
 struct Doubt {
-    Eigen::VectorXd pressure;   ///< MPa, one a row
-    Eigen::VectorXd difference; ///< MPa, one a row
+    Eigen::VectorXd pressure;   ///< MPa, one per row
+    Eigen::VectorXd difference; ///< MPa, one per row
 
-    /// Without any in the first rows, which are known; the others moved by `offset` (MPa) to join them.
-    Doubt known_up_to(Eigen::Index rows, double offset) const;
+    /// The doubt when the first `rows` rows are known and the other ones are moved by `offset` (MPa) to join
+    /// them.
+    Doubt known_up_to(Index rows, double offset) const;
 };
-/// Doubts of independent sources add up.
+/// Adds doubts of independent sources.
 Doubt operator+(const Doubt& a, const Doubt& b);
 
 /// The doubt of pressures whose exact values lie within bounds.
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// Each row's largest error over the exact pressure and secant, which may be as much below the curve's as the
-/// doubt says; infinite if they may be 0.
+/// Each row's largest error, relative to the exact pressure and secant. The exact values may be below the
+/// curve's by the doubt; the error is infinite if they may be 0.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
-/// How many of the first rows must be known for the others, moved to join the last of them, to be within
-/// `accuracy`; all of them where nothing less will do.
-Eigen::Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
+/// Number of first rows that must be known, so that the other rows are within `accuracy` once they are moved
+/// to join them. All rows, if fewer do not suffice.
+Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
 
 /// The largest relative error over the rows, in pressure and in secant stiffness, of pressures against
 /// resolved ones at the same displacements.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
+
+/// The range of the difference of gaps between the whole profile Z and a reduced profile Z' over the nodes:
+/// f_i = (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i.
+struct Window {
+    double lowest = 0;                                ///< mm, <= 0
+    double highest = 0;                               ///< mm, >= 0
+    double width() const { return highest - lowest; } ///< mm, >= 0
+};
+/// The window of two profiles on the same nodes. Throws InputError if the nodes differ.
+Window window_between(const Profile& whole, const Profile& reduced);
+
+/// Pressures that the exact ones do not exceed on either side, one entry per load step, MPa.
+struct Bounds {
+    Eigen::VectorXd lower; ///< MPa
+    Eigen::VectorXd upper; ///< MPa, at least `lower`; may be infinite
+};
+
+/// Bounds of the whole profile's pressures P(Delta_j) at the given displacements (mm, increasing), from two
+/// curves of the reduced profile:
+///
+///     P'(Delta - highest) <= P(Delta) <= P'(Delta - lowest).
+///
+/// Periodic: the upper bound is infinite if Delta - lowest exceeds the reduced profile's full contact. Proof
+/// in README.md.
+Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body& body,
+                       const std::vector<double>& displacements, const ContactOptions& options = {});
+
+/// Bounds of the whole profile's pressures from one curve of the reduced profile, P'(Delta_j) with tangents
+/// K'_j. It needs one step more, at Delta_n - lowest or beyond. P' is convex, so
+///
+///     P'_j - highest K'_j <= P'(Delta_j - highest),   P'(Delta_j - lowest) <= P'_j - lowest K'_j+
+///
+/// K'_j+ is the tangent at the first solved step at or beyond Delta_j - lowest. The upper bound is infinite
+/// without such a step. `steps` are the curve's; the bounds are those of the first `count` of them.
+Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
+
+/// The pressures that a finer grid would give, from several coarser ones.
+struct Extrapolation {
+    Eigen::VectorXd pressure; ///< MPa, one per row
+    Doubt doubt;              ///< estimated, not a bound
+};
+
+/// Extrapolates pressures along straight lines P_j(N) - P_j ~ N^-1.5, weighted by N^3, to N = resolved.
+///
+/// Grid errors are not monotone in N. Each contact edge falls anywhere between two nodes, so its error has a
+/// random sign, and its size falls as N^-1.5 to N^-2. Two grids would extrapolate this scatter. Over more
+/// grids it averages out, and its size shows how far to trust the line. The doubt of a row is the larger of
+/// the extrapolated distance and the line's standard error, times 2.3. With three grids it is times 3. Both
+/// factors were tuned on random scenes (README.md).
+///
+/// `grids` in elements, at least 3; `pressures` has one column per grid, all at the same displacements.
+Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved);
+
+/// Extrapolates rows of values whose error falls as N^-order along straight lines with the same weights.
+Eigen::VectorXd extrapolated(const std::vector<Index>& grids, const Eigen::MatrixXd& values, Index resolved,
+                             double order);
 
 } // namespace rough

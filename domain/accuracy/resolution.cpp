@@ -3,8 +3,10 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
 #include "domain/errors.hpp"
-#include "domain/profile/finer.hpp"
+#include "domain/profile/outliers.hpp"
 #include "domain/response/curve.hpp"
+
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,30 +15,53 @@ namespace rough {
 
 namespace {
 
+using Heights = Eigen::ArrayXXd;
+
+constexpr Index finer_times = 4; ///< elements for each element of a measured surface
+
+/// Every column of the heights with `times` elements for each of its elements.
+Heights finer_columns(const Heights& heights, Index times, Interpolation by, bool periodic) {
+    const Index nodes = heights.rows(), open = times * (nodes - 1) + 1;
+    Heights fine(periodic ? times * nodes : open, heights.cols());
+    for (Index column = 0; column < heights.cols(); ++column) {
+        const auto z = heights.col(column);
+        auto at = fine.col(column);
+        for (Index i = 0; i < fine.rows(); ++i) {
+            const double share = static_cast<double>(i % times) / static_cast<double>(times);
+            at[i] = z[i / times] + share * (z[(i / times + 1) % nodes] - z[i / times]);
+        }
+        if (by == Interpolation::linear || nodes < 3)
+            continue;
+        const boost::math::interpolators::cardinal_cubic_b_spline<double> spline(
+            z.data(), z.data() + nodes, 0., 1., 2 * z[1] - 1.5 * z[0] - 0.5 * z[2],
+            1.5 * z[nodes - 1] - 2 * z[nodes - 2] + 0.5 * z[nodes - 3]);
+        for (Index i = 0; i < open; ++i)
+            if (i % times != 0)
+                at[i] = spline(static_cast<double>(i) / static_cast<double>(times));
+    }
+    return fine;
+}
+
 /// Nodes of a surface on the finer grid.
 double finer_nodes(const Profile& scan) {
-    const auto [columns, rows] = scan.shape();
-    return static_cast<double>(finer_times * columns) *
-           static_cast<double>(scan.is_2d() ? finer_times * rows : 1);
+    return static_cast<double>((scan.is_2d() ? finer_times * finer_times : finer_times) * scan.nodes());
 }
 
 bool is_omitted(const Profile& scan, Resolution resolution) {
     return resolution == Resolution::off ||
-           (resolution == Resolution::automatic &&
-            finer_nodes(scan) >
-                static_cast<double>(scan.is_2d() ? most_finer_map_nodes : most_finer_line_nodes));
+           (resolution == Resolution::automatic && finer_nodes(scan) > (scan.is_2d() ? 2e6 : 1e7));
 }
 
-/// Largest relative error of the interpolated surfaces' solutions, far below what interpolation leaves open.
+/// Largest relative error of the interpolated surfaces' solutions, far below the interpolation's uncertainty.
 constexpr double tolerance = 1e-4;
 
-/// Distance of the highest node from where displacements end on every grid: from height 0, or for a periodic
-/// body from the mean plane.
+/// Height of the highest node above the reference that displacements of all grids share: height 0, or for a
+/// periodic body the mean plane.
 double top(const Profile& surface, const Body& body) {
     return surface.heights.maxCoeff() - (body.kernel == Kernel::periodic ? surface.heights.mean() : 0);
 }
 
-/// Values of an interpolated surface at the measured pressures, read between its load steps.
+/// Values of an interpolated surface at the measured pressures, interpolated between its load steps.
 Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::VectorXd& values,
                                       const Response& measured) {
     Eigen::VectorXd read = values;
@@ -48,14 +73,17 @@ Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::Vector
     return read;
 }
 
-/// The least and the greatest of the columns, wider by `margin`.
-void take_band(const Eigen::MatrixXd& columns, const Eigen::VectorXd& margin, Eigen::VectorXd& low,
-               Eigen::VectorXd& high) {
-    low = (columns.rowwise().minCoeff() - margin).cwiseMax(0);
-    high = columns.rowwise().maxCoeff() + margin;
-}
-
 } // namespace
+
+Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic) {
+    const auto [columns, rows] = surface.shape();
+    Heights fine =
+        finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by, periodic);
+    if (surface.is_2d())
+        fine = finer_columns(fine.transpose(), times, by, periodic).transpose().eval();
+    const double share = 1 / static_cast<double>(times);
+    return {fine.reshaped(), surface.spacing * share, fine.cols(), surface.row_spacing * share};
+}
 
 const std::vector<std::string>& resolution_names() {
     static const std::vector<std::string> names{"auto", "on", "off"};
@@ -85,7 +113,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
         std::vector<double> displacements;
         for (const double displacement : measured.displacement)
             displacements.push_back(displacement + top(surface, body) - top(scan, body));
-        // Under load control this would take six times longer.
+        // Load control would take six times longer.
         const ContactCurve curve = solve_contact(surface, body, displacements, options);
         responses.push_back(response_of(curve.steps, curve.solver, displacement_range(surface, body.kernel),
                                         full_contact_stiffness(surface, body)));
@@ -113,22 +141,59 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
             throw;
         return {.omitted = error.what()};
     }
-    for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's to spacing 0
+    for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's curve, continued to spacing 0
         values->col(3) = values->col(2) + (values->col(2) - values->col(0)) / (finer_times - 1);
     const double node = 1 / finer_nodes(scan);
-    Eigen::VectorXd change(rows); // of the stiffness, by one node
+    Eigen::VectorXd change(rows); // change of the stiffness by one node
     for (Index j = 0; j < rows; ++j) {
         const Index right = std::max<Index>(j, 1), left = right - 1;
         const double area = measured.contact_fraction[right] - measured.contact_fraction[left];
         change[j] = std::abs(measured.tangent_stiffness[right] - measured.tangent_stiffness[left]) *
                     std::min(1., area > 0 ? node / area : 1.);
     }
-    ResolutionBand band;
-    take_band(fraction, Eigen::VectorXd::Constant(rows, node), band.contact_fraction_low,
-              band.contact_fraction_high);
-    band.contact_fraction_high = band.contact_fraction_high.cwiseMin(1);
-    take_band(stiffness, change, band.tangent_stiffness_low, band.tangent_stiffness_high);
-    return band;
+    return {(fraction.rowwise().minCoeff().array() - node).max(0.),
+            (fraction.rowwise().maxCoeff().array() + node).min(1.),
+            (stiffness.rowwise().minCoeff() - change).cwiseMax(0), stiffness.rowwise().maxCoeff() + change};
+}
+
+ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit) {
+    ContactOptions options = model.contact;
+    options.states = true;
+    const Body body = completed(model.body, model.grid.length);
+    const auto largest_at = [&](Index step) {
+        return solve_contact(surface, body, {response.displacement[step]}, options)
+            .states.front()
+            .pressure.maxCoeff();
+    };
+    const Index last = response.steps() - 1;
+    const double largest = largest_at(last);
+    Index below = -1, beyond = largest > limit ? last : last + 1;
+    while (beyond <= last && beyond - below > 1) {
+        const Index middle = below + (beyond - below) / 2;
+        (largest_at(middle) > limit ? beyond : below) = middle;
+    }
+    return {beyond, largest};
+}
+
+OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
+                         const Response& response) {
+    Profile clean = scan;
+    clean.heights = interpolated(scan.heights, outliers);
+    // A periodic body may be in full contact with the clean surface before the last of these pressures.
+    for (Index rows = response.steps(); rows > 0; rows /= 2)
+        try {
+            Model at = model;
+            at.loading.pressures = {response.pressure.begin(), response.pressure.begin() + rows};
+            const Response found = respond(clean, at);
+            Index row = 0;
+            const Eigen::ArrayXd factors =
+                found.contact_fraction.array() / response.contact_fraction.head(rows).array();
+            const double factor = factors.maxCoeff(&row);
+            return {factor, found.tangent_stiffness[row] / response.tangent_stiffness[row],
+                    response.pressure[row]};
+        } catch (const InputError&) {
+        }
+    return {};
 }
 
 } // namespace rough

@@ -5,51 +5,91 @@
 #include <string>
 #include <vector>
 
+/// @file
+/// Reasons to doubt the curve of a measured surface: its resolution, its outliers, its local pressures.
 namespace rough {
 
-/// Whether a measured surface is pressed again on interpolated heights. `automatic` does so up to
-/// most_finer_map_nodes and most_finer_line_nodes.
+/// How heights between nodes are interpolated.
+enum class Interpolation {
+    linear, ///< linear on a line, bilinear on a map
+    spline, ///< cubic spline, on a map along x and then along y
+};
+
+/// A surface with `times` (>= 1) elements for each of its elements along each axis. An axis has times (N-1) +
+/// 1 nodes, or times N if the surface is `periodic`. The nodes of the surface keep their heights. Splines end
+/// with the slope of the parabola through the last three nodes. Across the ends of a periodic surface heights
+/// are linear, so that splines do not oscillate at a jump there. Along an axis of two nodes a spline is
+/// linear.
+Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic = false);
+
+/// Whether contact is also computed on interpolated heights of a measured surface. `automatic` does so unless
+/// the interpolated surface has more than 2e6 nodes (map) or 1e7 nodes (line).
 enum class Resolution { automatic, on, off };
 /// In the order of Resolution: auto, on, off.
 const std::vector<std::string>& resolution_names();
 
-constexpr Index finer_times = 4; ///< elements for each one of a measured surface
-/// Nodes of an interpolated map up to which `automatic` presses it.
-constexpr Index most_finer_map_nodes = 2'000'000;
-/// Nodes of an interpolated line up to which `automatic` presses it.
-constexpr Index most_finer_line_nodes = 10'000'000;
 /// Contact spots of fewer nodes across are not resolved: their area is that of the nodes that touch.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes: half of the contact nodes lie in
-/// spots of at most so many nodes on a line, of at most its square on a map. 0 without contact.
+/// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes; 0 without contact. Half of the
+/// contact nodes lie in spots of at most this many nodes on a line, or its square on a map.
 Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 
-/// The responses of a scan or map with heights interpolated linearly and by a spline between its nodes;
-/// nothing if `resolution` omits them. Their displacements are the measured response's, so that their
-/// pressures nearly are, too. Throws as solve_contact.
+/// The responses of a scan or map with heights interpolated 4 times between its nodes, linearly and by a
+/// spline. Empty if `resolution` omits them. They have the measured response's displacements, so their
+/// pressures are nearly its pressures. Throws as solve_contact.
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 
-/// What a scan says of its contact: a band that holds the curves of the heights as measured, interpolated
-/// linearly and interpolated by a spline, each at the measured curve's mean pressures. The pressure is each
-/// grid's own: the force over the length, for a free map over all of its patches. The band also holds the
-/// spline's curve continued to spacing 0, v + (v - measured)/3, as node counts err in proportion to the
-/// spacing (Richardson 1911), and it is wider by what one node of the finer grid changes. Roughness below the
-/// spacing is not in the band. Row by row, empty if it was not computed.
+/// The uncertainty of a measured surface's curve from its node spacing, one entry per load step; empty if it
+/// was not computed.
+///
+/// The band holds the curves of the heights as measured, interpolated linearly, and interpolated by a spline.
+/// All are taken at the measured curve's mean pressures. Pressure is force over the length of
+/// each grid, for a free map over all of its patches. The band also holds the spline's curve continued to
+/// spacing 0, v + (v - measured)/3 (Richardson 1911), as node counts err in proportion to the spacing.
+/// It is wider by the change that one node of the finer grid makes. It does not cover roughness below the
+/// spacing.
 struct ResolutionBand {
-    Eigen::VectorXd contact_fraction_low = {};   ///< least
-    Eigen::VectorXd contact_fraction_high = {};  ///< greatest
-    Eigen::VectorXd tangent_stiffness_low = {};  ///< MPa/mm
-    Eigen::VectorXd tangent_stiffness_high = {}; ///< MPa/mm
-    std::string omitted = {}; ///< why it was not computed, in words; "": it was, or is not asked for
+    Eigen::VectorXd contact_fraction_low = {};   ///< lowest
+    Eigen::VectorXd contact_fraction_high = {};  ///< highest
+    Eigen::VectorXd tangent_stiffness_low = {};  ///< lowest, MPa/mm
+    Eigen::VectorXd tangent_stiffness_high = {}; ///< highest, MPa/mm
+    std::string omitted = {}; ///< why it was not computed, in words; "" if it was, or was not requested
 
-    bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is one
+    bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is a band
 };
 
 /// The band of a scan or map that gave this response under the model. If an interpolated surface cannot be
 /// solved, `omitted` says why. Throws NotConverged if the options stop it.
 ResolutionBand resolution_band(const Profile& scan, const Model& model, const Response& measured,
                                Resolution resolution = Resolution::automatic);
+
+/// The load step from which a curve is no longer elastic.
+struct ElasticEnd {
+    Index step = 0;              ///< first load step, from 0, at which a node's pressure exceeds the limit
+    double largest_pressure = 0; ///< highest pressure of a node at the last load step, MPa
+
+    /// Whether these load steps include it.
+    bool is_reached(const Response& response) const { return step < response.steps(); }
+};
+/// The elastic end of a response, computed without a hardness; `limit` in MPa. Its step is the number of load
+/// steps if no pressure exceeds the limit. Local pressures grow with the load, so the end is bisected: 1 +
+/// log2(load steps) solutions, each of one load step. Throws as solve_contact.
+ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit);
+
+/// The effect of outliers: values without them divided by values with them. They are those of the load step
+/// at which the contact fractions differ most.
+struct OutlierCost {
+    double contact_fraction = 1; ///< factor
+    double stiffness = 1;        ///< factor of the tangent stiffness
+    double pressure = 0;         ///< mean pressure of that load step, MPa
+
+    bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; } ///< more than 10 %
+};
+/// The effect of these nodes of a scan that gave this response. Solves the scan with the nodes interpolated,
+/// at the same mean pressures as far as it can reach them. Throws NotConverged as respond().
+OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
+                         const Response& response);
 
 } // namespace rough

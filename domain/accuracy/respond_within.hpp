@@ -1,42 +1,76 @@
 #pragma once
 
-#include "domain/accuracy/account.hpp"
-#include "domain/response/model.hpp"
+#include "domain/accuracy/reduced.hpp"
 #include "domain/scan/source.hpp"
+
+#include <limits>
+#include <string>
 
 namespace rough {
 
-/// A response, and what it took and how far to trust it.
+/// The modelled parts of a curve and its possible errors. Errors are relative to the resolved curve's
+/// pressures and secant stiffnesses, the worst over all rows. In `light_rows` they are relative to 1 % of the
+/// last pressure.
+struct Account {
+    double accuracy = 0;                  ///< requested; 0: the exact model as given
+    Index resolved_nodes = 0;             ///< nodes of the resolved grid
+    std::vector<Index> grids;             ///< nodes of each solved grid, in order
+    int read_grids = 1;                   ///< last grids that give the curve; several are extrapolated
+    int rows = 0;                         ///< number of load steps
+    int solved_rows = 0;                  ///< load steps solved on the last grid
+    int resolved_rows = 0;                ///< first load steps, taken from the resolved grid
+    int light_rows = 0;                   ///< first load steps whose errors are relative to the last pressure
+    std::vector<ChromosomePlace> used;    ///< modelled chromosomes; empty for a measured profile
+    std::vector<ChromosomePlace> dropped; ///< omitted chromosomes; empty for a measured profile
+    Window window;                        ///< that the omitted chromosomes open, mm
+    Solver solver = Solver::automatic;    ///< on the last grid
+    double tolerance = 0;                 ///< for an iterative solver
+    double estimated_error = 0;           ///< from all sources together
+    double grid_error = 0;                ///< estimated
+    double step_error = 0;                ///< a bound
+    double dropped_error = 0;             ///< a bound
+    double solver_error = 0;              ///< a bound
+    /// Relative error of the contact fraction, the worst row: estimated if grids are extrapolated, else a
+    /// bound. Not part of `estimated_error`.
+    double area_error = 0;
+    Index held_nodes = 0; ///< nodes whose pressure is the hardness at the last load step
+    bool by_line = false; ///< whether one line gives the curve of a map
+    double aspect_ratio = std::numeric_limits<double>::quiet_NaN(); ///< Str of a periodic map
+    /// Relative error of the map's line: a bound if the line gives the curve, else measured; NaN if no line
+    /// was pressed.
+    double line_error = std::numeric_limits<double>::quiet_NaN();
+    double seconds = 0; ///< wall time
+
+    bool extrapolated() const { return read_grids > 1; } ///< whether several grids give the curve together
+};
+
+/// The account in a few sentences.
+std::string in_words(const Account& account);
+
+/// A response with its account.
 struct AccountedResponse {
-    Response response;             ///< at every displacement asked for
-    Account account;               ///< its errors, grids and rows
-    std::vector<int> last_contact; ///< nodes that touch at the last load step; empty if grids were read
+    Response response; ///< at each requested displacement
+    Account account;   ///< its errors, grids and rows
+    std::vector<int>
+        last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
 /// The grid that counts as resolved for a genome: 64 elements to its shortest wave, at least 4096 and at most
 /// 2^20.
 Grid resolved_grid(const Genome& genome, double length, bool periodic);
 
-/// The response within `accuracy` (relative, more than 0 to 1) of the one that `resolved` gives on its grid,
-/// at the same displacements: those of the resolved profile. Chooses the chromosomes, the grids, the rows and
-/// the solver's tolerance (never above the one given); where nothing cheaper is good enough it solves the
-/// resolved model itself. Throws InputError on another accuracy, on a hardness, and what `respond` throws.
-AccountedResponse respond_within(const Genome& genome, const Model& resolved, double accuracy);
-/// The same for a measured profile, always on its own nodes: a scan's steps, burrs and noise are as fine as
-/// its spacing, and no coarser grid can know what it misses. What is saved is load steps and the tolerance,
-/// both within exact bounds. A periodic map's one line answers for it if its bound allows that
-/// (line_of_map.hpp), else its own nodes do at every load step: the bounds between load steps rest on nested
+/// A genome's response within model.accuracy (relative, 0 to 1) of the one on the model's grid, at the
+/// displacements of that grid's profile. Chooses chromosomes, grids, rows and the solver's tolerance (never
+/// above the given one). If nothing cheaper is accurate enough, and for accuracy 0, it solves the model as
+/// given. Throws InputError on another accuracy, on an accuracy with a hardness or layers, and as respond().
+AccountedResponse respond_within(const Genome& genome, const Model& model);
+/// A measured profile's response within model.accuracy, always on the profile's nodes. Its steps, burrs and
+/// noise are as fine as its spacing, so a coarser grid would miss some. The accuracy saves load steps and
+/// tolerance, both within exact bounds. A periodic map's line gives the curve if its bound allows that
+/// (reduced.hpp). Otherwise all load steps of a map are solved, because the bounds between them need nested
 /// contact sets, which are not proven for sampled maps.
-AccountedResponse respond_within(const Profile& scan, const Model& resolved, double accuracy);
-
-/// As the model asks: within its accuracy where it has one, else exactly.
-AccountedResponse respond_accounted(const Genome& genome, const Model& model);
-/// The same for what a file gives.
-AccountedResponse respond_accounted(const Source& source, const Model& model);
-
-/// The response of the exact model as given, with its account.
-AccountedResponse respond_exactly(const Genome& genome, const Model& model);
-/// The same for a measured profile.
-AccountedResponse respond_exactly(const Profile& scan, const Model& model);
+AccountedResponse respond_within(const Profile& scan, const Model& model);
+/// The response of a file's genome or scan.
+AccountedResponse respond_within(const Source& source, const Model& model);
 
 } // namespace rough

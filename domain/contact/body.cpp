@@ -3,17 +3,16 @@
 #include "domain/errors.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace rough {
 
-namespace {
-
-bool is_positive(double value) { return value > 0 && std::isfinite(value); }
-
-} // namespace
-
 double effective_modulus(double youngs_modulus, double poissons_ratio) {
     return youngs_modulus / (1 - poissons_ratio * poissons_ratio);
+}
+
+double datum_sensitivity(double stiffness, double length, double effective_modulus) {
+    return -stiffness * stiffness * (2 * length / (std::numbers::pi * effective_modulus));
 }
 
 Body completed(Body body, double length) {
@@ -30,30 +29,30 @@ Body completed(Body body, double length) {
 }
 
 void validate(const Body& body, Index nodes, double spacing) {
-    if (!is_positive(body.effective_modulus))
-        refuse_value("modulus", body.effective_modulus,
-                     " MPa given as the effective one, expected a positive finite number");
+    const auto expect_positive = [](const char* what, double value, const char* unit, const char* quantity) {
+        if (!(value > 0 && std::isfinite(value)))
+            refuse_value(what, value, unit, " is not a positive finite ", quantity);
+    };
+    expect_positive("modulus", body.effective_modulus, " MPa", "effective modulus");
     if (!(body.hardness > 0))
-        refuse_value("hardness", body.hardness, " MPa given, expected a positive pressure");
+        refuse_value("hardness", body.hardness, " MPa is not a positive pressure");
     const double limit = spacing * static_cast<double>(nodes) / 4;
     if (body.kernel == Kernel::free && !(body.datum > limit && std::isfinite(body.datum)))
-        refuse_value("datum", body.datum, " mm given, expected more than ", limit,
-                     " mm, (L + spacing)/4: nearer, the free half-plane has no unique solution");
-    if (body.kernel == Kernel::strip && !is_positive(body.strip_width))
-        refuse_value("strip width", body.strip_width, " mm given, expected a positive finite length");
+        refuse_value("datum", body.datum, " mm is not above ", limit,
+                     " mm, (L + spacing)/4; nearer, the free half-plane has no unique solution");
+    if (body.kernel == Kernel::strip)
+        expect_positive("strip width", body.strip_width, " mm", "length");
     const Layering& layering = body.layering;
     if (!layering.layers.empty() && body.kernel != Kernel::periodic)
-        throw InputError("given on a body that is not periodic, expected --kernel periodic", "layer");
+        throw InputError("layers need a periodic body; choose --kernel periodic", "layer");
     if (layering.rigid_base && layering.layers.empty())
-        throw InputError("rigid given without layers, expected --layer THICKNESS", "base");
+        throw InputError("a rigid base needs layers; add --layer THICKNESS", "base");
     for (const Layer& layer : layering.layers) {
-        if (!is_positive(layer.thickness))
-            refuse_value("layer", layer.thickness, " mm given, expected a positive finite thickness");
-        if (!is_positive(layer.modulus))
-            refuse_value("layer", layer.modulus, " MPa given as modulus, expected a positive finite number");
+        expect_positive("layer", layer.thickness, " mm", "thickness");
+        expect_positive("layer", layer.modulus, " MPa", "modulus");
         if (!(layer.poissons_ratio > -1 && layer.poissons_ratio <= 0.5))
-            refuse_value("layer", layer.poissons_ratio,
-                         " given as Poisson's ratio, expected more than -1 and at most 0.5");
+            refuse_value("layer", "Poisson's ratio ", layer.poissons_ratio,
+                         " is out of range (above -1, up to 0.5)");
     }
 }
 

@@ -18,16 +18,17 @@ enum class Kernel {
 struct Body {
     Kernel kernel = Kernel::free; ///< which influence matrix
     double effective_modulus = 1; ///< E* = E/(1 - nu^2), MPa
-    /// d, mm: where the free half-plane's displacement is zero (free only); 0: the profile's length L
+    /// d, mm: the distance at which the free half-plane's displacement is zero (free only); 0: L
     double datum = 0;
     double strip_width = 0; ///< W, mm (strip only); 0: L/511
-    /// p_H, MPa: no node bears more; those that would are held at it and sink in. Amplitude is no free factor
-    /// then, contact sets are not known to be nested, and no bound that rests on either holds.
+    /// p_H, MPa: the highest pressure that a node carries. Nodes that would carry more are held at it and
+    /// sink in. The amplitude then changes more than a scale, contact sets are not known to be nested, and no
+    /// bound that depends on either holds.
     double hardness = std::numeric_limits<double>::infinity();
-    /// Periodic only; thicknesses in mm. Whether contact sets still nest is known from contact_sets_nest.
+    /// Periodic only; thicknesses in mm. contact_sets_nest tells whether contact sets still nest.
     Layering layering = {};
 
-    /// Whether displacements are relative to the mean plane, so that none exceeds that of full contact.
+    /// Whether displacements are relative to the mean plane, so that full contact has the largest one.
     bool relative_to_mean() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
     bool yields() const { return hardness < std::numeric_limits<double>::infinity(); } ///< has a hardness
 };
@@ -35,12 +36,18 @@ struct Body {
 /// E* = E/(1 - nu^2), MPa, of Young's modulus (MPa) and Poisson's ratio.
 double effective_modulus(double youngs_modulus, double poissons_ratio);
 
-/// The body with what its kernel needs and was left at 0 filled in for a profile of this length (mm).
+/// dK/d ln d = -K^2 2 L/(pi E*) at the same mean pressure, MPa/mm. The free half-plane's displacement is
+/// known up to a constant, which the datum distance d fixes. Another d shifts Delta by (2 P L/(pi E*))
+/// ln(d2/d1) and changes neither pressure nor area. `length` is L in mm, `stiffness` K in MPa/mm.
+double datum_sensitivity(double stiffness, double length, double effective_modulus);
+
+/// The body with the defaults of its kernel in place of zeros, for a profile of this length (mm).
 Body completed(Body body, double length);
 
-/// Throws InputError on a completed body that has no solution for a profile of so many nodes this far apart
-/// (mm): a modulus or strip width that is not positive, a datum at or under (L + spacing)/4, layers on
-/// another kernel than the periodic one or without a thickness or modulus, a rigid base without layers.
+/// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart:
+/// a modulus or strip width that is not positive, or a datum up to (L + spacing)/4. Also for layers on
+/// another kernel than the periodic one, layers without a thickness or modulus, and a rigid base without
+/// layers.
 void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

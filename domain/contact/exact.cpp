@@ -34,7 +34,7 @@ Contact symmetric(const std::function<double(double)>& gap_slope, double a, cons
         return body.effective_modulus *
                integral([&](double t) { return std::sin(t) * gap_slope(b * std::sin(t)); }, 0.0, pi / 2);
     };
-    // By parts: int_0^a ln(2d/b) F'(b) db = ln(2d/a) F(a) + int_0^a F(b)/b db.
+    // Integration by parts: int_0^a ln(2d/b) F'(b) db = ln(2d/a) F(a) + int_0^a F(b)/b db.
     const double load = a * load_over_width(a);
     const double displacement = 2 / (pi * body.effective_modulus) *
                                 (std::log(2 * body.datum / a) * load + integral(load_over_width, 0.0, a));
@@ -72,10 +72,6 @@ Contact punch(double displacement, double a, const HalfPlane& body) {
 
 Contact wave(double amplitude, double wavelength, double a, double effective_modulus) {
     return two_waves(amplitude, 0, wavelength, a, effective_modulus);
-}
-
-double wave_full_contact(double amplitude, double wavelength, double effective_modulus) {
-    return pi * effective_modulus * amplitude / wavelength;
 }
 
 Contact two_waves(double h1, double h2, double wavelength, double a, double effective_modulus) {

@@ -2,10 +2,10 @@
 
 #include <functional>
 
-/// Contacts with a known solution: a symmetric indenter on [-a, a], or one such contact a wavelength.
-/// After Johnson (1985, Contact Mechanics, ch. 2, 4, 5 and 13), Westergaard (1939) and Barber (2018, Contact
-/// Mechanics, ch. 6 and 7); displacements are measured as in the rest of this folder, from first touch, with
-/// the datum distance d (half-plane) or to the mean plane (periodic). Nothing here knows of grids.
+/// Contacts with a known solution: a symmetric indenter on [-a, a], or one such contact per wavelength. After
+/// Johnson (1985, Contact Mechanics, ch. 2, 4, 5 and 13), Westergaard (1939) and Barber (2018, Contact
+/// Mechanics, ch. 6 and 7). Displacements are measured from first touch, with the datum distance d
+/// (half-plane) or to the mean plane (periodic). No grid is involved.
 namespace rough::exact {
 
 /// Lengths in mm, modulus in MPa, load in N/mm: force per length out of the plane, P L.
@@ -21,9 +21,9 @@ struct HalfPlane {
     double datum = 1;             ///< mm
 };
 
-/// The master integrals: any symmetric gap g(x), given its slope g'(x) for x >= 0, as long as F grows with a:
-/// F = E* int_0^a x g'/sqrt(a^2 - x^2) dx, Delta = 2/(pi E*) int_0^a ln(2d/b) F'(b) db, by quadrature to
-/// about 1e-12. 0 < a < 2d.
+/// The master integrals for any symmetric gap g(x), given its slope g'(x) for x >= 0, if F grows with a: F =
+/// E* int_0^a x g'/sqrt(a^2 - x^2) dx, Delta = 2/(pi E*) int_0^a ln(2d/b) F'(b) db. By quadrature to about
+/// 1e-12; 0 < a < 2d.
 Contact symmetric(const std::function<double(double)>& gap_slope, double a, const HalfPlane& body);
 
 /// Hertz: gap x^2/(2 R).
@@ -40,16 +40,14 @@ Contact quartic(double coefficient, double a, const HalfPlane& body);
 /// A flat punch whose outer element edges lie at +-a, under a displacement.
 Contact punch(double displacement, double a, const HalfPlane& body);
 
-/// Westergaard: height h (1 - cos 2 pi x/wavelength) below the crests, one contact a wavelength; 0 < a <=
+/// Westergaard: height h (1 - cos 2 pi x/wavelength) below the crests, one contact per wavelength; 0 < a <=
 /// wavelength/2.
 Contact wave(double amplitude, double wavelength, double a, double effective_modulus);
-/// Mean pressure of full contact, pi E* h/wavelength, MPa.
-double wave_full_contact(double amplitude, double wavelength, double effective_modulus);
 
 /// h1 (1 - cos 2 pi x/wavelength) + h2 (1 - cos 4 pi x/wavelength), -h1/4 < h2 <= h1/8.
 Contact two_waves(double h1, double h2, double wavelength, double a, double effective_modulus);
 
-/// A flat punch a wavelength, under a displacement towards the mean plane.
+/// One flat punch per wavelength, under a displacement towards the mean plane.
 Contact periodic_punch(double displacement, double wavelength, double a, double effective_modulus);
 
 } // namespace rough::exact

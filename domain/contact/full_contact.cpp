@@ -1,14 +1,10 @@
 #include "domain/contact/full_contact.hpp"
 
-#include "domain/contact/datum.hpp"
-#include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
-#include "domain/plain_stream.hpp"
 
-#include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <mutex>
 #include <tuple>
 
@@ -16,49 +12,38 @@ namespace rough {
 
 namespace {
 
-/// Of H w = 1. The stiffness 2 sum w - w'Hw errs by its square only.
+/// Largest residual of H w = 1. The stiffness 2 sum w - w'Hw has only its square as an error.
 constexpr double tolerance = 1e-8;
 
-/// sum of H^-1 1
+/// The sum of H^-1 1.
 double sum_of_tangents(const ContactProblem& problem) {
     ContactSet all(problem.nodes());
-    for (Index i = 0; i < problem.nodes(); ++i)
-        all.insert(i);
-    all.collect();
+    all.assign([](Index) { return true; });
     Loaded tangent(problem.nodes());
     SetSolver(problem).tangent(all, tolerance, true, tangent);
-    const Eigen::VectorXd image = split_operator(problem).apply(tangent.pressure);
+    const Eigen::VectorXd image = SplitOperator(problem.column, problem.shape).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
-    if (!(residual <= tolerance)) {
-        PlainStream line;
-        line << "full contact did not settle: residual " << residual << " where " << tolerance
-             << " is expected";
-        throw NotConverged(line.str());
-    }
+    if (!(residual <= tolerance))
+        throw NotConverged(line_of("full contact did not settle: residual ", residual,
+                                   " is above the tolerance ", tolerance));
     return tangent.pressure.dot((2 - image.array()).matrix());
 }
 
+/// Body, nodes, rows, and the strip's width or the area's row spacing in units of the spacing.
 using Key = std::tuple<Kernel, Index, Index, double>;
 
-/// The same, remembered.
+/// sum_of_tangents, remembered for all threads.
 double known_sum(const Key& key, const ContactProblem& problem) {
-    struct Known {
-        Key key;
-        double sum;
-    };
     static std::mutex lock;
-    static std::array<Known, 16> known{};
-    static std::size_t next = 0;
+    static std::map<Key, double> known;
     {
         const std::lock_guard held(lock);
-        for (const Known& entry : known)
-            if (entry.sum > 0 && entry.key == key)
-                return entry.sum;
+        if (const auto found = known.find(key); found != known.end())
+            return found->second;
     }
     const double sum = sum_of_tangents(problem);
     const std::lock_guard held(lock);
-    known[next++ % known.size()] = {key, sum};
-    return sum;
+    return known[key] = sum;
 }
 
 } // namespace

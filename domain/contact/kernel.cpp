@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace rough {
@@ -22,8 +21,8 @@ double strip_entry(double r, double b) {
         auto primitive = [b](double x) { return x * std::asinh(b / x) + b * std::asinh(x / b); };
         return 2 * (primitive(r + 0.5) - primitive(r - 0.5));
     }
-    // Eight Gauss points: the nearest singularity is 8 half-widths away, so the error is below 1e-18, where
-    // the closed form's difference would lose log10(r) digits.
+    // Eight Gauss points: the nearest singularity is 8 half-widths away, so the error is below 1e-18. The
+    // difference of the closed form would lose log10(r) digits there.
     static constexpr double abscissa[] = {0.18343464249564980494, 0.52553240991632898582,
                                           0.79666647741362673959, 0.96028985649753623168};
     static constexpr double weight[] = {0.36268378337836198297, 0.31370664587788728734,
@@ -35,107 +34,13 @@ double strip_entry(double r, double b) {
     return sum;
 }
 
-} // namespace
-
-double profile_length(const Profile& profile, Kernel kernel) {
-    const Index columns = profile.shape().columns;
-    return profile.spacing * static_cast<double>(kernel == Kernel::periodic ? columns : columns - 1);
-}
-
-double elements(const Profile& profile, Kernel kernel) {
-    if (profile.is_2d())
-        return static_cast<double>(profile.nodes());
-    return profile_length(profile, kernel) / profile.spacing;
-}
-
-double datum_limit(const Profile& profile) {
-    return profile.spacing * static_cast<double>(profile.nodes()) / 4;
-}
-
-namespace {
-
-/// The last two that were made of other keys by this thread: a search asks for the same again and again, or
-/// for a fine and a coarse grid's in turn.
-template <class Key, class Make>
-Eigen::VectorXd remembered(const Key& key, Make make) {
-    struct Known {
-        std::optional<Key> of;
-        Eigen::VectorXd values;
-    };
-    thread_local Known last, before;
-    if (last.of != key) {
-        std::swap(last, before);
-        if (last.of != key)
-            last = {key, make()};
-    }
-    return last.values;
-}
-
-} // namespace
-
-Eigen::VectorXd periodic_spectrum(Index nodes, const Layering& layering) {
-    return remembered(std::pair(nodes, layering), [&] {
-        Eigen::VectorXd spectrum(nodes / 2 + 1);
-        spectrum[0] = mean_compliance(layering, 1);
-        for (Index k = 1; k < spectrum.size(); ++k) { // S_k = 2/(E* q_k), q_k = 2 pi k/L
-            spectrum[k] = static_cast<double>(nodes) / (pi * static_cast<double>(k));
-            if (!layering.layers.empty())
-                spectrum[k] *= relative_compliance(layering, 1, 2 / spectrum[k]);
-        }
-        return spectrum;
-    });
-}
-
-namespace {
-
-Eigen::VectorXd computed_column(Kernel kernel, Index nodes, double datum, double strip_width,
-                                const Layering& layering) {
-    Eigen::VectorXd column(nodes);
-    switch (kernel) {
-    case Kernel::free: {
-        // -(2/pi) [F(r+a) - F(r-a) - 2a], F(t) = t ln|t/d|, a = 1/2
-        const double d2 = datum * datum;
-        column[0] = -(2 / pi) * (std::log(0.5 / datum) - 1);
-        for (Index i = 1; i < nodes; ++i) {
-            const double r = static_cast<double>(i);
-            column[i] = -(2 / pi) * (r * std::log1p(1 / (r - 0.5)) + 0.5 * std::log((r * r - 0.25) / d2) - 1);
-        }
-        break;
-    }
-    case Kernel::periodic: {
-        FourierOperator transform = FourierOperator::circulant(nodes, periodic_spectrum(nodes, layering));
-        std::fill_n(transform.input(), nodes, 0.0);
-        transform.input()[0] = 1;
-        const double* row = transform.apply();
-        for (Index i = 0; i < nodes; ++i) // symmetric to the last bit
-            column[i] = i == 0 ? row[0] : 0.5 * (row[i] + row[nodes - i]);
-        break;
-    }
-    case Kernel::strip:
-        for (Index i = 0; i < nodes; ++i)
-            column[i] = strip_entry(static_cast<double>(i), strip_width / 2) / pi;
-        break;
-    }
-    return column;
-}
-
-} // namespace
-
-Eigen::VectorXd influence_column(Kernel kernel, Index nodes, double datum, double strip_width,
-                                 const Layering& layering) {
-    return remembered(std::tuple(kernel, nodes, datum, strip_width, layering),
-                      [&] { return computed_column(kernel, nodes, datum, strip_width, layering); });
-}
-
-namespace {
-
-/// Of Love's double integral of 1/r: its difference over a cell's corners is the integral over the cell.
+/// Love's double integral of 1/r, whose difference over a cell's corners is the integral over the cell.
 double love_corner(double x, double y) {
     return (x == 0 ? 0 : x * std::asinh(y / std::abs(x))) + (y == 0 ? 0 : y * std::asinh(x / std::abs(y)));
 }
 
-/// The integral of 1/r over a cell 1 x b about (x, y): between corners near by; far away, where their
-/// difference loses digits, by 4 x 4 Gauss points, good to 1e-14 from `far` cells on.
+/// The integral of 1/r over a cell 1 x b about (x, y). Near the cell by its corners. From `far` cells on,
+/// where their difference loses digits, by 4 x 4 Gauss points, good to 1e-14.
 double cell_potential(double x, double y, double b) {
     constexpr double far = 16;
     const double r = std::hypot(x, y);
@@ -155,47 +60,98 @@ double cell_potential(double x, double y, double b) {
     return b * sum;
 }
 
-Eigen::VectorXd computed_area_column(Kernel kernel, Extent shape, double row_spacing,
-                                     const Layering& layering) {
-    Eigen::VectorXd column(shape.nodes());
-    if (kernel == Kernel::periodic) {
-        FourierOperator transform =
-            FourierOperator::circulant(shape, area_spectrum(shape, row_spacing, layering));
-        std::fill_n(transform.input(), shape.nodes(), 0.0);
-        transform.input()[0] = 1;
-        const double* table = transform.apply();
-        const auto mirror = [](Index i, Index n) { return i == 0 ? 0 : n - i; };
-        for (Index j = 0; j < shape.rows; ++j)
-            for (Index i = 0; i < shape.columns; ++i) { // symmetric to the last bit
-                const double* row = table + j * shape.columns;
-                const double* other = table + mirror(j, shape.rows) * shape.columns;
-                const Index k = mirror(i, shape.columns);
-                column[j * shape.columns + i] = 0.25 * ((row[i] + row[k]) + (other[i] + other[k]));
-            }
-        return column;
+/// Remembers the last two results of this thread. A search needs the same one many times, or those of a fine
+/// and a coarse grid in turn.
+template <class Make>
+Eigen::VectorXd remembered(const UnitBody& body, Extent shape, Make make) {
+    struct Known {
+        std::optional<std::pair<UnitBody, Extent>> of;
+        Eigen::VectorXd values;
+    };
+    const std::pair key(body, shape);
+    thread_local Known last, before;
+    if (last.of != key) {
+        std::swap(last, before);
+        if (last.of != key)
+            last = {key, make()};
     }
+    return last.values;
+}
+
+/// The column of the circulant with these eigenvalues, before it is made symmetric.
+Eigen::VectorXd circulant_column(const Eigen::VectorXd& eigenvalues, Extent shape) {
+    FourierOperator transform = FourierOperator::circulant(shape, eigenvalues);
+    return Eigen::VectorXd::Map(transform.apply({0}, Eigen::VectorXd::Ones(1)), shape.nodes());
+}
+
+/// -(2/pi) [F(r+a) - F(r-a) - 2a], F(t) = t ln|t/d|, a = 1/2
+double flamant_entry(double r, double datum) {
+    if (r == 0)
+        return -(2 / pi) * (std::log(0.5 / datum) - 1);
+    return -(2 / pi) * (r * std::log1p(1 / (r - 0.5)) + 0.5 * std::log((r * r - 0.25) / (datum * datum)) - 1);
+}
+
+Eigen::VectorXd computed_column(const UnitBody& body, Extent shape) {
+    Eigen::VectorXd column(shape.nodes());
+    const Eigen::VectorXd table = body.kernel == Kernel::periodic
+                                      ? circulant_column(periodic_spectrum(body, shape), shape)
+                                      : Eigen::VectorXd();
+    const auto mirror = [](Index i, Index n) { return i == 0 ? 0 : n - i; };
     for (Index j = 0; j < shape.rows; ++j)
-        for (Index i = 0; i < shape.columns; ++i)
-            column[j * shape.columns + i] =
-                cell_potential(static_cast<double>(i), row_spacing * static_cast<double>(j), row_spacing) /
-                std::numbers::pi;
+        for (Index i = 0; i < shape.columns; ++i) {
+            const double x = static_cast<double>(i);
+            double& entry = column[j * shape.columns + i];
+            if (body.kernel == Kernel::periodic) { // symmetric to the last bit
+                const double* row = table.data() + j * shape.columns;
+                const double* other = table.data() + mirror(j, shape.rows) * shape.columns;
+                const Index k = mirror(i, shape.columns);
+                entry = body.is_2d() ? 0.25 * ((row[i] + row[k]) + (other[i] + other[k]))
+                                     : 0.5 * (row[i] + row[k]);
+            } else if (body.is_2d())
+                entry = cell_potential(x, body.row_spacing * static_cast<double>(j), body.row_spacing) / pi;
+            else
+                entry = body.kernel == Kernel::free ? flamant_entry(x, body.datum)
+                                                    : strip_entry(x, body.strip_width / 2) / pi;
+        }
     return column;
 }
 
 } // namespace
 
-Eigen::VectorXd area_spectrum(Extent shape, double row_spacing, const Layering& layering) {
-    return remembered(std::tuple(shape.columns, shape.rows, row_spacing, layering), [&] {
+double profile_length(const Profile& profile, Kernel kernel) {
+    const Index columns = profile.shape().columns;
+    return profile.spacing * static_cast<double>(kernel == Kernel::periodic ? columns : columns - 1);
+}
+
+double elements(const Profile& profile, Kernel kernel) {
+    if (profile.is_2d())
+        return static_cast<double>(profile.nodes());
+    return profile_length(profile, kernel) / profile.spacing;
+}
+
+double datum_limit(const Profile& profile) {
+    return profile.spacing * static_cast<double>(profile.nodes()) / 4;
+}
+
+UnitBody in_units(const Body& body, double spacing, double row_spacing) {
+    return {body.kernel, row_spacing / spacing, body.datum / spacing, body.strip_width / spacing,
+            in_units(body.layering, spacing, body.effective_modulus)};
+}
+
+Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
+    return remembered(body, shape, [&] {
+        const Layering& layering = body.layering;
         const Index half = shape.columns / 2 + 1;
         Eigen::VectorXd spectrum(half * shape.rows);
         for (Index j = 0; j < shape.rows; ++j)
             for (Index i = 0; i < half; ++i) { // 2/|q|, q = 2 pi (k_x/L_x, k_y/L_y)
-                const double x = static_cast<double>(i) / static_cast<double>(shape.columns);
+                const double k = static_cast<double>(i), n = static_cast<double>(shape.columns), x = k / n;
                 const double y = static_cast<double>(std::min(j, shape.rows - j)) /
-                                 (row_spacing * static_cast<double>(shape.rows));
+                                 (body.row_spacing * static_cast<double>(shape.rows));
                 double& value = spectrum[j * half + i];
                 value = i == 0 && j == 0 ? mean_compliance(layering, 1)
-                                         : 1 / (std::numbers::pi * std::sqrt(x * x + y * y));
+                        : body.is_2d()   ? 1 / (pi * std::sqrt(x * x + y * y))
+                                         : n / (pi * k);
                 if (!layering.layers.empty() && i + j > 0)
                     value *= relative_compliance(layering, 1, 2 / value);
             }
@@ -203,36 +159,27 @@ Eigen::VectorXd area_spectrum(Extent shape, double row_spacing, const Layering& 
     });
 }
 
-Eigen::VectorXd area_influence_column(Kernel kernel, Extent shape, double row_spacing,
-                                      const Layering& layering) {
-    return remembered(std::tuple(kernel, shape.columns, shape.rows, row_spacing, layering),
-                      [&] { return computed_area_column(kernel, shape, row_spacing, layering); });
+Eigen::VectorXd influence_column(const UnitBody& body, Extent shape) {
+    return remembered(body, shape, [&] { return computed_column(body, shape); });
 }
 
-bool contact_sets_nest(Extent shape, double row_spacing, const Layering& layering) {
-    if (layering.layers.empty())
+bool contact_sets_nest(const UnitBody& body, Extent shape) {
+    if (body.layering.layers.empty())
         return true;
-    constexpr double rounding = 1e-9; // of the diagonal
-    const Eigen::VectorXd found =
-        remembered(std::tuple(shape.columns, shape.rows, row_spacing, layering), [&] {
-            Eigen::ArrayXd stiffness = 1 / (row_spacing > 0 ? area_spectrum(shape, row_spacing, layering)
-                                                            : periodic_spectrum(shape.columns, layering))
-                                               .array();
-            if (!layering.carries_mean())
-                stiffness[0] = 0;
-            FourierOperator inverse = FourierOperator::circulant(shape, stiffness.matrix());
-            std::fill_n(inverse.input(), shape.nodes(), 0.0);
-            inverse.input()[0] = 1;
-            const Eigen::Map<const Eigen::VectorXd> column(inverse.apply(), shape.nodes());
-            return Eigen::VectorXd::Constant(1, column.tail(shape.nodes() - 1).maxCoeff() / column[0]);
-        });
-    return found[0] <= rounding;
+    constexpr double rounding = 1e-9; // relative to the diagonal
+    const Eigen::VectorXd highest = remembered(body, shape, [&] {
+        Eigen::VectorXd stiffness = periodic_spectrum(body, shape).cwiseInverse();
+        if (!body.layering.carries_mean())
+            stiffness[0] = 0;
+        const Eigen::VectorXd column = circulant_column(stiffness, shape);
+        return Eigen::VectorXd::Constant(1, column.tail(shape.nodes() - 1).maxCoeff() / column[0]);
+    });
+    return highest[0] <= rounding;
 }
 
 bool contact_sets_nest(const Body& body, const Grid& grid) {
-    return contact_sets_nest(
-        grid.shape(), grid.is_2d() ? grid.row_spacing() / grid.spacing() : 0,
-        in_units(completed(body, grid.length).layering, grid.spacing(), body.effective_modulus));
+    return contact_sets_nest(in_units(completed(body, grid.length), grid.spacing(), grid.row_spacing()),
+                             grid.shape());
 }
 
 } // namespace rough

@@ -10,12 +10,12 @@ namespace rough {
 
 namespace {
 
-/// Of the stress function's amplitude G(s), s = q z, z into the body: G and its first three derivatives.
+/// The stress function's amplitude G(s), s = q z with z into the body, and its first three derivatives.
 template <class Real>
 using Derivatives = std::array<Real, 4>;
 
-/// The derivatives of (1, s) e^(-s) at s, which decay into the body; for `up`, of the same in h - s, which
-/// decay towards its top, with s for h - s.
+/// The derivatives of (1, s) e^(-s) at s, which decay into the body. If `up`, those of the same functions of
+/// h - s, which decay towards its top; s then stands for h - s.
 template <class Real>
 std::array<Derivatives<Real>, 2> decaying(Real s, bool up) {
     const Real e = std::exp(-s), sign = up ? -1 : 1;
@@ -23,7 +23,7 @@ std::array<Derivatives<Real>, 2> decaying(Real s, bool up) {
 }
 
 /// Normal and shear stress, and displacement along and across the surface times q and a modulus: the four
-/// that are continuous. `softness` is (1 + nu) over E in units of that modulus.
+/// that are continuous. `softness` is (1 + nu)/E in units of that modulus.
 template <class Real>
 Eigen::Matrix<Real, 4, 1> state(const Derivatives<Real>& g, Real nu, Real softness) {
     return {-g[0], g[1], softness * ((1 - nu) * g[2] + nu * g[0]),
@@ -86,9 +86,9 @@ Layering in_units(Layering layering, double length, double pressure) {
 double relative_compliance(const Layering& layering, double effective_modulus, double q) {
     if (layering.layers.empty())
         return 1;
-    constexpr double deep = 40;  // e^-40 is nothing beside 1
+    constexpr double deep = 40;  // e^-40 is negligible against 1
     constexpr double thin = 0.1; // the four functions of a thin layer are nearly the same
-    Layering seen = layering;    // down to where the wave is felt
+    Layering seen = layering;    // down to the depth that the wave reaches
     double depth = 0;
     for (std::size_t k = 0; k < seen.layers.size(); ++k)
         if ((depth += q * seen.layers[k].thickness) > deep) {

@@ -5,12 +5,12 @@
 
 namespace rough {
 
-/// What a common material answers with: its elasticity, and the pressure from which it yields.
+/// A common material: its elasticity, and the pressure from which it yields.
 struct Material {
     std::string name;     ///< as --material takes it
     double modulus;       ///< Young's modulus E, MPa
     double poissons;      ///< Poisson's ratio nu
-    double hardness;      ///< indentation hardness, MPa: about the largest local pressure that it bears
+    double hardness;      ///< indentation hardness, MPa: about its largest local pressure
     const char* of;       ///< which one, in a few words
     const char* elastic;  ///< source of E and nu
     const char* indented; ///< source of the hardness
@@ -22,8 +22,8 @@ const std::vector<Material>& materials();
 /// Their names, in the same order.
 std::vector<std::string> material_names();
 
-/// Largest local pressure over E* that a material of unknown hardness may bear: glass, silicon and diamond,
-/// which bear the most for their modulus, have 0.06 to 0.09.
+/// Largest local pressure over E* for a material of unknown hardness. Glass, silicon and diamond have the
+/// highest ratios, 0.06 to 0.09.
 constexpr double largest_elastic_pressure = 0.1;
 
 } // namespace rough

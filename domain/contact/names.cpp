@@ -7,21 +7,6 @@
 
 namespace rough {
 
-namespace {
-
-template <typename Kind>
-Kind named(const std::string& name, const std::vector<std::string>& names, const std::string& where) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end())
-        return static_cast<Kind>(found - names.begin());
-    std::string all;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        all += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
-    throw InputError(where + ": '" + name + "' given, expected " + all);
-}
-
-} // namespace
-
 const std::vector<std::string>& kernel_names() {
     static const std::vector<std::string> names{"free", "periodic", "strip"};
     return names;
@@ -30,7 +15,11 @@ const std::vector<std::string>& kernel_names() {
 const std::string& name_of(Kernel kernel) { return kernel_names()[static_cast<std::size_t>(kernel)]; }
 
 Kernel kernel_named(const std::string& name, const std::string& where) {
-    return named<Kernel>(name, kernel_names(), where);
+    const auto& names = kernel_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        throw InputError(where + ": '" + name + "' is unknown; choose free, periodic or strip");
+    return static_cast<Kernel>(found - names.begin());
 }
 
 const std::vector<std::string>& solver_names() {
@@ -44,10 +33,6 @@ const std::vector<std::string>& solver_names() {
 }
 
 const std::string& name_of(Solver solver) { return solver_names()[static_cast<std::size_t>(solver)]; }
-
-Solver solver_named(const std::string& name, const std::string& where) {
-    return named<Solver>(name, solver_names(), where);
-}
 
 bool is_direct(Solver solver) { return row_of(solver).direct; }
 

@@ -5,17 +5,12 @@
 namespace rough {
 
 const std::vector<std::string>& kernel_names(); ///< in the order of Kernel
-/// free, periodic or strip
-const std::string& name_of(Kernel kernel);
-/// The kernel of that name. Throws InputError that begins with `where` on another word.
+const std::string& name_of(Kernel kernel);      ///< free, periodic or strip
+/// The kernel of that name. Throws InputError that begins with `where` for another word.
 Kernel kernel_named(const std::string& name, const std::string& where = "kernel");
 
 const std::vector<std::string>& solver_names(); ///< in the order of Solver
-/// auto, nested, nnls, polonsky-keer or active-set
-const std::string& name_of(Solver solver);
-/// The solver of that name. Throws InputError that begins with `where` on another word.
-Solver solver_named(const std::string& name, const std::string& where = "solver");
-/// Whether a solver solves to rounding, by a factor, and knows no tolerance.
-bool is_direct(Solver solver);
+const std::string& name_of(Solver solver);      ///< auto, nested, nnls, polonsky-keer or active-set
+bool is_direct(Solver solver); ///< whether it solves to rounding, by a factor, and has no tolerance
 
 } // namespace rough

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace rough {
 
@@ -12,29 +13,15 @@ std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, 
     for (const int node : contact)
         waiting[static_cast<std::size_t>(node)] = 1;
     std::vector<Index> sizes, reached;
-    const auto reach = [&](Index i, Index j) {
-        if (periodic) {
-            i = (i + shape.columns) % shape.columns;
-            j = (j + shape.rows) % shape.rows;
-        }
-        if (i < 0 || j < 0 || i >= shape.columns || j >= shape.rows)
-            return;
-        const Index node = j * shape.columns + i;
-        if (!waiting[static_cast<std::size_t>(node)])
-            return;
-        waiting[static_cast<std::size_t>(node)] = 0;
-        reached.push_back(node);
+    const auto reach = [&](Index node) {
+        if (std::exchange(waiting[static_cast<std::size_t>(node)], 0))
+            reached.push_back(node);
     };
     for (const int first : contact) {
         reached.clear();
-        reach(first % shape.columns, first / shape.columns);
-        for (std::size_t k = 0; k < reached.size(); ++k) {
-            const Index i = reached[k] % shape.columns, j = reached[k] / shape.columns;
-            reach(i - 1, j);
-            reach(i + 1, j);
-            reach(i, j - 1);
-            reach(i, j + 1);
-        }
+        reach(first);
+        for (std::size_t k = 0; k < reached.size(); ++k)
+            each_neighbour(reached[k], shape, periodic, reach);
         if (!reached.empty())
             sizes.push_back(static_cast<Index>(reached.size()));
     }
@@ -48,10 +35,8 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
     FourierOperator influence = fourier_operator(problem);
     Interface found;
     found.pressure = Eigen::VectorXd::Zero(surface.nodes());
-    for (std::size_t i = 0; i < state.nodes.size(); ++i)
-        found.pressure[state.nodes[i]] = state.pressure[static_cast<Index>(i)];
-    std::copy(found.pressure.begin(), found.pressure.end(), influence.input());
-    const Eigen::Map<const Eigen::VectorXd> u(influence.apply(), surface.nodes());
+    found.pressure(state.nodes) = state.pressure;
+    const Eigen::Map<const Eigen::VectorXd> u(influence.apply(state.nodes, state.pressure), surface.nodes());
     found.gap = u.array() / problem.pressure_unit - step.displacement + problem.gap.array();
 
     const auto spots = contact_spots(state.nodes, problem.shape, body.kernel == Kernel::periodic);

@@ -1,5 +1,6 @@
 #include "domain/contact/smooth_area.hpp"
 
+#include "domain/contact/pressure_and_gap.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 
 #include <algorithm>
@@ -8,38 +9,22 @@ namespace rough {
 
 namespace {
 
-/// Of the adjoint's solves, over the right-hand side.
+/// Tolerance of the adjoint's solves, relative to the right-hand side.
 constexpr double adjoint_tolerance = 1e-9;
-constexpr long most_iterations = 500;
-/// Keeps an edge's rate finite where both of its nodes stand at the very edge, over the displacement.
+constexpr long max_iterations = 500;
+/// Keeps an edge's rate finite if both of its nodes stand at the edge of contact; relative to the
+/// displacement.
 constexpr double closest = 1e-9;
 
-/// A touching node beside a free one.
-struct Edge {
-    Index touching, free;
-};
-
-std::vector<Edge> edges_of(const std::vector<int>& nodes, Extent shape, bool periodic) {
-    std::vector<char> touches(static_cast<std::size_t>(shape.nodes()), 0);
-    for (const int i : nodes)
-        touches[static_cast<std::size_t>(i)] = 1;
-    std::vector<Edge> edges;
-    const auto beside = [&](Index at, Index by, Index count) {
-        return periodic ? (at + by + count) % count : at + by < count ? at + by : -1;
-    };
-    for (const int node : nodes) {
-        const Index i = node % shape.columns, j = node / shape.columns;
-        const auto consider = [&](Index column, Index row) {
-            const Index k = row * shape.columns + column;
-            if (column >= 0 && row >= 0 && !touches[static_cast<std::size_t>(k)])
-                edges.push_back({node, k});
-        };
-        for (const Index by : {-1, 1})
-            consider(beside(i, by, shape.columns), j);
-        for (const Index by : {-1, 1})
-            if (shape.rows > 1)
-                consider(i, beside(j, by, shape.rows));
-    }
+/// Pairs of a touching node and a free neighbour.
+std::vector<std::pair<Index, Index>> edges_of(const std::vector<int>& nodes, const ContactSet& set,
+                                              Extent shape, bool periodic) {
+    std::vector<std::pair<Index, Index>> edges;
+    for (const int node : nodes)
+        each_neighbour(node, shape, periodic, [&](Index other) {
+            if (!set.holds(other))
+                edges.emplace_back(node, other);
+        });
     return edges;
 }
 
@@ -54,7 +39,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
     const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
     const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
     SetSolver solver(problem);
-    // Four edges of a node share what two do: the sum goes on as it was where a node enters.
+    // The four edges of an area's node count half each, so that the sum is continuous when a node enters.
     const double share = problem.shape.rows > 1 ? 0.5 : 1;
     Index highest = 0;
     profile.heights.maxCoeff(&highest);
@@ -64,17 +49,17 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         const double approach = problem.approach[static_cast<std::size_t>(j)];
         Loaded p(n), w(n), off(n), z(n);
         ContactSet set(n);
-        for (std::size_t a = 0; a < state.nodes.size(); ++a) {
-            set.insert(state.nodes[a]);
-            p.pressure[state.nodes[a]] = state.pressure[static_cast<Index>(a)] / problem.pressure_unit;
-            w.pressure[state.nodes[a]] = state.tangent[static_cast<Index>(a)] / tangent_unit;
-        }
+        p.pressure(state.nodes) = state.pressure / problem.pressure_unit;
+        w.pressure(state.nodes) = state.tangent / tangent_unit;
+        for (const int node : state.nodes)
+            set.insert(node);
         set.collect();
         solver.load(p);
         solver.load(w);
         double count = static_cast<double>(state.nodes.size()), rate = 0;
         Eigen::VectorXd on = Eigen::VectorXd::Zero(n); // d/dp_i; off: d/dgap_k
-        for (const auto& [i, k] : edges_of(state.nodes, problem.shape, problem.kernel == Kernel::periodic)) {
+        for (const auto& [i, k] :
+             edges_of(state.nodes, set, problem.shape, problem.kernel == Kernel::periodic)) {
             const double closing = std::max(closest, 1 - w.displacement[k]);
             const double since = p.pressure[i] / w.pressure[i] + closest * approach;
             const double until =
@@ -92,7 +77,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         for (const int i : set.nodes())
             largest = std::max(largest, std::abs(right[i]));
         solver.improve(
-            set, [&](Index i) { return right[i]; }, z, Enough{adjoint_tolerance * largest}, most_iterations);
+            set, [&](Index i) { return right[i]; }, z, Enough{adjoint_tolerance * largest}, max_iterations);
         area.fraction[j] = count / static_cast<double>(n);
         area.by_displacement[j] = rate * per_mm;
         area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();

@@ -5,19 +5,21 @@
 
 namespace rough {
 
-/// A contact fraction that moves smoothly with the heights, for gradients: a count of nodes has none.
+/// A contact fraction that changes smoothly with the heights. It has a gradient, which a count of nodes has
+/// not.
 ///
-/// Between a touching node i and its free neighbour k the edge of contact is taken to stand at the fraction
-/// d/(d + e) of the way, where d = p_i/w_i is the approach since node i touched and e = gap_k/(1 - (H w)_k)
-/// that until node k will, both to first order at the contact set as it is. In the mean over a node's entry
-/// it is the count. On an area the edges along x and along y count half each.
+/// Between a touching node i and its free neighbour k the edge of contact is taken at the fraction d/(d + e)
+/// of their distance. d = p_i/w_i is the approach since node i touched, e = gap_k/(1 - (H w)_k) that until
+/// node k will, both to first order at the current contact set. On average over the entry of a node it equals
+/// the count. On an area, edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one a step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm
     Eigen::MatrixXd by_height;       ///< d fraction/dZ_i with Delta_j fixed, steps x N, 1/mm
 };
 
-/// Of a solution with states. One solve on each step's contact set gives the derivatives (adjoint).
+/// The smooth contact fraction of a solution with states. One solution on each step's contact set gives the
+/// derivatives (adjoint).
 SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve);
 
 } // namespace rough

@@ -3,7 +3,6 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/names.hpp"
-#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
@@ -19,7 +18,7 @@ namespace rough {
 
 namespace {
 
-/// At the displacements given, mm; under load control at those found.
+/// The curve in MPa and mm, at the given displacements (mm) or, under load control, those found.
 ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements,
                       Solution solution, const SolverChoice& choice, const ContactOptions& options) {
     ContactCurve curve;
@@ -46,16 +45,13 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
 /// First touch: no pressure yet, and the stiffness of the nodes that touch.
 StepSolution first_touch(const ContactProblem& problem, const ContactOptions& options) {
     ContactSet touching(problem.nodes());
-    for (Index i = 0; i < problem.nodes(); ++i)
-        if (problem.gap[i] == 0)
-            touching.insert(i);
-    touching.collect();
+    touching.assign([&](Index i) { return problem.gap[i] == 0; });
     Loaded load(problem.nodes()), tangent(problem.nodes());
     SetSolver(problem).tangent(touching, 1e-10, true, tangent);
     return step_solution(touching, load, tangent, options.states);
 }
 
-/// For the others Newton's method finds the displacements.
+/// Whether the solver presses to loads directly. If not, Newton's method finds the displacements.
 bool takes_loads(Solver solver, const ContactProblem& problem) {
     const auto loads = row_of(solver).loads;
     return problem.load.empty() ||
@@ -63,12 +59,12 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
             (loads == ContactSolver::always || (loads == ContactSolver::on_maps && problem.is_2d())));
 }
 
-/// The chosen solver goes first. If it fails, the other one continues with the step that it failed at, and
-/// last Polonsky-Keer. Each has its limit: the factor of memory and work, the others of iterations.
+/// The chosen solver goes first. If it fails, the alternative continues with the failed step, and last
+/// Polonsky-Keer. Each has a limit: the factor of memory and work, the iterative solvers of iterations.
 void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
                      Solution& solution) {
     const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
-    const double most_work = most_nested_work(problem), unlimited = problem.work_limit;
+    const double nested_work = max_nested_work(problem), unlimited = problem.work_limit;
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
     for (const Solver solver : {choice.solver, other, Solver::polonsky_keer}) {
@@ -79,7 +75,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem problem, const Contact
             choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
                              name_of(solver) + ": " + failures;
         choice.solver = solver;
-        problem.work_limit = solver == Solver::nested ? most_work : unlimited;
+        problem.work_limit = solver == Solver::nested ? nested_work : unlimited;
         try {
             return row_of(solver).solve(problem, options, solution);
         } catch (const NotConverged& error) {
@@ -96,7 +92,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem problem, const Contact
     throw NotConverged(failures);
 }
 
-/// The steps without approach, then those with.
+/// The steps at zero displacement, then the loaded ones.
 Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOptions& options) {
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
@@ -117,37 +113,27 @@ Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOption
     return solution;
 }
 
-SolverChoice chosen(const ContactProblem& problem, const ContactOptions& options) {
-    return options.solver == Solver::automatic ? choose_solver(problem, options)
-                                               : SolverChoice{options.solver, "asked for"};
-}
-
-void check_solver(const Body& body, const ContactOptions& options) {
-    if (body.yields() && !row_of(options.solver).capped)
-        refuse("a hardness was given with a solver that knows none, auto or active-set is expected");
-}
-
-void check_tolerance(const ContactOptions& options) {
+void check_options(const Body& body, const ContactOptions& options) {
     if (!(options.tolerance >= 1e-10 && options.tolerance <= 0.01))
-        refuse("solver tolerance ", options.tolerance, " was given, one between 1e-10 and 0.01 is expected");
+        refuse("solver tolerance: ", options.tolerance, " is out of range (1e-10 to 0.01)");
+    if (body.yields() && !row_of(options.solver).capped)
+        refuse("solver: ", name_of(options.solver), " cannot hold a hardness; choose auto or active-set");
 }
 
-/// How well a mean pressure is met, over itself: half as well as an iterative solver knows it, else to
-/// rounding.
-double load_tolerance(Solver solver, const Body& body, const ContactOptions& options) {
-    return body.yields() ? 1e-12 : is_direct(solver) ? 0 : 0.5 * options.tolerance;
+[[noreturn]] void refuse_beyond_full_contact(double pressure, double full) {
+    refuse("mean pressure: ", pressure, " MPa is above that of full contact, ", full, " MPa");
 }
 
-/// The step at which the mean pressure is `pressure`, from one under less. Newton's method on a convex
-/// piecewise linear function reaches it in a finite number of steps, from above after the first. What would
-/// leave the bracket is halved instead, and so is a step from above that gained little: with a hardness
-/// P(Delta) only never falls, and in full contact a periodic half-plane's stiffness is rounding alone.
+/// The step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
+/// convex piecewise linear function reaches it in a finite number of steps, from above after the first. A
+/// step that would leave the bracket is halved, and so is one from above that gained little. With a hardness
+/// P(Delta) need not be convex, and in full contact the stiffness of a periodic half-plane is only rounding.
 LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
     const double highest = largest_displacement(profile, body);
     double below = from.displacement, above = HUGE_VAL;
-    if (from.pressure > pressure) // by no more than the solver's tolerance
+    if (from.pressure > pressure) // at most by the solver's tolerance
         below = 0, above = from.displacement;
     bool halve = false;
     for (int k = 0; k < 200; ++k) {
@@ -164,68 +150,46 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
         const ContactCurve curve = solve_contact(profile, body, {next}, options);
         from = curve.steps.front();
         if (next == highest && from.pressure < pressure * (1 - 1e-12))
-            refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ",
-                   from.pressure, " MPa, is expected");
+            refuse_beyond_full_contact(pressure, from.pressure);
         const double left = std::abs(pressure - from.pressure);
-        if (left <= load_tolerance(curve.solver, body, options) * pressure)
+        // Half the tolerance of an iterative solver, otherwise rounding.
+        const double tolerance = is_direct(curve.solver) ? 0 : 0.5 * options.tolerance;
+        if (left <= (body.yields() ? 1e-12 : tolerance) * pressure)
             return from;
         (from.pressure < pressure ? below : above) = next;
         halve = from_above && from.pressure > pressure && left > little * missing;
     }
     throw NotConverged(line_of("no displacement was found for the mean pressure ", pressure,
-                               " MPa; that of the last one tried was ", from.pressure, " MPa"));
+                               " MPa; the last one tried gave ", from.pressure, " MPa"));
 }
 
-/// Every node at the hardness.
-void check_bearable(double pressure, const Profile& profile, const Body& body) {
-    const double most = body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
-    if (!(pressure < most))
-        refuse("mean pressure ", pressure, " MPa was given, less than what all nodes bear at the hardness, ",
-               most, " MPa, is expected");
-}
-
-/// Refuses what needs more than full contact.
-void check_full_contact(double pressure, const Profile& profile, const Body& body) {
-    const double most = full_contact_load(profile, body);
-    if (pressure > most)
-        refuse("mean pressure ", pressure, " MPa was given, at most that of full contact, ", most,
-               " MPa, is expected");
-}
-
-/// The state of full contact under a load, if no node of it is under tension or at the hardness: every such
-/// load has the same displacement. K is that of all nodes except the least loaded one, as just below full
-/// contact.
+/// The state of full contact under a load, if none of its nodes is under tension or at the hardness. Every
+/// such load has the same displacement. K is that of all nodes except the least loaded one, as just below
+/// full contact.
 std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem,
                                          const Eigen::VectorXd& deviation, const ContactOptions& options) {
     Loaded state(problem.nodes()), tangent(problem.nodes());
     state.pressure = deviation.array() + load / static_cast<double>(problem.nodes());
-    Index least = 0;
-    if (!(state.pressure.minCoeff(&least) > 0 && state.pressure.maxCoeff() < problem.cap))
+    Index lowest = 0;
+    if (!(state.pressure.minCoeff(&lowest) > 0 && state.pressure.maxCoeff() < problem.cap))
         return {};
     ContactSet set(problem.nodes());
-    for (Index i = 0; i < problem.nodes(); ++i)
-        if (i != least)
-            set.insert(i);
-    set.collect();
+    set.assign([&](Index i) { return i != lowest; });
     SetSolver(problem).tangent(set, 1e-10, true, tangent);
-    StepSolution step = step_solution(set, state, tangent, false);
-    set.insert(least);
-    set.collect();
-    step.nodes = set.nodes();
-    step.pressure = state.pressure;
-    if (options.states)
-        step.tangent = tangent.pressure;
+    const double stiffness = step_solution(set, state, tangent, false).stiffness;
+    set.assign([](Index) { return true; });
+    StepSolution step = step_solution(set, state, tangent, options.states);
+    step.stiffness = stiffness;
     step.approach = problem.gap.mean();
-    step.residual = certify(problem, step.approach, step.nodes, step.pressure,
-                            split_operator(problem).apply(step.pressure).data())
-                        .residual();
+    SplitOperator check(problem.column, problem.shape);
+    certify_step("full contact", problem, step, check, state.pressure, HUGE_VAL);
     return step;
 }
 
-/// Where to begin looking for the first load's displacement, mm: at the one that every fourth node needs, or
-/// fewer of a fine grid, by the factor; 0 if that is not known.
+/// First guess of the first load's displacement, mm: that of every fourth node, or fewer of a fine grid, by
+/// the factor. 0 if it is not known.
 double first_guess(ContactProblem problem, const ContactOptions& options) {
-    constexpr Index fewest = 64, stride = 4, most = 1024;
+    constexpr Index fewest = 64, stride = 4, largest = 1024;
     if (problem.nodes() < fewest)
         return 0;
     Index highest = 0;
@@ -233,15 +197,16 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
     problem.load.resize(1);
     try {
         Solution found;
-        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / most), highest), options, found);
+        solve_nested(coarsened(problem, std::max(stride, problem.nodes() / largest), highest), options,
+                     found);
         return found.steps[0].approach * problem.displacement_unit;
-    } catch (const NotConverged&) { // it is in full contact before it bears the load
+    } catch (const NotConverged&) { // the coarse grid is in full contact below the load
         check_stop(options);
         return 0;
     }
 }
 
-/// Loads to which Newton's method finds the displacements.
+/// Presses to loads; Newton's method finds their displacements.
 ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
                              const std::vector<double>& pressures, const ContactOptions& options) {
     const Eigen::VectorXd deviation =
@@ -276,33 +241,36 @@ ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profi
 
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options) {
-    check_tolerance(options);
-    check_solver(body, options);
+    check_options(body, options);
     const ContactProblem problem = make_problem(profile, body, displacements);
-    SolverChoice choice = chosen(problem, options);
+    SolverChoice choice = choose_solver(problem, options);
     Solution solution = solve(choice, problem, options);
     return in_units(problem, displacements, std::move(solution), choice, options);
 }
 
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures, const ContactOptions& options) {
-    check_tolerance(options);
-    check_solver(body, options);
+    check_options(body, options);
     make_problem(profile, body, {});
+    const double largest =
+        body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     double previous = 0;
     for (const double pressure : pressures) {
         if (!std::isfinite(pressure) || !(pressure > previous))
-            refuse("mean pressure ", pressure, " MPa was given after ", previous,
-                   " MPa, positive increasing finite values are expected");
-        check_bearable(pressure, profile, body);
+            refuse("mean pressure: ", pressure, " MPa after ", previous,
+                   " MPa is not a larger finite value; sort the pressures");
+        if (!(pressure < largest))
+            refuse("mean pressure: ", pressure, " MPa is not below that of all nodes at the hardness, ",
+                   largest, " MPa");
         previous = pressure;
     }
     if (pressures.empty())
         return {};
     const ContactProblem problem = make_problem_at(profile, body, pressures);
     if (body.relative_to_mean() && !body.yields())
-        check_full_contact(pressures.back(), profile, body);
-    SolverChoice choice = chosen(problem, options);
+        if (const double full = full_contact_load(profile, body); pressures.back() > full)
+            refuse_beyond_full_contact(pressures.back(), full);
+    SolverChoice choice = choose_solver(problem, options);
     if (takes_loads(choice.solver, problem)) {
         try {
             return in_units(problem, {}, solve(choice, problem, options), choice, options);
@@ -319,11 +287,32 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
     options.states = false;
     const bool direct =
         options.solver == Solver::automatic ? profile.nodes() <= always_nested : is_direct(options.solver);
-    // On an area, and with a hardness, the load is met as it is.
+    // On an area, and with a hardness, the load is met exactly.
     const double slack = direct || profile.is_2d() || body.yields() ? 0 : 2 * options.tolerance;
     return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
         .steps.front()
         .displacement;
+}
+
+ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum) {
+    if (body.kernel != Kernel::free || profile.is_2d())
+        throw InputError("datum: only a line on the free half-plane has one; remove it");
+    const double length = profile_length(profile, body.kernel);
+    Body changed = body;
+    changed.datum = datum;
+    make_problem(profile, changed, {});
+    const double compliance = -datum_sensitivity(1, length, body.effective_modulus) *
+                              std::log(datum / completed(body, length).datum);
+    for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+        LoadStep& step = curve.steps[j];
+        // 1/K(d2) = 1/K(d1) + (2 L/(pi E*)) ln(d2/d1), and w = H_AA^-1 1 shrinks as K does
+        const double ratio = 1 / (1 + step.tangent_stiffness * compliance);
+        step.displacement += step.pressure * compliance;
+        step.tangent_stiffness *= ratio;
+        if (!curve.states.empty())
+            curve.states[j].tangent *= ratio;
+    }
+    return curve;
 }
 
 } // namespace rough

@@ -18,10 +18,10 @@ struct ContactOptions {
     double tolerance = 1e-6;           ///< relative, iterative solvers only
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
-    std::function<bool()> stop; ///< asked now and then if set; true ends the solution with NotConverged
+    std::function<bool()> stop = {}; ///< called now and then if set; true ends the solution with NotConverged
 };
 
-/// Whether somebody asks a solution to end.
+/// Whether `stop` is set and returns true.
 inline bool is_stopped(const ContactOptions& options) { return options.stop && options.stop(); }
 
 /// One load step's answer. Pressures are means over the length, MPa; lengths in mm.
@@ -31,12 +31,12 @@ struct LoadStep {
     double pressure = 0;          ///< P = sum p_i delta / L, MPa
     double tangent_stiffness = 0; ///< dP/dDelta at the step's contact set, MPa/mm
     double kkt_residual = 0;      ///< certificate, scale-free, H applied by another path than the solver's
-    Index contact_nodes = 0;      ///< how many nodes touch
-    Index held_nodes = 0;         ///< how many of them bear the hardness
+    Index contact_nodes = 0;      ///< number of nodes that touch
+    Index held_nodes = 0;         ///< number of nodes held at the hardness
     double contact_fraction = 0;  ///< contact_nodes / N
 };
 
-/// The contact set of one load step with what the adjoint needs.
+/// The contact set of one load step, with the values that the adjoint needs.
 struct ContactState {
     std::vector<int> nodes;   ///< A, indices into the profile
     Eigen::VectorXd pressure; ///< p on A, MPa, same order
@@ -44,43 +44,46 @@ struct ContactState {
     Eigen::VectorXd tangent;
 };
 
-/// What pressing a profile step by step gave.
+/// The result of pressing a profile step by step.
 struct ContactCurve {
-    std::vector<LoadStep> steps;       ///< one a displacement, in the order given
-    std::vector<ContactState> states;  ///< same length as steps; empty unless asked for
+    std::vector<LoadStep> steps;       ///< one per displacement, in the order given
+    std::vector<ContactState> states;  ///< same length as steps; empty unless options.states
     std::vector<int> last_contact;     ///< nodes that touch at the last step
-    Solver solver = Solver::automatic; ///< the one that was used
-    std::string choice;                ///< why `automatic` took it, in words
-    long iterations = 0;               ///< the solver's own unit, over all steps
+    Solver solver = Solver::automatic; ///< the solver that was used
+    std::string choice;                ///< why `automatic` chose it, in words
+    long iterations = 0;               ///< in the solver's unit, over all steps
 };
 
-/// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing).
-/// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0 with g0_i = max(Z) - Z_i.
-/// At Delta = 0 the touching nodes count as contact without pressure, so that K is the stiffness of first
-/// loading. `automatic` hands what is left of the curve over to another solver where the chosen one does not
-/// settle, needs too much memory or far more work than predicted. With a hardness, p <= p_H, and held nodes,
-/// p = p_H, may sink in: u <= Delta - g0 there; K is that of the others; solved by active set, to 1e-11.
-/// Throws InputError on a profile, body or displacement that has no solution, NotConverged when the
-/// certificate of a step exceeds the solver's tolerance.
+/// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing). Solves u =
+/// H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0; g0_i = max(Z) - Z_i. At Delta = 0 the
+/// touching nodes count as contact without pressure, so that K is the stiffness of first loading.
+/// `automatic` continues with another solver if the chosen one does not settle, needs too much memory or far
+/// more work than predicted. With a hardness, p <= p_H. Held nodes, p = p_H, may sink in: u <= Delta - g0
+/// there, and K is that of the elastic nodes. Solved by active set, to 1e-11.
+/// Throws InputError if a profile, body or displacement has no solution, NotConverged if the certificate of a
+/// step exceeds the solver's tolerance.
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
 
-/// The same under load control: to each of the mean pressures (MPa, > 0, increasing). A solver that takes no
-/// loads (the table in solvers/solvers.hpp) is asked for displacements, which Newton's method finds, P being
-/// convex in them.
-/// Throws InputError also on a pressure that needs more than full contact (periodic).
+/// Presses to each of the mean pressures (MPa, > 0, increasing). For a solver without load control (the table
+/// in solvers/solvers.hpp), Newton's method finds the displacements, because P is convex in them. Throws
+/// InputError also for a pressure above that of full contact (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
-/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm: to 12 digits of pressure by a
-/// direct solver, and up to 3 tolerances above it by an iterative one on a line, so that no curve to it ends
-/// below. Throws what solve_contact_at_pressures throws.
+/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. A direct solver finds it to 12
+/// digits of pressure. An iterative one on a line finds it up to 3 tolerances above the pressure, so that no
+/// curve to it ends below. Throws the same as solve_contact_at_pressures.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
-/// Predicted cost of a curve of so many steps on `nodes` nodes, of which `contact` touch at the last one, by
-/// the faster of the factor and the active set; only ratios of costs mean anything.
+/// A solved curve as it would be with another datum distance (mm), exactly and without a solution; states
+/// included. Throws InputError for a body without a datum, or a datum up to (L + delta)/4.
+ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
+
+/// Predicted cost of a curve of `steps` steps on `nodes` nodes, of which `contact` touch at the last one, by
+/// the faster of the factor and the active set. Only ratios of costs have a meaning.
 double predicted_cost(double nodes, double contact, double steps);
 
 } // namespace rough

@@ -8,22 +8,23 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <unistd.h>
 
 namespace rough {
 
 namespace {
 
-/// Batches of a build that are under way.
+/// The unfinished batches of a build.
 class Batches {
   public:
     Batches(GenomeStore& store, const BuildOptions& options) : store_(store), options_(options) {
         // A batch is held in memory and stored as one cell.
-        constexpr double most_numbers = 1e7;
+        constexpr double max_numbers = 1e7;
         const DatabaseSetup& setup = store.setup();
-        const double a_genome =
+        const double per_genome =
             std::max(2 * most_phases(setup.law) + 100, 2. * setup.model.loading.steps + 1);
-        size_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(most_numbers / a_genome), 1,
+        size_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(max_numbers / per_genome), 1,
                                           std::max<std::uint64_t>(options.batch, 1));
         stored_ = store.stored();
     }
@@ -72,19 +73,19 @@ class Batches {
 
     GenomeStore& store_;
     const BuildOptions& options_;
-    Span wanted_{options_.first, options_.genomes}, last_; ///< taken last
-    std::uint64_t size_ = 1, stored_ = 0, handed_out_ = 0; ///< of the last
-    std::map<std::uint64_t, Batch> open_;                  ///< by its first genome
+    Span wanted_{options_.first, options_.genomes}, last_; ///< still to do; the batch taken last
+    std::uint64_t size_ = 1, stored_ = 0, handed_out_ = 0; ///< handed_out_ genomes of last_
+    std::map<std::uint64_t, Batch> open_;                  ///< each under its first genome
     bool goes_on_ = true;
 };
 
-/// What is missing in `to` of a batch of `from`.
+/// Copies the genomes of a batch that `to` does not hold.
 void copy(const GenomeStore& from, const Span& span, GenomeStore& to) {
     const StoredBatch batch = from.batch(span);
     for (std::uint64_t i = 0; i < span.count; ++i)
         if (numbers({batch.genomes[i]}) != numbers({drawn(from.setup().law, span.first + i)}))
             refuse(from.file().string(), ": genome ", span.first + i,
-                   " is not its law's, expected a file that nothing else has changed");
+                   " is not its law's; give a file that only this program has written");
     const auto at = [&](const auto& list, const Span& part) {
         const auto begin = list.begin() + static_cast<std::ptrdiff_t>(part.first - span.first);
         return std::vector(begin, begin + static_cast<std::ptrdiff_t>(part.count));
@@ -105,34 +106,27 @@ Response response_for(const DatabaseSetup& setup, std::uint64_t genome) {
     }
 }
 
-Computing on_threads(int threads, std::uint64_t at_a_time) {
+Computing on_threads(int threads) {
     return [=](const DatabaseSetup& setup, const Orders& orders) {
-        while (!orders.ended()) {
-            std::vector<std::uint64_t> genomes;
-            while (genomes.size() < at_a_time)
-                if (const auto genome = orders.next())
-                    genomes.push_back(*genome);
-                else
-                    break;
-            if (genomes.empty())
-                return;
-            std::vector<std::optional<Response>> responses(genomes.size());
-            ga::parallel_for(genomes.size(), ga::thread_count(threads), [&](std::size_t i) {
+        std::mutex lock;
+        const int count = ga::thread_count(threads);
+        ga::parallel_for(static_cast<std::size_t>(count), count, [&](std::size_t) {
+            std::unique_lock held(lock);
+            while (const auto genome = orders.next()) {
+                held.unlock();
+                Response response = response_for(setup, *genome);
+                held.lock();
                 if (!orders.ended())
-                    responses[i] = response_for(setup, genomes[i]);
-            });
-            for (std::size_t i = 0; i < genomes.size(); ++i)
-                if (responses[i])
-                    orders.take(genomes[i], std::move(*responses[i]));
-        }
+                    orders.take(*genome, std::move(response));
+            }
+        });
     };
 }
 
 void build(GenomeStore& store, const BuildOptions& options) {
     validate(store.setup().law);
     Batches batches(store, options);
-    const Computing computing =
-        options.computing ? options.computing : on_threads(options.threads, options.batch);
+    const Computing computing = options.computing ? options.computing : on_threads(options.threads);
     computing(store.setup(),
               {batches.missing(), [&] { return batches.next(); },
                [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },
@@ -147,15 +141,15 @@ std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::
         if (const std::string other = difference(fields(last.setup()), fields(first.setup())); !other.empty())
             refuse(file.string(), ": its ", other, " as that of ", files.front().string());
         if (last.version() != first.version())
-            refuse(file.string(), ": made by version ", last.version(), ", expected ", first.version(),
-                   " as ", files.front().string());
+            refuse(file.string(), ": made by version ", last.version(), ", but ", files.front().string(),
+                   " by ", first.version(), "; build one of them again");
     }
     const std::filesystem::path draft = out.string() + "." + std::to_string(::getpid()) + ".tmp";
     const struct Draft {
         const std::filesystem::path& file;
         ~Draft() {
             std::error_code none;
-            std::filesystem::remove(file, none); // one that has its name is no more
+            std::filesystem::remove(file, none); // gone if it was renamed
             std::filesystem::remove(file.string() + "-journal", none);
         }
     } ending{draft};

@@ -1,6 +1,7 @@
 #include "domain/database/codec.hpp"
 
 #include "domain/errors.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -17,30 +18,25 @@ std::string packed(const std::vector<double>& values) {
 
 namespace {
 
-constexpr const char* unchanged = ", expected a file that nothing else has changed";
-
-/// A bijection of words: SplitMix64's last step (Steele, Lea & Flood 2014).
-std::uint64_t mixed(std::uint64_t word) {
-    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    word = (word ^ (word >> 27)) * 0x94D049BB133111EBULL;
-    return word ^ (word >> 31);
+[[noreturn]] void refuse_changed(const std::string& problem) {
+    throw InputError("genome database: " + problem + "; give a file that only this program has written");
 }
 
 } // namespace
 
 std::uint64_t checksum(std::string_view bytes, std::uint64_t seed) {
-    std::uint64_t sum = mixed(seed + bytes.size());
+    std::uint64_t sum = ga::mix(seed + bytes.size());
     for (std::size_t at = 0; at < bytes.size(); at += sizeof(sum)) {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
-        sum = mixed(sum ^ word) + 0x9E3779B97F4A7C15ULL;
+        sum = ga::mix(sum ^ word) + ga::golden_step;
     }
     return sum;
 }
 
 std::vector<double> unpacked(std::string_view bytes) {
     if (bytes.size() % sizeof(double) != 0)
-        throw InputError(std::string("genome database: numbers are cut short") + unchanged);
+        refuse_changed("numbers are cut short");
     std::vector<double> values(bytes.size() / sizeof(double));
     if (!values.empty())
         std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
@@ -70,15 +66,14 @@ std::vector<Genome> genomes_from(const std::vector<double>& numbers) {
     std::size_t place = 0;
     const auto next = [&] {
         if (place == numbers.size())
-            throw InputError(std::string("genome database: a genome ends early") + unchanged);
+            refuse_changed("a genome ends early");
         return numbers[place++];
     };
-    const auto count = [&](double least) {
-        constexpr double most = 1e6; // as in a genome file
+    const auto count = [&](double lowest) {
+        constexpr double highest = 1e6; // as in a genome file
         const double value = next();
-        if (!(value >= least && value <= most && value == std::floor(value)))
-            throw InputError(std::string("genome database: a genome of ") + std::to_string(value) + " parts" +
-                             unchanged);
+        if (!(value >= lowest && value <= highest && value == std::floor(value)))
+            refuse_changed("a genome of " + std::to_string(value) + " parts");
         return static_cast<int>(value);
     };
     std::vector<Genome> genomes;

@@ -2,12 +2,13 @@
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/similarity.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 
 namespace rough {
 namespace {
@@ -17,29 +18,10 @@ bool better(const Match& left, const Match& right) {
                                                : left.index < right.index;
 }
 
-/// The best matches of some genomes, kept as a heap whose front is the worst.
-class Best {
-  public:
-    explicit Best(std::size_t most) : most_(most) {}
-    double bar() const { return kept_.size() < most_ ? -HUGE_VAL : kept_.front().similarity; }
-    void offer(const Match& match) {
-        if (kept_.size() == most_ && !better(match, kept_.front()))
-            return;
-        if (kept_.size() == most_) {
-            std::pop_heap(kept_.begin(), kept_.end(), better);
-            kept_.pop_back();
-        }
-        kept_.push_back(match);
-        std::push_heap(kept_.begin(), kept_.end(), better);
-    }
-    const std::vector<Match>& kept() const { return kept_; }
+/// Some matches, the worst on top.
+using WorstFirst = std::priority_queue<Match, std::vector<Match>, decltype(&better)>;
 
-  private:
-    std::size_t most_;
-    std::vector<Match> kept_;
-};
-
-/// Points of a curve at scale 1, as curve_of gives them; a genome's scale stretches x, and the load's y.
+/// The points of a curve at scale 1, as curve_of gives them. A genome's scale stretches x, and the load's y.
 struct Points {
     std::vector<double> x, y;
     bool stretches_y = false;
@@ -48,27 +30,7 @@ struct Points {
 /// One genome's stored curves, in the targets' order.
 using Curves = std::vector<Points>;
 
-void take_secants(Points& points, const double* pressure, std::size_t steps, double displacement_step) {
-    points.x.resize(steps);
-    points.y.resize(steps);
-    double last = 0;
-    for (std::size_t j = 0; j < steps; ++j) {
-        points.x[j] = 0.5 * (pressure[j] + last);
-        points.y[j] = (pressure[j] - last) / displacement_step;
-        last = pressure[j];
-    }
-}
-
-void take_from_origin(Points& points, const double* x, double x_factor, const double* y, std::size_t steps) {
-    points.x.assign(1, 0);
-    points.y.assign(1, 0);
-    for (std::size_t j = 0; j < steps; ++j) {
-        points.x.push_back(x_factor * x[j]);
-        points.y.push_back(y[j]);
-    }
-}
-
-/// Reads the stored numbers of a genome as the targets ask.
+/// Reads a genome's stored numbers as curves.
 class Reader {
   public:
     Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
@@ -77,47 +39,46 @@ class Reader {
           full_stiffness_(full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body)) {}
 
     void read(std::size_t g, Curves& into) const {
-        const double* pressure = &curves_.pressure[g * steps_];
-        const double* fraction = curves_.fraction.empty() ? nullptr : &curves_.fraction[g * steps_];
-        const double range = curves_.range[g];
         into.resize(targets_.size());
         for (std::size_t i = 0; i < targets_.size(); ++i)
-            switch (targets_[i].quantity) {
-            case Quantity::stiffness:
-                take_secants(into[i], pressure, steps_, of_range_.front() * range);
-                break;
-            case Quantity::area_at_pressure:
-                take_from_origin(into[i], pressure, 1, fraction, steps_);
-                break;
-            case Quantity::area_at_displacement:
-                take_from_origin(into[i], of_range_.data(), range, fraction, steps_);
-                break;
-            case Quantity::load_at_displacement:
-                take_from_origin(into[i], of_range_.data(), range, pressure, steps_);
-                into[i].stretches_y = true;
-                break;
-            case Quantity::interface_stiffness:
-                take_secants(into[i], pressure, steps_, of_range_.front() * range);
-                for (double& K : into[i].y)
-                    K = interface_of(K, full_stiffness_);
-                break;
-            }
+            read(g, targets_[i].quantity, into[i]);
     }
-    /// Where a genome's curve ends for a target, at scale 1.
+    /// The x at which a genome's curve ends for a target, at scale 1.
     double end(std::size_t g, const Target& target) const {
         return target.against_pressure() ? curves_.pressure[(g + 1) * steps_ - 1]
                                          : of_range_.back() * curves_.range[g];
     }
 
   private:
+    void read(std::size_t g, Quantity quantity, Points& into) const {
+        const double* pressure = &curves_.pressure[g * steps_];
+        const double* y = is_contact_fraction(quantity) ? &curves_.fraction[g * steps_] : pressure;
+        const double range = curves_.range[g];
+        const bool is_interface = quantity == Quantity::interface_stiffness,
+                   from_origin = !is_interface && quantity != Quantity::stiffness;
+        into.stretches_y = quantity == Quantity::load_at_displacement;
+        into.x.assign(from_origin, 0);
+        into.y.assign(from_origin, 0);
+        double last = 0;
+        for (std::size_t j = 0; j < steps_; last = pressure[j++])
+            if (from_origin) {
+                into.x.push_back(against_pressure(quantity) ? pressure[j] : range * of_range_[j]);
+                into.y.push_back(y[j]);
+            } else {
+                const double secant = (pressure[j] - last) / (of_range_.front() * range);
+                into.x.push_back(0.5 * (pressure[j] + last));
+                into.y.push_back(is_interface ? interface_of(secant, full_stiffness_) : secant);
+            }
+    }
+
     const StoredCurves& curves_;
     const std::vector<Target>& targets_;
     std::size_t steps_;
     std::vector<double> of_range_; ///< displacements of the load steps over the height range
-    double full_stiffness_;        ///< of the model's full contact, MPa/mm
+    double full_stiffness_;        ///< full contact of the model, MPa/mm
 };
 
-/// The similarity at a scale; stops below `bar`, where the exact value does not matter.
+/// The similarity at a scale. Below `bar` the exact value does not matter, and the evaluation stops.
 double similarity_above(const Curves& curves, const std::vector<Target>& targets, double scale, double bar) {
     double worst = 0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -141,7 +102,7 @@ double similarity_above(const Curves& curves, const std::vector<Target>& targets
 constexpr int amplitudes = 33;
 double amplitude(double smallest, double step) { return smallest * std::exp2(step / 8); }
 
-/// Narrows a free amplitude between the neighbours of the best of the coarse ones (golden section).
+/// Narrows a free amplitude between the neighbours of the best coarse one (golden section).
 Match settled(Match match, const Curves& curves, const std::vector<Target>& targets, double smallest) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = std::max(match.scale / amplitude(1, 1), smallest), high = match.scale * amplitude(1, 1);
@@ -163,15 +124,14 @@ void check(const StoredCurves& curves, const std::vector<Target>& targets, const
         if (options.max_pressure > 0 && target.against_pressure() &&
             target.last() > options.max_pressure * (1 + 1e-9))
             refuse("target ", target.name, ": reaches ", target.last(),
-                   " MPa, expected at most the pressure that genomes are rescaled to, ", options.max_pressure,
-                   " MPa");
+                   " MPa; genomes are rescaled to at most ", options.max_pressure, " MPa");
     }
     if (targets.empty())
-        throw InputError("genome database: no target given, expected one to screen for");
+        throw InputError("genome database: has no target to screen for; give one");
     if (curves.index.empty())
-        throw InputError("genome database: nothing is stored in it, expected genomes to screen");
+        throw InputError("genome database: holds no genomes; build it first");
     if (need_fractions(targets) && curves.fraction.size() != curves.pressure.size())
-        throw InputError("genome database: contact fractions were not read, but the target needs them");
+        throw InputError("genome database: the target needs contact fractions; read the curves with them");
 }
 
 } // namespace
@@ -193,19 +153,20 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
             scale = std::max(scale, target.last() / reader.end(g, target));
         return scale;
     };
-    // The margin lets the same genome on a finer grid, whose curve ends elsewhere, cover the targets too.
+    // On a finer grid the genome's curve ends elsewhere: with this margin it still covers the targets.
     const auto smallest = [&](std::size_t g) {
         return rescaled ? options.max_pressure / curves.pressure[(g + 1) * steps - 1] : 1.02 * covering(g);
     };
 
     const int threads = ga::thread_count(options.threads);
     const std::size_t parts = static_cast<std::size_t>(threads);
-    // A coarse amplitude can hide a good genome: many more are narrowed than returned.
+    // A coarse amplitude can hide a good genome. Therefore many more genomes are narrowed than returned.
     const std::size_t candidates =
         rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
-    std::vector<Best> best(parts, Best(candidates));
+    std::vector<WorstFirst> best(parts, WorstFirst(better));
     ga::parallel_for(parts, threads, [&](std::size_t part) {
         Curves stored;
+        WorstFirst& kept = best[part];
         for (std::size_t g = part * curves.index.size() / parts; g < (part + 1) * curves.index.size() / parts;
              ++g) {
             if (std::isnan(curves.range[g]) || smallest(g) < (1 - 1e-9) * covering(g))
@@ -214,17 +175,21 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
             Match match{g, -HUGE_VAL, 1};
             for (int a = 0; a < (rescaled ? 1 : amplitudes); ++a) {
                 const double scale = amplitude(smallest(g), a);
-                const double bar = std::max(best[part].bar(), match.similarity);
+                const double worst = kept.size() < candidates ? -HUGE_VAL : kept.top().similarity;
+                const double bar = std::max(worst, match.similarity);
                 const double similarity = similarity_above(stored, targets, scale, bar);
                 if (similarity > match.similarity)
                     match = {g, similarity, scale};
             }
-            best[part].offer(match);
+            kept.push(match);
+            if (kept.size() > candidates)
+                kept.pop();
         }
     });
     std::vector<Match> matches;
-    for (const Best& some : best)
-        matches.insert(matches.end(), some.kept().begin(), some.kept().end());
+    for (WorstFirst& kept : best)
+        for (; !kept.empty(); kept.pop())
+            matches.push_back(kept.top());
     std::sort(matches.begin(), matches.end(), better);
     matches.resize(std::min(matches.size(), candidates));
     Curves stored;

@@ -2,14 +2,12 @@
 
 #include "domain/contact/names.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/waves.hpp"
-#include "ga/base/random.hpp"
+#include "domain/problem/drawn_start.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
+#include <limits>
 
 namespace rough {
 
@@ -21,36 +19,13 @@ void expect(bool good, const Parts&... parts) {
         refuse("genome law: ", parts...);
 }
 
+/// The value of a field, or null.
 const std::string* find(const Fields& fields, const std::string& name) {
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
+    const auto found = std::ranges::find(fields, name, &Fields::value_type::first);
     return found == fields.end() ? nullptr : &found->second;
 }
 
-/// Reads fields one by one.
-class Reader {
-  public:
-    Reader(const Fields& fields, const std::string& where) : fields_(fields), where_(where) {}
-
-    template <class Number>
-    void operator()(const char* name, Number& value) const {
-        const std::string& word = text(name);
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || end != word.data() + word.size())
-            throw InputError(where_ + ": " + name + " is '" + word + "', expected a number");
-    }
-    const std::string& text(const char* name) const {
-        if (const std::string* value = find(fields_, name))
-            return *value;
-        throw InputError(where_ + ": no " + name + " in it, expected a genome database");
-    }
-
-  private:
-    const Fields& fields_;
-    const std::string& where_;
-};
-
-/// Shows what a law is by name.
+/// Visits the parameters of a law with their names.
 template <class Law, class Visit>
 void visit_law(Law& law, const Visit& visit) {
     visit("series", law.series);
@@ -76,7 +51,7 @@ void validate(const GenomeDistribution& law) {
     expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",
            law.shortest, " to ", law.lambda, " mm, expected a range above 0");
     expect(most_phases(law) <= 1e6, "up to ", most_phases(law),
-           " phases a genome, expected 1e6 at most (fewer series or ridges, or longer waves)");
+           " phases per genome are more than 1e6; give fewer series or ridges, or longer waves");
 }
 
 double most_phases(const GenomeDistribution& law) {
@@ -93,13 +68,7 @@ Genome drawn(const GenomeDistribution& law, std::uint64_t index) {
         series.H = random.uniform(law.H_from, law.H_to);
         series.gamma = random.uniform(law.gamma_from, law.gamma_to);
         series.lambda = law.lambda;
-        const int last = last_chromosome(law.lambda, series.gamma, law.shortest);
-        for (int n = 1; n <= last; ++n) {
-            Chromosome chromosome{n, {}};
-            for (int m = 0; m < law.ridges; ++m)
-                chromosome.phases.push_back(random.uniform(0, 2 * std::numbers::pi));
-            series.chromosomes.push_back(std::move(chromosome));
-        }
+        add_chromosomes(series, law.shortest, law.ridges, random);
         genome.series.push_back(std::move(series));
     }
     return genome;
@@ -117,10 +86,20 @@ Fields fields(const DatabaseSetup& setup) {
 }
 
 DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
-    const Reader read(fields, where);
+    const auto text = [&](const char* name) -> const std::string& {
+        if (const std::string* value = find(fields, name))
+            return *value;
+        throw InputError(where + ": has no " + name + "; give a genome database");
+    };
+    const auto read = [&](const char* name, auto& value) {
+        const std::string& word = text(name);
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error != std::errc{} || end != word.data() + word.size())
+            throw InputError(where + ": " + name + ": '" + word + "' is not a number");
+    };
     DatabaseSetup setup;
     Model& model = setup.model;
-    model.body.kernel = kernel_named(read.text("kernel"), where + ": kernel");
+    model.body.kernel = kernel_named(text("kernel"), where + ": kernel");
     model.grid.periodic = model.body.kernel == Kernel::periodic;
     read("nodes", model.grid.nodes);
     read("length_mm", model.grid.length);
@@ -132,13 +111,12 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     if (model.body.kernel == Kernel::strip)
         read("strip_width_mm", model.body.strip_width);
     visit_law(setup.law, read);
-    const bool sound = model.grid.nodes >= 2 && model.grid.nodes <= 10'000'000 && model.grid.length > 0 &&
-                       std::isfinite(model.grid.length) && model.body.effective_modulus > 0 &&
-                       std::isfinite(model.body.effective_modulus) && model.loading.steps >= 1 &&
-                       model.loading.steps <= 1'000'000 && model.loading.reach > 0 &&
-                       model.loading.reach <= 1;
-    if (!sound)
-        throw InputError(where + ": a set-up that no contact can have, expected a genome database");
+    const auto within = [](double value, double above, double to) { return value > above && value <= to; };
+    constexpr double largest = std::numeric_limits<double>::max();
+    if (!within(static_cast<double>(model.grid.nodes), 1, 1e7) || !within(model.grid.length, 0, largest) ||
+        !within(model.body.effective_modulus, 0, largest) || !within(model.loading.steps, 0, 1e6) ||
+        !within(model.loading.reach, 0, 1))
+        throw InputError(where + ": its set-up has no contact solution; give a genome database");
     return setup;
 }
 

@@ -11,21 +11,22 @@ struct sqlite3_stmt;
 
 namespace rough {
 
-/// An open SQLite file that waits for other processes' locks. Errors are thrown as InputError that begins
-/// with the file.
+/// An open SQLite file that waits for other processes' locks. Its errors are InputErrors that begin with the
+/// file.
 class Sqlite {
   public:
-    /// a file that is there, or one made where there is none
+    /// Opens an existing file; `create` also makes a new one.
     enum class Access { existing, create };
-    /// Throws InputError where `file` cannot be opened so.
+    /// Throws InputError if `file` cannot be opened.
     Sqlite(std::filesystem::path file, Access access);
 
-    void run(const std::string& sql);            ///< statements whose rows do not matter
-    std::int64_t number(const std::string& sql); ///< the first column of the first row; 0 without a row
+    void run(const std::string& sql);                           ///< runs statements whose rows do not matter
+    std::uint64_t number(const std::string& sql);               ///< the first column of the first row, or 0
     const std::filesystem::path& file() const { return file_; } ///< as it was given
 
   private:
     friend class Statement;
+    friend class Transaction;
     [[noreturn]] void fail() const;
     struct Close {
         void operator()(sqlite3* handle) const;
@@ -34,46 +35,52 @@ class Sqlite {
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A prepared statement: bind in order, then step through the rows.
+/// Bytes to store as a blob. (A string_view is stored as text.)
+struct Blob {
+    std::string_view bytes; ///< copied when they are bound
+};
+
+/// A prepared statement with its values, whose rows are read one by one.
 class Statement {
   public:
-    /// Throws InputError, naming the file, on SQL that SQLite refuses. `sqlite` must outlive the statement.
-    Statement(Sqlite& sqlite, const std::string& sql);
-    /// Binds the next parameter to a whole number.
-    Statement& bind(std::int64_t value);
-    /// Binds the next parameter to UTF-8 text, which is copied.
-    Statement& bind_text(std::string_view value);
-    /// Binds the next parameter to bytes, which are copied.
-    Statement& bind_blob(std::string_view bytes);
-    bool step();                              ///< false when done
-    std::int64_t number(int column) const;    ///< of the row, columns from 0
+    /// Binds the values to the parameters in order: whole numbers, UTF-8 text or a Blob. Throws InputError,
+    /// naming the file, if SQLite refuses the SQL. `sqlite` must outlive the statement.
+    template <class... Values>
+    explicit Statement(Sqlite& sqlite, const std::string& sql, const Values&... values) : sqlite_(sqlite) {
+        prepare(sql);
+        int parameter = 0;
+        (bind(++parameter, values), ...);
+    }
+    bool step();                              ///< goes to the next row; false after the last one
+    std::uint64_t number(int column) const;   ///< a cell of the row; columns count from 0
     std::string_view bytes(int column) const; ///< text or blob, valid until the next step
-    void reset();                             ///< to be bound and stepped again
 
   private:
     struct Finalise {
         void operator()(sqlite3_stmt* statement) const;
     };
-    Statement& expect_done(int result);
+    void prepare(const std::string& sql);
+    void bind(int parameter, std::uint64_t value);
+    void bind(int parameter, std::string_view text);
+    void bind(int parameter, Blob blob);
+    void expect_done(int result);
     Sqlite& sqlite_;
     std::unique_ptr<sqlite3_stmt, Finalise> statement_;
-    int bound_ = 0;
 };
 
-/// A write transaction: taken at once, rolled back unless committed.
+/// A write transaction: it begins at once and is rolled back unless it is committed.
 class Transaction {
   public:
-    /// Waits for other writers, then holds the file.
+    /// Waits for other writers, then locks the file.
     explicit Transaction(Sqlite& sqlite) : sqlite_(sqlite) { sqlite_.run("BEGIN IMMEDIATE"); }
     ~Transaction();
-    /// Makes what was written since the start last.
-    void commit();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
+    /// Makes permanent what was written since the start.
+    void commit() { sqlite_.run("COMMIT"); }
 
   private:
     Sqlite& sqlite_;
-    bool open_ = true;
 };
 
 } // namespace rough

@@ -13,12 +13,12 @@ namespace rough {
 
 namespace {
 
-/// The wanted length where the two differ by rounding alone.
-double settled(double drawn_out, double wanted) {
-    return std::abs(drawn_out - wanted) <= 1e-12 * std::abs(wanted) ? wanted : drawn_out;
+/// The wanted length if the two differ only by rounding.
+double settled(double stretched, double wanted) {
+    return std::abs(stretched - wanted) <= 1e-12 * std::abs(wanted) ? wanted : stretched;
 }
 
-/// A match and its genome, drawn out and in the match's amplitude.
+/// A match and its genome, stretched and with the match's amplitude.
 struct Stored {
     Match match;
     Genome genome;
@@ -84,18 +84,18 @@ std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& s
 
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& given,
                                          std::size_t count, int threads) {
-    constexpr std::size_t least_verified = 16;
+    constexpr std::size_t min_verified = 16;
     const DesignSetup setup = completed(given);
     validate(setup);
-    const std::vector<Stored> stored = nearest(store, setup, std::max(count, least_verified), threads);
+    const std::vector<Stored> stored = nearest(store, setup, std::max(count, min_verified), threads);
     std::vector<std::optional<StoredAnswer>> verified(stored.size());
     const DesignSetup reported = as_reported(setup);
     ga::parallel_for(stored.size(), ga::thread_count(threads), [&](std::size_t i) {
         const auto& [match, genome] = stored[i];
         try {
             verified[i] = {match.index, match.scale, verified_answer(reported, genome)};
-        } catch (const NotConverged&) { // left out
-        } catch (const InputError&) {   // left out: the response on a finer grid ends before the target
+        } catch (const NotConverged&) { // omitted
+        } catch (const InputError&) {   // omitted: the response on a finer grid ends before the target
         }
     });
     std::vector<StoredAnswer> answers;

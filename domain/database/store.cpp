@@ -4,59 +4,44 @@
 #include "domain/database/codec.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
+#include "ga/base/random.hpp"
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 namespace rough {
 namespace {
 
-// SQLite's own marks of whose file it is and in which form.
-constexpr std::int64_t application = 0x52554741; // "RUGA"
-constexpr std::int64_t form = 2;
+// The numbers by which SQLite recognises a file's program and format.
+constexpr std::uint64_t application = 0x52554741; // "RUGA"
+constexpr std::uint64_t form = 2;
 
-std::int64_t as_key(std::uint64_t index) { return static_cast<std::int64_t>(index); }
-std::uint64_t as_index(std::int64_t key) { return static_cast<std::uint64_t>(key); }
-
-/// Blobs in tables of their own, so that scoring reads the pressures alone; each row with its checksum.
-const std::vector<std::string>& schema() {
-    static const std::vector<std::string> statements = [] {
-        std::vector<std::string> all{"CREATE TABLE setup(name TEXT PRIMARY KEY, value TEXT NOT NULL)",
-                                     "CREATE TABLE batch(first INTEGER PRIMARY KEY, count INTEGER NOT NULL)",
-                                     "CREATE TABLE taken(first INTEGER PRIMARY KEY)"};
-        for (const char* table : {"pressure", "contact", "genome"})
-            all.push_back(std::string("CREATE TABLE ") + table +
-                          "(first INTEGER PRIMARY KEY, numbers BLOB NOT NULL, checksum INTEGER NOT NULL)");
-        std::sort(all.begin(), all.end());
-        return all;
-    }();
-    return statements;
-}
-
-void make_tables(Sqlite& sqlite) {
-    sqlite.run("PRAGMA application_id = " + std::to_string(application));
-    sqlite.run("PRAGMA user_version = " + std::to_string(form));
-    for (const std::string& statement : schema())
-        sqlite.run(statement);
+/// The statements that make a database, in alphabetic order. Each kind of blob has a table, so that scoring
+/// reads only pressures.
+std::vector<std::string> schema() {
+    const std::string blobs = "(first INTEGER PRIMARY KEY, numbers BLOB NOT NULL, checksum INTEGER NOT NULL)";
+    return {"CREATE TABLE batch(first INTEGER PRIMARY KEY, count INTEGER NOT NULL)",
+            "CREATE TABLE contact" + blobs,
+            "CREATE TABLE genome" + blobs,
+            "CREATE TABLE pressure" + blobs,
+            "CREATE TABLE setup(name TEXT PRIMARY KEY, value TEXT NOT NULL)",
+            "CREATE TABLE taken(first INTEGER PRIMARY KEY)"};
 }
 
 bool holds_anything(Sqlite& sqlite) { return sqlite.number("SELECT count(*) FROM sqlite_master") > 0; }
 
-[[noreturn]] void refuse_changed(const Sqlite& sqlite, const std::string& what) {
-    throw InputError(sqlite.file().string() + ": " + what +
-                     ", expected a file that nothing else has changed");
+template <class... Parts>
+[[noreturn]] void refuse_changed(const Sqlite& sqlite, const Parts&... parts) {
+    refuse(sqlite.file().string(), ": ", parts..., "; give a file that only this program has written");
 }
 
-/// Ours is what this program writes and nothing beside it: no view, no trigger, no other column.
+/// Refuses a file that holds anything besides the tables of a genome database: views, triggers, columns.
 void expect_ours(Sqlite& sqlite) {
     if (sqlite.number("PRAGMA application_id") != application)
-        throw InputError(sqlite.file().string() +
-                         ": is no genome database, expected one made by 'rugosa database build'");
-    const std::int64_t version = sqlite.number("PRAGMA user_version");
-    if (version != form)
-        throw InputError(sqlite.file().string() + ": a genome database of form " + std::to_string(version) +
-                         ", expected form " + std::to_string(form) + " (build it anew)");
+        refuse(sqlite.file().string(),
+               ": is not a genome database; give one made by 'rugosa database build'");
+    if (const auto version = sqlite.number("PRAGMA user_version"); version != form)
+        refuse(sqlite.file().string(), ": a genome database of form ", version, ", expected form ", form,
+               "; build it again");
     std::vector<std::string> there;
     Statement rows(sqlite,
                    "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_setup_1' ORDER BY sql");
@@ -91,110 +76,23 @@ Fields stored_fields(Sqlite& sqlite) {
     return fields;
 }
 
-/// A batch's checksum is that of its table, its place and its numbers.
-std::int64_t checksum_of(const std::string& table, const Span& span, std::string_view numbers) {
-    const std::uint64_t place = checksum(table, span.first * 0x9E3779B97F4A7C15ULL + span.count);
-    return as_key(checksum(numbers, place));
+/// A batch's checksum depends on its table, its place and its numbers.
+std::uint64_t checksum_of(const char* table, const Span& span, std::string_view numbers) {
+    return checksum(numbers, checksum(table, span.first * ga::golden_step + span.count));
 }
 
-/// The numbers of a row (…, first, count, numbers, checksum) from `column` on.
-std::vector<double> checked_numbers(const Sqlite& sqlite, const Statement& row, int column,
-                                    const char* table) {
-    const Span span{as_index(row.number(column)), as_index(row.number(column + 1))};
-    const std::string_view bytes = row.bytes(column + 2);
-    if (row.number(column + 3) != checksum_of(table, span, bytes))
-        refuse_changed(sqlite, std::string("the ") + table + " of genomes " + std::to_string(span.first) +
-                                   " to " + std::to_string(span.first + span.count - 1) + " was altered");
-    return unpacked(bytes);
+/// Genome `i` of a batch's responses, from the numbers of the tables pressure and contact.
+Response response_at(const std::vector<double>& pressure, const std::vector<double>& contact, std::size_t i,
+                     Index steps) {
+    const double* p = pressure.data() + i * static_cast<std::size_t>(steps + 1);
+    const double* c = contact.data() + i * static_cast<std::size_t>(2 * steps);
+    Response response;
+    response.range = p[0];
+    response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
+    response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
+    response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
+    return response;
 }
-
-void expect_size(const Sqlite& sqlite, const std::vector<double>& values, std::uint64_t wanted) {
-    if (values.size() != wanted)
-        refuse_changed(sqlite, "a batch of " + std::to_string(values.size()) + " numbers in place of " +
-                                   std::to_string(wanted));
-}
-
-/// Shows what is missing of a span, cut at the multiples of `batch`, until `visit` gives true. Gives where
-/// the first gap begins.
-template <class Visit>
-std::uint64_t visit_gaps(Sqlite& sqlite, const Span& of, std::uint64_t batch, Visit visit) {
-    const std::uint64_t end = of.first + of.count;
-    std::uint64_t next = of.first, filled = of.first;
-    bool found = false, done = false;
-    const auto fill_to = [&](std::uint64_t stop) {
-        while (next < stop && !done) {
-            const std::uint64_t cut = std::min(stop, (next / batch + 1) * batch);
-            found = true;
-            done = visit(Span{next, cut - next});
-            next = cut;
-        }
-    };
-    // The batch before may reach into the span.
-    Statement rows(sqlite, "SELECT first, count FROM batch WHERE first >= (SELECT ifnull(max(first), 0) FROM "
-                           "batch WHERE first <= ?) ORDER BY first");
-    rows.bind(as_key(of.first));
-    while (!done && next < end && rows.step()) {
-        const std::uint64_t first = as_index(rows.number(0));
-        fill_to(std::min(first, end));
-        next = std::max(next, first + as_index(rows.number(1)));
-        if (!found)
-            filled = std::min(next, end);
-    }
-    fill_to(end);
-    return filled;
-}
-
-Eigen::VectorXd displacements(const Model& model, double range) {
-    const auto steps = load_displacements(range, model.loading, model.body.kernel);
-    return Eigen::Map<const Eigen::VectorXd>(steps.data(), static_cast<Index>(steps.size()));
-}
-
-struct Place {
-    std::vector<double> numbers;
-    std::size_t within, count; ///< of the batch
-};
-
-Place look_up(Sqlite& sqlite, const char* table, std::uint64_t index) {
-    Statement row(sqlite, std::string("SELECT batch.first, count, numbers, checksum FROM batch JOIN ") +
-                              table +
-                              " USING(first) WHERE batch.first <= ? ORDER BY batch.first DESC LIMIT 1");
-    if (row.bind(as_key(index)).step() && index < as_index(row.number(0)) + as_index(row.number(1)))
-        return {checked_numbers(sqlite, row, 0, table),
-                static_cast<std::size_t>(index - as_index(row.number(0))),
-                static_cast<std::size_t>(row.number(1))};
-    throw InputError(sqlite.file().string() + ": genome " + std::to_string(index) + " is not stored");
-}
-
-std::vector<Genome> genomes_of(const Sqlite& sqlite, const Place& place) {
-    std::vector<Genome> genomes = genomes_from(place.numbers);
-    if (genomes.size() != place.count)
-        refuse_changed(sqlite, "a batch of " + std::to_string(genomes.size()) + " genomes in place of " +
-                                   std::to_string(place.count));
-    return genomes;
-}
-
-/// The responses' numbers of a batch, side by side.
-struct Columns {
-    Columns(Sqlite& sqlite, std::uint64_t index, Index steps)
-        : pressure(look_up(sqlite, "pressure", index)), contact(look_up(sqlite, "contact", index)),
-          steps(steps) {
-        expect_size(sqlite, pressure.numbers, pressure.count * static_cast<std::size_t>(steps + 1));
-        expect_size(sqlite, contact.numbers, contact.count * static_cast<std::size_t>(2 * steps));
-    }
-    Response of(std::size_t within) const {
-        const double* p = pressure.numbers.data() + within * static_cast<std::size_t>(steps + 1);
-        const double* c = contact.numbers.data() + within * static_cast<std::size_t>(2 * steps);
-        Response response;
-        response.range = p[0];
-        response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
-        response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
-        response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
-        return response;
-    }
-
-    Place pressure, contact;
-    Index steps;
-};
 
 } // namespace
 
@@ -215,27 +113,28 @@ const std::filesystem::path& GenomeStore::file() const { return sqlite_->file();
 
 GenomeStore GenomeStore::create(const std::filesystem::path& file, const DatabaseSetup& setup) {
     if (!setup.model.body.layering.layers.empty())
-        throw InputError(file.string() +
-                         ": a body with layers given, expected a half-space: databases scale its "
-                         "responses to other lengths");
+        throw InputError(file.string() + ": a body with layers was given; give a half-space, because a "
+                                         "database's responses are scaled to other lengths");
     validate(setup.law);
     const Fields wanted = fields(setup);
     Sqlite sqlite(file, Sqlite::Access::create);
-    Transaction transaction(sqlite);
-    if (!holds_anything(sqlite)) {
-        make_tables(sqlite);
-        Fields named = wanted;
-        named.emplace_back("version", RUGOSA_VERSION);
-        std::sort(named.begin(), named.end());
-        named.emplace_back("checksum", std::to_string(checksum_of(named)));
-        Statement insert(sqlite, "INSERT INTO setup VALUES(?, ?)");
-        for (const auto& [name, value] : named) {
-            insert.bind_text(name).bind_text(value).step();
-            insert.reset();
+    {
+        Transaction transaction(sqlite);
+        if (!holds_anything(sqlite)) {
+            sqlite.run("PRAGMA application_id = " + std::to_string(application));
+            sqlite.run("PRAGMA user_version = " + std::to_string(form));
+            for (const std::string& statement : schema())
+                sqlite.run(statement);
+            Fields named = wanted;
+            named.emplace_back("version", RUGOSA_VERSION);
+            std::sort(named.begin(), named.end());
+            named.emplace_back("checksum", std::to_string(checksum_of(named)));
+            for (const auto& [name, value] : named)
+                Statement(sqlite, "INSERT INTO setup VALUES(?, ?)", name, value).step();
         }
+        expect_ours(sqlite);
+        transaction.commit();
     }
-    expect_ours(sqlite);
-    transaction.commit();
     const std::string differs = difference(stored_fields(sqlite), wanted);
     if (!differs.empty())
         throw InputError(file.string() + ": a database of another set-up: its " + differs);
@@ -244,7 +143,7 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
 
 GenomeStore GenomeStore::open(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file))
-        throw InputError(file.string() + ": there is no such file, expected a genome database");
+        throw InputError(file.string() + ": there is no such file; give a genome database");
     return GenomeStore(Sqlite(file, Sqlite::Access::existing));
 }
 
@@ -255,45 +154,51 @@ bool GenomeStore::begun(const std::filesystem::path& file) {
     return holds_anything(sqlite);
 }
 
-std::uint64_t GenomeStore::stored() const {
-    return as_index(sqlite_->number("SELECT sum(count) FROM batch"));
-}
+std::uint64_t GenomeStore::stored() const { return sqlite_->number("SELECT sum(count) FROM batch"); }
 
 std::vector<Span> GenomeStore::gaps(const Span& of) const {
     std::vector<Span> found;
-    visit_gaps(*sqlite_, of, of.first + of.count,
-               [&](const Span& gap) { return found.push_back(gap), false; });
+    const std::uint64_t end = of.first + of.count;
+    std::uint64_t next = of.first;
+    const auto skip_to = [&](std::uint64_t first) {
+        if (first > next)
+            found.push_back({next, first - next});
+    };
+    // The batch before the span may reach into it.
+    Statement rows(*sqlite_,
+                   "SELECT first, count FROM batch WHERE first >= (SELECT ifnull(max(first), 0) FROM "
+                   "batch WHERE first <= ?) ORDER BY first",
+                   of.first);
+    while (next < end && rows.step()) {
+        skip_to(std::min(rows.number(0), end));
+        next = std::max(next, rows.number(0) + rows.number(1));
+    }
+    skip_to(end);
     return found;
 }
 
-std::optional<Span> GenomeStore::take(const Span& of, std::uint64_t batch,
+std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
                                       const std::function<bool(std::uint64_t first)>& is_own) {
     Transaction transaction(*sqlite_);
-    std::vector<std::uint64_t> taken;
-    {
-        Statement rows(*sqlite_, "SELECT first FROM taken ORDER BY first");
-        while (rows.step())
-            taken.push_back(as_index(rows.number(0)));
-    }
-    // What was stored once stays: the next look begins behind it.
-    if (!(of.first <= filled_ && filled_from_ == of.first))
-        filled_ = filled_from_ = of.first;
-    const std::uint64_t end = of.first + of.count, from = std::min(filled_, end);
-    std::optional<Span> fresh, left;
-    filled_ = visit_gaps(*sqlite_, {from, end - from}, batch, [&](const Span& span) {
-        if (!std::binary_search(taken.begin(), taken.end(), span.first))
-            fresh = span;
-        else if (!is_own || !is_own(span.first))
-            left = span;
-        return fresh.has_value();
-    });
-    if (fresh) {
-        Statement(*sqlite_, "INSERT INTO taken VALUES(?)").bind(as_key(fresh->first)).step();
-        transaction.commit();
-        return fresh;
-    }
-    // What is left was taken by builders that still work or were killed: computing it again does no harm,
-    // from the end, where those that still work come last.
+    const std::vector<Span> open = gaps(wanted);
+    const std::uint64_t end = wanted.first + wanted.count;
+    wanted.first = open.empty() ? end : open.front().first;
+    wanted.count = end - wanted.first;
+    // Without a fresh batch: the last one that another builder took. That builder was killed or still works;
+    // computing its batch twice does no harm.
+    std::optional<Span> left;
+    for (const Span& gap : open)
+        for (std::uint64_t next = gap.first, stop = gap.first + gap.count; next < stop;) {
+            const Span piece{next, std::min(stop, (next / batch + 1) * batch) - next};
+            next += piece.count;
+            if (!Statement(*sqlite_, "SELECT 1 FROM taken WHERE first = ?", piece.first).step()) {
+                Statement(*sqlite_, "INSERT INTO taken VALUES(?)", piece.first).step();
+                transaction.commit();
+                return piece;
+            }
+            if (!is_own || !is_own(piece.first))
+                left = piece;
+        }
     return left;
 }
 
@@ -307,29 +212,68 @@ bool GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
         contact.insert(contact.end(), response.tangent_stiffness.begin(), response.tangent_stiffness.end());
     }
     Transaction transaction(*sqlite_);
-    Statement known(*sqlite_, "SELECT 1 FROM batch WHERE first = ?");
-    const bool there = known.bind(as_key(span.first)).step();
-    known.reset();
+    const bool there = Statement(*sqlite_, "SELECT 1 FROM batch WHERE first = ?", span.first).step();
     if (!there) {
-        Statement(*sqlite_, "INSERT INTO batch VALUES(?, ?)")
-            .bind(as_key(span.first))
-            .bind(as_key(span.count))
-            .step();
+        Statement(*sqlite_, "INSERT INTO batch VALUES(?, ?)", span.first, span.count).step();
         const auto put = [&](const char* table, const std::vector<double>& values) {
             const std::string bytes = packed(values);
-            Statement(*sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)")
-                .bind(as_key(span.first))
-                .bind_blob(bytes)
-                .bind(checksum_of(table, span, bytes))
+            Statement(*sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)", span.first,
+                      Blob{bytes}, checksum_of(table, span, bytes))
                 .step();
         };
         put("pressure", pressure);
         put("contact", contact);
-        put("genome", numbers(genomes));
+        put("genome", rough::numbers(genomes));
     }
-    Statement(*sqlite_, "DELETE FROM taken WHERE first = ?").bind(as_key(span.first)).step();
+    Statement(*sqlite_, "DELETE FROM taken WHERE first = ?", span.first).step();
     transaction.commit();
     return !there;
+}
+
+std::vector<Span> GenomeStore::batches() const {
+    std::vector<Span> all;
+    Statement rows(*sqlite_, "SELECT first, count FROM batch ORDER BY first");
+    while (rows.step())
+        all.push_back({rows.number(0), rows.number(1)});
+    return all;
+}
+
+Span GenomeStore::batch_of(std::uint64_t index) const {
+    Statement row(*sqlite_, "SELECT first, count FROM batch WHERE first <= ? ORDER BY first DESC LIMIT 1",
+                  index);
+    if (row.step() && index < row.number(0) + row.number(1))
+        return {row.number(0), row.number(1)};
+    throw InputError(file().string() + ": genome " + std::to_string(index) + " is not stored");
+}
+
+/// A batch's row in a table; `per_genome` numbers for each of its genomes, or any number if it is 0.
+std::vector<double> GenomeStore::numbers(const char* table, const Span& span, std::size_t per_genome) const {
+    Statement row(*sqlite_, std::string("SELECT numbers, checksum FROM ") + table + " WHERE first = ?",
+                  span.first);
+    if (!row.step() || row.number(1) != checksum_of(table, span, row.bytes(0)))
+        refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ",
+                       span.first + span.count - 1, " was altered");
+    std::vector<double> values = unpacked(row.bytes(0));
+    if (per_genome > 0 && values.size() != span.count * per_genome)
+        refuse_changed(*sqlite_, "a batch of ", values.size(), " numbers in place of ",
+                       span.count * per_genome);
+    return values;
+}
+
+std::vector<Genome> GenomeStore::genomes(const Span& span) const {
+    std::vector<Genome> genomes = genomes_from(numbers("genome", span));
+    if (genomes.size() != span.count)
+        refuse_changed(*sqlite_, "a batch of ", genomes.size(), " genomes in place of ", span.count);
+    return genomes;
+}
+
+StoredBatch GenomeStore::batch(const Span& span) const {
+    const auto steps = static_cast<std::size_t>(setup_.model.loading.steps);
+    const auto pressure = numbers("pressure", span, steps + 1), contact = numbers("contact", span, 2 * steps);
+    StoredBatch batch{genomes(span), {}};
+    for (std::size_t i = 0; i < span.count; ++i)
+        batch.responses.push_back(response_at(pressure, contact, i, setup_.model.loading.steps));
+    return batch;
 }
 
 StoredCurves GenomeStore::curves(bool with_fractions) const {
@@ -338,64 +282,36 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
     const auto append = [&](std::vector<double>& list, const double* values) {
         list.insert(list.end(), values, values + steps);
     };
-    Statement rows(*sqlite_,
-                   with_fractions
-                       ? "SELECT first, count, pressure.numbers, pressure.checksum, first, count, "
-                         "contact.numbers, contact.checksum FROM batch JOIN pressure USING(first) JOIN "
-                         "contact USING(first) ORDER BY first"
-                       : "SELECT first, count, numbers, checksum FROM batch JOIN pressure USING(first) "
-                         "ORDER BY first");
-    while (rows.step()) {
-        const std::uint64_t first = as_index(rows.number(0)), count = as_index(rows.number(1));
-        const auto values = checked_numbers(*sqlite_, rows, 0, "pressure");
-        expect_size(*sqlite_, values, count * (steps + 1));
-        const auto contact =
-            with_fractions ? checked_numbers(*sqlite_, rows, 4, "contact") : std::vector<double>{};
-        if (with_fractions)
-            expect_size(*sqlite_, contact, count * 2 * steps);
-        for (std::size_t g = 0; g < count; ++g) {
-            curves.index.push_back(first + g);
-            curves.range.push_back(values[g * (steps + 1)]);
-            append(curves.pressure, &values[g * (steps + 1) + 1]);
+    for (const Span& span : batches()) {
+        const auto pressure = numbers("pressure", span, steps + 1);
+        const auto contact = with_fractions ? numbers("contact", span, 2 * steps) : std::vector<double>{};
+        for (std::size_t g = 0; g < span.count; ++g) {
+            curves.index.push_back(span.first + g);
+            curves.range.push_back(pressure[g * (steps + 1)]);
+            append(curves.pressure, &pressure[g * (steps + 1) + 1]);
             if (with_fractions)
                 append(curves.fraction, &contact[g * 2 * steps]);
         }
     }
-    if (curves.index.size() != stored())
-        refuse_changed(*sqlite_, "a batch without its curves");
     return curves;
 }
 
 Genome GenomeStore::genome(std::uint64_t index) const {
-    const Place place = look_up(*sqlite_, "genome", index);
-    std::vector<Genome> genomes = genomes_of(*sqlite_, place);
-    validate(genomes[place.within], file().string() + ": genome " + std::to_string(index));
-    return std::move(genomes[place.within]);
+    const Span span = batch_of(index);
+    Genome genome = genomes(span)[index - span.first];
+    validate(genome, file().string() + ": genome " + std::to_string(index));
+    return genome;
 }
 
 Response GenomeStore::response(std::uint64_t index) const {
     const Model& model = setup_.model;
-    const Columns columns(*sqlite_, index, model.loading.steps);
-    Response response = columns.of(columns.pressure.within);
-    response.displacement = displacements(model, response.range);
+    const Span span = batch_of(index);
+    Response response = batch(span).responses[index - span.first];
+    const auto displacements = load_displacements(response.range, model.loading, model.body.kernel);
+    response.displacement =
+        Eigen::Map<const Eigen::VectorXd>(displacements.data(), static_cast<Index>(displacements.size()));
     response.full_stiffness = full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body);
     return response;
-}
-
-std::vector<Span> GenomeStore::batches() const {
-    std::vector<Span> all;
-    Statement rows(*sqlite_, "SELECT first, count FROM batch ORDER BY first");
-    while (rows.step())
-        all.push_back({as_index(rows.number(0)), as_index(rows.number(1))});
-    return all;
-}
-
-StoredBatch GenomeStore::batch(const Span& span) const {
-    const Columns columns(*sqlite_, span.first, setup_.model.loading.steps);
-    StoredBatch batch{genomes_of(*sqlite_, look_up(*sqlite_, "genome", span.first)), {}};
-    for (std::size_t i = 0; i < batch.genomes.size(); ++i)
-        batch.responses.push_back(columns.of(i));
-    return batch;
 }
 
 } // namespace rough

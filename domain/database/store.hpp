@@ -15,72 +15,76 @@ class Sqlite;
 /// Genomes first .. first + count - 1 of a law.
 struct Span {
     std::uint64_t first = 0; ///< index, from 0
-    std::uint64_t count = 0; ///< how many
+    std::uint64_t count = 0; ///< number of genomes
 };
 
-/// The responses' numbers that scoring needs, one genome after another.
+/// The numbers of all stored responses that scoring needs, one genome after another.
 struct StoredCurves {
     std::vector<std::uint64_t> index; ///< the genomes' numbers
-    std::vector<double>
-        range; ///< height range (periodic: to full contact), mm; NaN where there is no response
-    std::vector<double> pressure; ///< genomes x steps, MPa
-    std::vector<double> fraction; ///< genomes x steps, contact fractions; empty unless asked for
+    std::vector<double> range;        ///< height range (periodic: to full contact), mm; NaN: no response
+    std::vector<double> pressure;     ///< genomes x steps, MPa
+    std::vector<double> fraction;     ///< genomes x steps, contact fractions; empty unless requested
 };
 
-/// A batch's genomes and of their responses range, pressures, contact fractions and tangents.
+/// A batch's genomes and responses.
 struct StoredBatch {
     std::vector<Genome> genomes;     ///< scale 1
-    std::vector<Response> responses; ///< one a genome
+    std::vector<Response> responses; ///< range, pressures, contact fractions and tangents of each genome
 };
 
 /// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
-/// written whole or not at all, whatever ends the program; several programs may read and build one file at
-/// once.
+/// written completely or not at all, whatever ends the program. Several programs may read and build one file
+/// at the same time.
 class GenomeStore {
   public:
-    /// Opens a database; where there is none, makes one. Throws InputError on a file of another set-up,
-    /// naming the first difference, and on one that is no genome database.
+    /// Opens an existing database, or makes a new one. Throws InputError on a file of another set-up, naming
+    /// the first difference, and on a file that is not a genome database.
     static GenomeStore create(const std::filesystem::path& file, const DatabaseSetup& setup);
-    /// Opens one that exists, to read or to go on building.
+    /// Opens an existing database, to read it or to continue its build.
     static GenomeStore open(const std::filesystem::path& file);
 
     ///@{
-    /// Moves as a file handle does.
+    /// Moves like a file handle.
     GenomeStore(GenomeStore&&) noexcept;
     ~GenomeStore();
     ///@}
 
-    /// Whether there is such a file with anything in it: a program killed while it makes one leaves it empty.
+    /// Whether the file exists and holds anything. A program killed while it makes a file leaves it empty.
     static bool begun(const std::filesystem::path& file);
 
-    const DatabaseSetup& setup() const { return setup_; }   ///< as the file says it
-    const std::string& version() const { return version_; } ///< of the program that made the file
-    std::uint64_t stored() const;                           ///< genomes
-    const std::filesystem::path& file() const;              ///< where it lies
+    const DatabaseSetup& setup() const { return setup_; }   ///< as the file states it
+    const std::string& version() const { return version_; } ///< the program's version when it made the file
+    std::uint64_t stored() const;                           ///< number of stored genomes
+    const std::filesystem::path& file() const;              ///< the database's path
 
-    /// The next genomes of `of` to compute, at most `batch`: first such that no other builder has taken, then
-    /// those taken and never delivered, but the taker's own. Nothing when all are stored.
-    std::optional<Span> take(const Span& of, std::uint64_t batch,
+    /// The next genomes of `wanted` to compute, at most `batch`. Genomes that no builder has taken come
+    /// first. Then come those taken and never delivered, except batches for which `is_own` is true. Nothing
+    /// if all are stored. Stored genomes are removed from the beginning of `wanted`, so the next call starts
+    /// behind them.
+    std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
-    std::vector<Span> gaps(const Span& of) const; ///< what is not stored of these genomes
-    /// Stores a batch; where another builder was faster, its copy stays, and this gives false.
+    /// The spans of these genomes that are not stored, in order.
+    std::vector<Span> gaps(const Span& of) const;
+    /// Stores genomes and responses. False if another builder stored them before; then that copy stays.
     bool add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
 
     std::vector<Span> batches() const; ///< as they are stored, in order
-    /// One of batches(). Throws InputError where it was altered.
+    /// One of batches(). Throws InputError if it was altered.
     StoredBatch batch(const Span& span) const;
-    /// Every stored genome's curve, read in one pass; contact fractions where asked for.
+    /// The curves of all stored genomes, with contact fractions if requested.
     StoredCurves curves(bool with_fractions = false) const;
-    Genome genome(std::uint64_t index) const;     ///< throws InputError when it is not stored
-    Response response(std::uint64_t index) const; ///< displacement, pressure, contact fraction and tangents
+    Genome genome(std::uint64_t index) const;     ///< throws InputError if it is not stored
+    Response response(std::uint64_t index) const; ///< without solver and certificates; throws as genome()
 
   private:
     explicit GenomeStore(Sqlite sqlite);
+    Span batch_of(std::uint64_t index) const;
+    std::vector<double> numbers(const char* table, const Span& span, std::size_t per_genome = 0) const;
+    std::vector<Genome> genomes(const Span& span) const;
+
     std::unique_ptr<Sqlite> sqlite_;
     DatabaseSetup setup_;
     std::string version_;
-    std::uint64_t filled_ = 0,
-                  filled_from_ = 0; ///< from this number up to that, all were stored when last seen
 };
 
 } // namespace rough

@@ -2,7 +2,7 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -13,56 +13,57 @@ namespace rough {
 
 namespace {
 
-/// H on all nodes in contact order, MPa and mm: displacement (mm) for each unit of pressure (MPa).
+/// H on all nodes in contact order: displacement (mm) per unit of pressure (MPa).
 Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, const std::vector<int>& order) {
     const Body body = completed(given, profile_length(surface, given.kernel));
     const Index nodes = surface.nodes(), columns = surface.shape().columns;
     const double spacing = surface.spacing;
-    const Layering layering = in_units(body.layering, spacing, body.effective_modulus);
     const Eigen::VectorXd column =
-        (surface.is_2d()
-             ? area_influence_column(body.kernel, surface.shape(), surface.row_spacing / spacing, layering)
-             : influence_column(body.kernel, nodes, body.datum / spacing, body.strip_width / spacing,
-                                layering)) *
+        influence_column(in_units(body, spacing, surface.row_spacing), surface.shape()) *
         (spacing / body.effective_modulus);
-    Eigen::ArrayX<Index> x(nodes), y(nodes);
-    for (Index i = 0; i < nodes; ++i) {
-        x[i] = order[static_cast<std::size_t>(i)] % columns;
-        y[i] = order[static_cast<std::size_t>(i)] / columns;
-    }
     Eigen::MatrixXd H(nodes, nodes);
     for (Index i = 0; i < nodes; ++i)
-        for (Index k = 0; k < nodes; ++k)
-            H(i, k) = column[std::abs(y[i] - y[k]) * columns + std::abs(x[i] - x[k])];
+        for (Index k = 0; k < nodes; ++k) {
+            const Index a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(k)];
+            H(i, k) =
+                column[std::abs(a / columns - b / columns) * columns + std::abs(a % columns - b % columns)];
+        }
     return H;
 }
 
-} // namespace
-
-InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
-                               const Advance& advance, double last_pressure, double last_displacement) {
-    return inverse_profile({Eigen::VectorXd(nodes), spacing}, body, order, advance, last_pressure,
-                           last_displacement);
+/// Depth of each node below contact at the end of loading, mm; 0 if it touches.
+Eigen::VectorXd depths(const InverseProfile& inverse) {
+    return (inverse.lowest_free - inverse.profile.heights).cwiseMax(0.0);
 }
+
+/// Multiplies these depths by a factor.
+InverseProfile with_scaled_depths(InverseProfile inverse, const Eigen::VectorXd& depths, double factor) {
+    for (Index i = 0; i < depths.size(); ++i)
+        if (depths[i] > 0)
+            inverse.profile.heights[i] = inverse.lowest_free[i] - factor * depths[i];
+    return inverse;
+}
+
+} // namespace
 
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement) {
     const Index nodes = surface.nodes();
     const Eigen::MatrixXd H = influence_in_order(surface, body, order);
-    // The periodic half-space's H is singular on all nodes: the last node never joins.
-    const Index most = body.relative_to_mean() ? nodes - 1 : nodes;
-    const Eigen::LLT<Eigen::MatrixXd> factor(H.topLeftCorner(most, most));
+    // The periodic half-space's H is singular on all nodes, so the last node never touches.
+    const Index max_touching = body.relative_to_mean() ? nodes - 1 : nodes;
+    const Eigen::LLT<Eigen::MatrixXd> factor(H.topLeftCorner(max_touching, max_touching));
     if (factor.info() != Eigen::Success)
-        throw InputError("inverse contact: the influence matrix is not positive definite; expected a datum "
+        throw InputError("inverse contact: the influence matrix is not positive definite; choose a datum "
                          "beyond (L + delta)/4");
     const Eigen::MatrixXd L = factor.matrixL();
-    const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(most));
+    const Eigen::VectorXd z = L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd::Ones(max_touching));
     // P is the sum of pressures over L/delta, on a map over N.
     const double cell = surface.is_2d() ? 1 : surface.spacing;
     const double whole =
         surface.is_2d() ? elements(surface, body.kernel) : profile_length(surface, body.kernel);
-    Eigen::VectorXd stiffness(most);
-    for (Index k = 0; k < most; ++k) // sum of H_AA^-1 1 is z.z
+    Eigen::VectorXd stiffness(max_touching);
+    for (Index k = 0; k < max_touching; ++k) // sum of H_AA^-1 1 is z.z
         stiffness[k] = z.head(k + 1).squaredNorm() * cell / whole;
     const std::vector<double> steps = advance(stiffness);
 
@@ -75,7 +76,7 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
         lowest = ends.array() - result.last_displacement;
     };
     for (Index k = 0; k + 1 < nodes; ++k) {
-        const double step = k < most ? steps[static_cast<std::size_t>(k)] : 0;
+        const double step = k < max_touching ? steps[static_cast<std::size_t>(k)] : 0;
         if (step > 0) {
             const Eigen::VectorXd w =
                 L.topLeftCorner(k + 1, k + 1).transpose().triangularView<Eigen::Upper>().solve(z.head(k + 1));
@@ -91,9 +92,10 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
         gap[k + 1] = displacement - u[k + 1];
         result.entry.push_back(displacement);
     }
-    if (lowest.size() == 0) // every node but one touches under the load
-        end_load(std::min((last_pressure - pressure) / stiffness[most - 1], last_displacement - displacement),
-                 stiffness[most - 1], displacement - gap.array());
+    if (lowest.size() == 0) // all nodes but one touch at the end of loading
+        end_load(std::min((last_pressure - pressure) / stiffness[max_touching - 1],
+                          last_displacement - displacement),
+                 stiffness[max_touching - 1], displacement - gap.array());
     for (Index k = 0; k < nodes; ++k) {
         result.profile.heights[order[static_cast<std::size_t>(k)]] = -gap[k];
         result.lowest_free[order[static_cast<std::size_t>(k)]] = lowest[k];
@@ -102,37 +104,28 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
 }
 
 InverseProfile with_range_at_last(InverseProfile inverse) {
-    Eigen::VectorXd& z = inverse.profile.heights;
-    const Eigen::VectorXd below = inverse.lowest_free - z; // > 0 where a node does not touch
-    // With a factor c on `below` the lowest height is -last_displacement; it falls as c grows.
+    const Eigen::VectorXd below = depths(inverse);
+    // The largest factor whose lowest height is -last_displacement.
     double factor = std::numeric_limits<double>::infinity();
-    for (Index i = 0; i < z.size(); ++i)
+    for (Index i = 0; i < below.size(); ++i)
         if (below[i] > 1e-9 * inverse.last_displacement)
             factor = std::min(factor, (inverse.lowest_free[i] + inverse.last_displacement) / below[i]);
-    if (std::isfinite(factor))
-        for (Index i = 0; i < z.size(); ++i)
-            if (below[i] > 0)
-                z[i] = inverse.lowest_free[i] - factor * below[i];
-    return inverse;
+    return std::isfinite(factor) ? with_scaled_depths(std::move(inverse), below, factor) : inverse;
 }
 
 InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach) {
-    Eigen::VectorXd& z = inverse.profile.heights;
-    const Eigen::VectorXd below = (inverse.lowest_free - z).cwiseMax(0.0);
+    const Eigen::VectorXd below = depths(inverse);
     if (!(below.sum() > 1e-9 * inverse.last_displacement))
         return inverse;
     // The body's mean plane does not move: lowest_free has the mean -last_displacement.
     const double factor =
-        (1 / reach - 1) * inverse.last_displacement * static_cast<double>(z.size()) / below.sum();
-    for (Index i = 0; i < z.size(); ++i)
-        if (below[i] > 0)
-            z[i] = inverse.lowest_free[i] - factor * below[i];
-    return inverse;
+        (1 / reach - 1) * inverse.last_displacement * static_cast<double>(below.size()) / below.sum();
+    return with_scaled_depths(std::move(inverse), below, factor);
 }
 
 namespace {
 
-/// A rising piecewise linear y(x), x >= 0, that can be read backwards.
+/// A rising piecewise linear y(x), x >= 0, and its inverse.
 class Rising {
   public:
     Rising(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
@@ -163,7 +156,7 @@ class Rising {
     std::vector<std::pair<double, double>> points_;
 };
 
-/// K(P) of a load curve: secants from (0, 0) on, at their mean pressures.
+/// K(P) of a load curve: secants from (0, 0), at their mean pressures.
 Rising stiffness_of(const Target& target) {
     Eigen::VectorXd P(target.points()), K(target.points());
     double x = 0, y = 0;
@@ -182,22 +175,21 @@ Advance advance_for(const Target& target, Index nodes) {
     const Rising curve =
         target.quantity == Quantity::load_at_displacement ? stiffness_of(target) : Rising(target.x, target.y);
     return [=, quantity = target.quantity](const Eigen::VectorXd& stiffness) {
-        const auto most = static_cast<std::size_t>(stiffness.size());
-        // Where (pressure, or displacement) the first k + 1 nodes begin to be the contact set.
-        std::vector<double> begins(most + 1, 0.0);
-        Eigen::VectorXd asked = stiffness; // a periodic body's never has every node, and K_i = K
+        const auto sets = static_cast<std::size_t>(stiffness.size());
+        // Pressure or displacement at which the first k + 1 nodes become the contact set.
+        std::vector<double> begins(sets + 1, 0.0);
+        Eigen::VectorXd K = stiffness; // on a periodic body K_i = K, and not all nodes touch
         if (quantity == Quantity::interface_stiffness && stiffness.size() == nodes)
-            for (double& K : asked)
-                K = interface_of(K, stiffness[nodes - 1]);
-        for (std::size_t k = 1; k < most; ++k)
+            for (double& each : K)
+                each = interface_of(each, stiffness[nodes - 1]);
+        for (std::size_t k = 1; k < sets; ++k)
             begins[k] = std::max(
                 begins[k - 1],
-                curve.reaches(by_area
-                                  ? (static_cast<double>(k) + 0.5) / static_cast<double>(nodes)
-                                  : 0.5 * (asked[static_cast<Index>(k) - 1] + asked[static_cast<Index>(k)])));
-        begins[most] = begins[most - 1];
-        std::vector<double> steps(most);
-        for (std::size_t k = 0; k < most; ++k) {
+                curve.reaches(by_area ? (static_cast<double>(k) + 0.5) / static_cast<double>(nodes)
+                                      : 0.5 * (K[static_cast<Index>(k) - 1] + K[static_cast<Index>(k)])));
+        begins[sets] = begins[sets - 1];
+        std::vector<double> steps(sets);
+        for (std::size_t k = 0; k < sets; ++k) {
             steps[k] = begins[k + 1] - begins[k];
             if (quantity != Quantity::area_at_displacement) // a pressure
                 steps[k] /= stiffness[static_cast<Index>(k)];

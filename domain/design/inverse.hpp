@@ -9,48 +9,44 @@
 
 namespace rough {
 
-/// The profile whose nodes come into contact in a chosen order and at chosen displacements.
+/// A profile whose nodes come into contact in a chosen order and at chosen displacements.
 struct InverseProfile {
-    Profile profile;             ///< highest node 0 mm
-    std::vector<double> entry;   ///< displacement at which order[k] touches, mm, k = 0..N-1, none decreasing
-    double last_displacement;    ///< where the load ends, mm
-    double last_pressure;        ///< the mean pressure there, MPa
-    Eigen::VectorXd lowest_free; ///< N, mm: where a node would just touch there
+    Profile profile;             ///< highest node at 0 mm
+    std::vector<double> entry;   ///< displacement at which order[k] touches, mm, k = 0..N-1, not decreasing
+    double last_displacement;    ///< at the end of loading, mm
+    double last_pressure;        ///< mean pressure at the end of loading, MPa
+    Eigen::VectorXd lowest_free; ///< N heights at which a node would just touch at the end of loading, mm
 };
 
-/// How the approach advances: stiffness[k] is dP/dDelta (MPa/mm) while order[0..k] touch, k = 0..N-1, and the
-/// answer's k-th number is the displacement (mm, >= 0) over which just those nodes do; the last one is not
-/// read.
+/// How the approach advances. `stiffness[k]` is dP/dDelta (MPa/mm) while order[0..k] touch, k = 0..N-1. The
+/// result's k-th number is the displacement (mm, >= 0) during which exactly these nodes touch; the last
+/// number is not read.
 using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffness)>;
 
-/// How the approach must advance for a profile to meet the target: node k + 1 touches where the curve asked
-/// for passes from the value with k nodes to that with k + 1. The target is read as rising, linear between
-/// its points, continued to no load with the first two points' slope and beyond the last with the last two's.
-/// A part that falls is held at the highest value before it. `nodes` is N; contact fractions count nodes over
-/// it.
+/// The advance for a profile that meets the target. Node k + 1 touches when the target's curve passes the
+/// middle between the value for k nodes and the value for k + 1. The curve is linear between its points and
+/// continued with its end slopes; a part that falls is replaced by the highest value before it. `nodes` is N,
+/// by which contact fractions are counted.
 Advance advance_for(const Target& target, Index nodes);
 
-/// Solves the contact problem backwards. On a contact set A pressures grow by w = H_AA^-1 1 > 0 for each unit
-/// of displacement, so any order of nodes and any advance give pressures that are never negative, and node k
-/// touches when it does if its gap is Delta - u_k there; the gap of a node outside A closes all the while, as
-/// a flat punch moves every other node by less than itself. So there is exactly one profile for each order,
-/// and one for each rising K(P) between the stiffness of order[0] alone and that of full contact.
-/// The load ends at `last_pressure` (MPa) or at `last_displacement` (mm), whichever comes first; give
-/// infinity for the other. `order` holds each node once. O(N^3) work, N^2 memory: meant for up to some
-/// hundred nodes.
-InverseProfile inverse_profile(Index nodes, double spacing, const Body& body, const std::vector<int>& order,
-                               const Advance& advance, double last_pressure, double last_displacement);
-/// The same on the nodes of a surface, a line's or an area's, whose heights are not read.
+/// Solves the contact problem backwards. On a contact set A, pressures grow by w = H_AA^-1 1 > 0 per unit of
+/// displacement. So any order and any advance give pressures that are not negative. Node k touches at Delta
+/// if its gap is Delta - u_k then. Until then the gap closes, because a flat punch moves every other node
+/// less than itself. So there is exactly one profile for each order and advance.
+///
+/// Only the nodes of `surface` are read, of a line or an area, not its heights. `order` holds each node once.
+/// Loading ends at `last_pressure` (MPa) or `last_displacement` (mm), whichever comes first; infinity: not
+/// given. Work O(N^3), memory N^2: for up to some hundred nodes.
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement);
 
-/// The same with the heights of nodes that do not touch under the load moved so that the height range is
-/// last_displacement: the profile reaches the last pressure at full approach, as Eq. 11 asks. A profile that
-/// has no such node is returned as it is.
+/// Moves the heights of the nodes that do not touch at the end of loading, so that the height range is
+/// last_displacement. The profile then has the last pressure at full approach, as Eq. 11 requires. Without
+/// such a node the profile does not change.
 InverseProfile with_range_at_last(InverseProfile inverse);
 
-/// The same of a periodic profile, whose full contact is at the mean plane: with these heights moved so that
-/// last_displacement is `reach` (> 0, < 1) times the highest node's height over it.
+/// Moves these heights of a periodic profile, whose contact is full at the mean plane. Then last_displacement
+/// is `reach` (> 0, < 1) times the highest node's height above that plane.
 InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach);
 
 } // namespace rough

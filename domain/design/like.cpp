@@ -10,32 +10,25 @@ namespace rough {
 
 namespace {
 
-/// Contact fractions are counts: with fewer nodes in contact at a target's first point one is too much.
+/// Minimum number of nodes in contact at a target's first point, because contact fractions are counts.
 constexpr double first_nodes = 16;
 
-bool asks_for_area(const DesignSetup& setup) {
-    return std::any_of(setup.targets.begin(), setup.targets.end(),
-                       [](const Target& target) { return is_contact_fraction(target.quantity); });
-}
-
 Index enough_nodes(const DesignSetup& setup) {
-    if (!asks_for_area(setup))
-        return Grid().nodes;
-    double nodes = static_cast<double>(setup.like->nodes());
+    double nodes = 0;
     for (const Target& target : setup.targets)
         if (is_contact_fraction(target.quantity))
-            nodes = std::max(nodes, first_nodes / target.y[0]);
-    return static_cast<Index>(std::clamp(nodes, 512., 2048.));
+            nodes = std::max({nodes, static_cast<double>(setup.like->nodes()), first_nodes / target.y[0]});
+    return nodes == 0 ? Grid().nodes : static_cast<Index>(std::clamp(nodes, 512., 2048.));
 }
 
 } // namespace
 
-DesignSetup like(DesignSetup setup, Profile profile, const Model& own, const std::string& name,
+DesignSetup like(DesignSetup setup, Profile profile, const Model& model, const std::string& name,
                  const std::vector<Quantity>& quantities, Index points, Index nodes, Resolution resolution) {
     setup.like = std::move(profile);
-    setup.model = own;
-    setup.targets =
-        targets_like(*setup.like, own, name, quantities, points, setup.max_pressure.value_or(0), resolution);
+    setup.model = model;
+    setup.targets = targets_like(*setup.like, model, name, quantities, points, setup.max_pressure.value_or(0),
+                                 resolution);
     if (!setup.like->is_2d())
         setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
     return setup;
@@ -47,11 +40,10 @@ const std::vector<std::string>& names_of_likeness() {
 }
 
 std::vector<Quantity> likeness_named(const std::string& name) {
-    const auto& names = names_of_likeness();
-    if (std::find(names.begin(), names.end(), name) == names.end())
-        refuse_value("quantity", "'", name, "' given, expected both, stiffness, area or interface_stiffness");
     if (name == "both")
         return {Quantity::stiffness, Quantity::area_at_pressure};
+    if (std::ranges::count(names_of_likeness(), name) == 0)
+        refuse_value("quantity", "'", name, "' is unknown; use both, stiffness, area or interface_stiffness");
     return {quantity_named(name)};
 }
 

@@ -5,128 +5,89 @@
 #include "ga/refinement/levenberg_marquardt.hpp"
 #include "ga/refinement/nlopt.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace rough {
 
 namespace {
 
-constexpr int first_try = 20, second_try = 12; ///< curves with derivatives, at most
-/// A try ends that has not yet met where so many of them in a row have not bettered the worst misfit by this
-/// share: most of those that cannot meet do not, and would take longest.
+/// Maximum numbers of curves with derivatives.
+constexpr int first_try = 20, second_try = 12;
+/// A try that has not met the targets ends after this many curves without a better worst misfit. Tries that
+/// cannot meet the targets would otherwise take longest.
 constexpr int patience = 6;
-constexpr double betterment = 0.02;
-/// Another way must find a point that is nearer by this share to be gone on with.
+constexpr double min_improvement = 0.02; ///< relative, of the worst misfit
+/// The second try continues from another point only if its worst misfit is smaller by this share.
 constexpr double worth_another_try = 0.01;
-/// Share of the misfit allowed that is aimed at, as a step ends near its bounds and not on them.
-constexpr double aimed = 0.98;
-/// Misfits are told in units of what is wanted, which is no less than this.
-constexpr double least_wanted = 1e-6;
-/// What a misfit beyond the one allowed costs, beside a change of every phase by its whole range: so much
-/// that no change saves it.
+/// Share of the allowed misfit that is aimed at, as a step ends near its bounds and not on them.
+constexpr double aim = 0.98;
+constexpr double min_aim = 1e-6; ///< minimum misfit that is aimed at, by which misfits are divided
+/// Cost of a misfit above the allowed one, relative to a change of every phase by its whole range. It is so
+/// large that misfits always come first.
 constexpr double cost_of_misfit = 100;
-
-const Series* series_of(const Genome& genome, std::size_t place) {
-    return place >= 1 && place <= genome.series.size() ? &genome.series[place - 1] : nullptr;
-}
-
-bool has(const Genome& genome, const ChromosomeName& name) {
-    const Series* series = series_of(genome, name.series);
-    return series && std::any_of(series->chromosomes.begin(), series->chromosomes.end(),
-                                 [&](const Chromosome& chromosome) { return chromosome.n == name.n; });
-}
 
 /// "1:1 to 1:13, 2:1 to 2:9"
 std::string chromosomes_of(const Genome& genome) {
     std::string words;
     for (std::size_t s = 0; s < genome.series.size(); ++s) {
-        int least = genome.series[s].chromosomes[0].n, most = least;
-        for (const Chromosome& chromosome : genome.series[s].chromosomes)
-            least = std::min(least, chromosome.n), most = std::max(most, chromosome.n);
+        const auto& all = genome.series[s].chromosomes;
+        const auto [first, last] = std::minmax_element(
+            all.begin(), all.end(), [](const Chromosome& a, const Chromosome& b) { return a.n < b.n; });
         const std::string place = std::to_string(s + 1) + ":";
-        words += (s ? ", " : "") + place + std::to_string(least) + " to " + place + std::to_string(most);
+        words +=
+            (s ? ", " : "") + place + std::to_string(first->n) + " to " + place + std::to_string(last->n);
     }
     return words;
 }
 
-/// Misfits at a point of the box, with their columns of the controlled phases.
-struct Seen {
-    Eigen::VectorXd x;
-    ga::Sensitivity rows;
-};
-
-/// The landscape of the controlled phases: x = 0 is the genome as it was given, 1 the largest change.
-class Phases {
+/// Searches for the smallest change x of the controlled phases whose misfits are `allowed`, or else for the
+/// smallest largest misfit. x = 0 are the given phases, -1 and 1 the largest changes.
+class LeastChange {
   public:
-    Phases(const DesignProblem& problem, const Genome& genome, const std::vector<ChromosomeName>& control,
-           double radius)
-        : problem_(problem), genome_(genome), values_(genes(genome)), radius_(radius) {
-        const auto places = gene_places(genome);
-        for (std::size_t g = 0; g < places.size(); ++g)
-            for (const ChromosomeName& name : control)
-                if (places[g].kind == GenePlace::Kind::phase && places[g].series + 1 == name.series &&
-                    genome.series[places[g].series].chromosomes[places[g].chromosome].n == name.n)
-                    chosen_.push_back(g);
+    LeastChange(const DesignProblem& problem, const Genome& genome,
+                const std::vector<ChromosomeName>& control, double radius, double allowed)
+        : problem_(problem), genome_(genome), values_(genes(genome)), radius_(radius), allowed_(allowed) {
+        const auto controlled = [&](std::size_t s, std::size_t c) {
+            return std::count(control.begin(), control.end(),
+                              ChromosomeName{s + 1, genome.series[s].chromosomes[c].n}) > 0;
+        };
+        for (const ga::Variable& phase : phase_variables(genome, {}, controlled))
+            chosen.push_back(phase.gene);
+        look(Eigen::VectorXd::Zero(size()));
     }
 
-    Index size() const { return static_cast<Index>(chosen_.size()); }
-    const std::vector<std::size_t>& chosen() const { return chosen_; }
-    long asked = 0; ///< curves with derivatives
+    std::vector<std::size_t> chosen; ///< controlled genes
+    long gradients = 0;              ///< computed curves with derivatives
 
     Genome at(const Eigen::VectorXd& x) const {
         std::vector<double> values = values_;
         for (Index i = 0; i < size(); ++i)
-            values[chosen_[static_cast<std::size_t>(i)]] += radius_ * x[i];
+            values[chosen[static_cast<std::size_t>(i)]] += radius_ * x[i];
         return with_genes(genome_, values);
     }
-
-    /// Computed once for calls in a row at one point: a search asks for constraints and slopes apart.
-    const Seen& look(const Eigen::VectorXd& x) {
-        if (last_.x.size() == x.size() && last_.x == x)
-            return last_;
-        ++asked;
-        const ga::Sensitivity all = problem_.sensitivity(at(x), "similarity");
-        last_ = {x, {all.residuals, Eigen::MatrixXd(radius_ * all.jacobian(Eigen::all, chosen_))}};
-        return last_;
-    }
-
-  private:
-    const DesignProblem& problem_;
-    const Genome& genome_;
-    std::vector<double> values_;
-    double radius_; ///< rad
-    std::vector<std::size_t> chosen_;
-    Seen last_;
-};
-
-/// Looks for the point nearest to 0 whose misfits are `allowed`, or else that of the least largest misfit.
-class LeastChange {
-  public:
-    LeastChange(Phases& phases, double allowed) : phases_(phases), allowed_(allowed) {
-        look(Eigen::VectorXd::Zero(phases.size()));
-    }
-
     bool meets() const { return best_.merit > 0; }
-    /// Of the best point so far: above 0 where it meets, else less the worst misfit.
+    /// Merit of the best point: above 0 if it meets the targets, else minus its worst misfit.
     double merit() const { return best_.merit; }
     const Eigen::VectorXd& best() const { return best_.x; }
 
-    /// Sequential quadratic programming from the best point so far.
+    /// Sequential quadratic programming from the best point.
     void nearest(int evaluations) {
         const Eigen::VectorXd from = best_.x;
-        const double wanted = std::max(aimed * allowed_, least_wanted);
+        const double goal = std::max(aim * allowed_, min_aim);
         const Index n = from.size(), rows = look(from).residuals.size();
-        // One more variable t, in units of what is wanted: |r_k| <= (1 + t) wanted.
+        // One more variable t: |r_k| <= (1 + t) goal.
         Eigen::VectorXd lower = Eigen::VectorXd::Constant(n + 1, -1), upper = Eigen::VectorXd::Ones(n + 1),
                         start(n + 1);
         lower[n] = 0;
-        upper[n] = std::max(1., look(from).residuals.cwiseAbs().maxCoeff() / wanted - 1);
+        upper[n] = std::max(1., look(from).residuals.cwiseAbs().maxCoeff() / goal - 1);
         start << from, upper[n];
         ga::NloptSearch search(nlopt::LD_SLSQP, lower, upper, 10 * evaluations);
         search->set_ftol_rel(1e-4);
-        const long last = phases_.asked + evaluations;
-        bettered_ = phases_.asked;
+        const long last = gradients + evaluations;
+        last_better_ = gradients;
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (gradient)
                 Eigen::Map<Eigen::VectorXd>(gradient, n + 1) << x.head(n), cost_of_misfit;
@@ -136,29 +97,29 @@ class LeastChange {
             using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
             Eigen::Map<Eigen::VectorXd> values(c, 2 * rows);
             values.setZero();
-            if (phases_.asked >= (meets() ? last : std::min(last, bettered_ + patience))) {
+            if (gradients >= (meets() ? last : std::min(last, last_better_ + patience))) {
                 search->force_stop();
                 return;
             }
             const ga::Sensitivity& at = look(x.head(n));
-            values << at.residuals / wanted, -at.residuals / wanted;
+            values << at.residuals / goal, -at.residuals / goal;
             values.array() -= 1 + x[n];
             if (!gradient)
                 return;
             Eigen::Map<Rows> slopes(gradient, 2 * rows, n + 1);
-            slopes.topLeftCorner(rows, n) = at.jacobian / wanted;
-            slopes.bottomLeftCorner(rows, n) = -at.jacobian / wanted;
+            slopes.topLeftCorner(rows, n) = at.jacobian / goal;
+            slopes.bottomLeftCorner(rows, n) = -at.jacobian / goal;
             slopes.col(n).setConstant(-1);
         };
         search.constrain(static_cast<unsigned>(2 * rows), fill);
         search.from(start);
     }
 
-    /// Levenberg-Marquardt from 0, which goes round hills that the quadratic programmes run into.
+    /// Levenberg-Marquardt from 0, which avoids some local optima of the quadratic programming.
     void least_misfit(int evaluations) {
         ga::Landscape land;
-        land.start = Eigen::VectorXd::Zero(phases_.size());
-        land.lower = Eigen::VectorXd::Constant(phases_.size(), -1);
+        land.start = Eigen::VectorXd::Zero(size());
+        land.lower = Eigen::VectorXd::Constant(size(), -1);
         land.upper = -land.lower;
         land.sensitivity = [&](const Eigen::VectorXd& x) { return std::optional(look(x)); };
         land.exhausted = [] { return false; };
@@ -166,73 +127,74 @@ class LeastChange {
     }
 
   private:
+    Index size() const { return static_cast<Index>(chosen.size()); }
+
+    /// Misfits at a point and their derivatives in the controlled phases. Repeated calls at one point, for
+    /// constraints and then for slopes, compute them once.
     const ga::Sensitivity& look(const Eigen::VectorXd& x) {
-        const ga::Sensitivity& rows = phases_.look(x).rows;
-        const double worst = rows.residuals.cwiseAbs().maxCoeff();
+        if (!seen_ || x != *seen_) {
+            ++gradients;
+            const ga::Sensitivity all = problem_.sensitivity(at(x), "similarity");
+            rows_ = {all.residuals, Eigen::MatrixXd(radius_ * all.jacobian(Eigen::all, chosen))};
+            seen_ = x;
+        }
+        const double worst = rows_.residuals.cwiseAbs().maxCoeff();
         const double merit = worst <= allowed_ ? 1 / (1 + x.norm()) : -worst;
-        if (merit > best_.merit + betterment * std::abs(best_.merit))
-            bettered_ = phases_.asked;
+        if (merit > best_.merit + min_improvement * std::abs(best_.merit))
+            last_better_ = gradients;
         best_.offer(x, merit);
-        return rows;
+        return rows_;
     }
 
-    Phases& phases_;
+    const DesignProblem& problem_;
+    const Genome& genome_;
+    std::vector<double> values_; ///< given genes
+    double radius_;              ///< rad
     double allowed_;
+    std::optional<Eigen::VectorXd> seen_; ///< the last point
+    ga::Sensitivity rows_;                ///< misfits there
     ga::BestPoint best_;
-    long bettered_ = 0; ///< phases_.asked when the best point last got markedly better
+    long last_better_ = 0; ///< `gradients` at the last marked improvement of the best point
 };
-
-std::vector<PointOff> points_off(const DesignSetup& setup, const std::vector<Eigen::VectorXd>& misfits,
-                                 double allowed) {
-    std::vector<PointOff> off;
-    for (std::size_t t = 0; t < misfits.size(); ++t)
-        for (Index k = 0; k < misfits[t].size(); ++k)
-            if (std::abs(misfits[t][k]) > allowed)
-                off.push_back({t, setup.targets[t].x[k], misfits[t][k]});
-    return off;
-}
 
 } // namespace
 
 std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Genome& genome) {
     std::vector<ChromosomeName> names;
     for (const std::string& word : listed(text)) {
-        const auto colon = word.find(':');
-        const auto whole = [&](const std::string& digits) {
-            if (digits.empty() || digits.size() > 6 ||
-                digits.find_first_not_of("0123456789") != std::string::npos)
-                throw InputError("control: " + word + " given, expected SERIES:CHROMOSOME, e.g. 1:3",
-                                 "control");
-            return std::stoi(digits);
+        const auto expect = [&](bool holds, const std::string& problem) {
+            if (!holds)
+                throw InputError("control: " + word + problem, "control");
         };
-        const int series = whole(word.substr(0, colon));
-        const ChromosomeName name{static_cast<std::size_t>(series),
-                                  whole(colon == std::string::npos ? "" : word.substr(colon + 1))};
-        if (!has(genome, name))
-            throw InputError("control: " + word + " given, expected chromosomes of the genome, " +
-                                 chromosomes_of(genome),
-                             "control");
-        for (const ChromosomeName& other : names)
-            if (other.series == name.series && other.n == name.n)
-                throw InputError("control: " + word + " given twice, expected each once", "control");
+        int series = 0, n = 0, end = 0;
+        expect(word.find_first_not_of("0123456789:") == std::string::npos &&
+                   std::sscanf(word.c_str(), "%6d:%6d%n", &series, &n, &end) == 2 &&
+                   word.size() == static_cast<std::size_t>(end),
+               " is not a chromosome; use SERIES:CHROMOSOME, e.g. 1:3");
+        const ChromosomeName name{static_cast<std::size_t>(series), n};
+        bool known = false;
+        if (series >= 1 && name.series <= genome.series.size())
+            for (const Chromosome& chromosome : genome.series[name.series - 1].chromosomes)
+                known = known || chromosome.n == n;
+        expect(known, " is not in the genome; use " + chromosomes_of(genome));
+        expect(!std::count(names.begin(), names.end(), name), " is named twice; name each chromosome once");
         names.push_back(name);
     }
     if (names.empty())
-        throw InputError("control: nothing given, expected SERIES:CHROMOSOME, e.g. 1:3", "control");
+        throw InputError("control: no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3", "control");
     return names;
 }
 
 Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<ChromosomeName>& control,
-              double largest_change, double reach) {
+              double largest_change, double required) {
     if (!(largest_change > 0) || largest_change > 0.5)
-        refuse_value("largest-change", largest_change, " given, expected above 0 to 0.5 of a turn");
+        refuse_value("largest-change", largest_change, " is out of range (above 0 to 0.5 of a turn)");
     DesignSetup setup = given;
     const double radius = 2 * std::numbers::pi * largest_change;
     setup.phases = PhaseReach{0, radius};
     const DesignProblem problem(setup);
-    Phases phases(problem, genome, control, radius);
-    const double allowed = 1 - reach;
-    LeastChange search(phases, allowed);
+    const double allowed = 1 - required;
+    LeastChange search(problem, genome, control, radius, allowed);
     if (!search.meets())
         search.nearest(first_try);
     if (!search.meets()) {
@@ -245,15 +207,18 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
 
     Morphed result;
     result.before = similarity(problem.setup(), genome);
-    const DesignOutcome outcome = problem.evaluate(phases.at(x));
+    const DesignOutcome outcome = problem.evaluate(search.at(x));
     result.genome = folded(outcome.genome);
     result.after = outcome.similarity();
-    result.off = points_off(problem.setup(), outcome.misfits, allowed);
-    result.gradients = phases.asked;
+    for (std::size_t t = 0; t < outcome.misfits.size(); ++t)
+        for (Index k = 0; k < outcome.misfits[t].size(); ++k)
+            if (std::abs(outcome.misfits[t][k]) > allowed)
+                result.off.push_back({t, setup.targets[t].x[k], outcome.misfits[t][k]});
+    result.gradients = search.gradients;
     const auto places = gene_places(genome);
-    const auto before = genes(genome), after = genes(phases.at(x));
+    const auto before = genes(genome), after = genes(search.at(x));
     for (Index i = 0; i < x.size(); ++i) {
-        const std::size_t g = phases.chosen()[static_cast<std::size_t>(i)];
+        const std::size_t g = search.chosen[static_cast<std::size_t>(i)];
         result.changes.push_back({places[g],
                                   genome.series[places[g].series].chromosomes[places[g].chromosome].n,
                                   before[g], after[g], std::abs(x[i]) >= 1 - 1e-6});

@@ -1,10 +1,11 @@
 #include "domain/design/pipelines.hpp"
 
-#include "domain/design/scan_waves.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
 #include "ga/base/number.hpp"
 #include "ga/blocks/derived.hpp"
+#include "ga/pipeline/transform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,134 +15,27 @@ namespace rough {
 
 namespace {
 
-/// The stage `NAME n`: puts n genomes in the place of the population, the i-th as `make(setup, i, stream)`.
-template <class Make>
-Pipeline starts(const std::string& name, std::size_t n, Make make) {
-    ga::Step<DesignProblem> step;
-    step.text = name + " " + std::to_string(n);
-    step.check = [](ga::CheckState& known) { known.scored.reset(); };
-    step.begins = true;
-    step.apply = [n, make](ga::Population<Genome>, ga::Context<DesignProblem>& context) {
-        ga::Population<Genome> fresh(n);
-        ga::parallel_for(n, context.threads(), [&](std::size_t i) {
-            fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
-        });
-        for (auto& individual : fresh)
-            individual.identity = context.new_identity();
-        return fresh;
-    };
-    return step;
-}
+constexpr Index min_coarse_nodes = 32;      ///< along either side of a coarser grid
+constexpr double min_coarse_spacings = 1.9; ///< node spacings of a coarser grid per shortest wavelength
 
-} // namespace
-
-ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
-    auto registry = engine_words();
-    add_words(registry, Vocabulary{.rule = std::make_shared<DominanceRule>(setup.model),
-                                   .fitted = [setup](const Genome& genome) {
-                                       return with_fitting_amplitude(setup, genome);
-                                   }});
-    const auto start = [&](const char* name, const char* meaning, auto make) {
-        registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
-                     [name, make](const ga::Arguments& a, const auto&...) {
-                         return starts(name, a.count("n"), make);
-                     });
-    };
-    start(
-        "shape", "n genomes made for the target, contact solved backwards, in the population's place",
-        [](const DesignSetup& asked, std::size_t, ga::Stream random) { return shaped_start(asked, random); });
-    start("own",
-          "n sums of the measured profile's own waves, each with half as many as the one before, in the "
-          "population's place",
-          [](const DesignSetup& asked, std::size_t i, ga::Stream) {
-              return scan_waves(asked, max_scan_waves(asked) >> i);
-          });
-    registry.add("fit", "roughness",
-                 "each genome in the amplitude at which it meets the first target best; nothing under Eq. 11",
-                 ga::transform(
-                     "fit", [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); }));
-    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
-        const std::string name = "reduce goal" + std::to_string(g + 1);
-        registry.add(name, "roughness", "keeps the chromosomes that follow that target by themselves (M-CCO)",
-                     ga::transform(name, [setup, g](const Genome& genome) {
-                         return reduced_to_target(setup, genome, g);
-                     }));
-    }
-    const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,
-                           auto make) {
-        registry.add({name, "roughness", meaning, std::move(parameters), "", 1},
-                     [make](const ga::Arguments& a, const std::vector<Pipeline>& bodies, const auto&) {
-                         return make(a, bodies[0]);
-                     });
-    };
-    block("coarser", "runs the pipeline on a grid of half the nodes a side, n times",
-          {ga::whole("n", std::nullopt, 1, "how many times half")},
-          [](const ga::Arguments& a, const Pipeline& body) { return coarser(a.count("n"), body); });
-    block("corrected",
-          "runs the pipeline on the first, at the targets less what its curve changes on finer grids and in "
-          "more "
-          "load steps",
-          {}, [](const ga::Arguments&, const Pipeline& body) { return corrected(body); });
-    block(
-        "within-limits",
-        "where no individual is within the limits on shape: the pipeline on each without its shortest waves",
-        {}, [](const ga::Arguments&, const Pipeline& body) { return within_limits(body); });
-    const double length = setup.model.grid.length;
-    const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
-                           const std::string& meaning) {
-        registry.add(
-            ga::Variables<Genome>{
-                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
-            meaning);
-    };
-    waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
-    waves("micro", 0, length / 8, {}, "phases of shorter waves");
-    for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
-        const std::string part = std::to_string(parts);
-        const PhaseReach free{0, std::numbers::pi};
-        waves("longer-" + part, length / parts, HUGE_VAL, free,
-              "phases of waves of L/" + part + " and longer, freely");
-        waves("shorter-" + part, 0, length / parts, free, "phases of the waves below L/" + part + ", freely");
-    }
-    return registry;
-}
-
-Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
-    const ga::Variants variants = design_variants(setup.required_similarity);
-    Pipeline pipeline = ga::Parser<DesignProblem>(design_registry(setup), variants).parse(text);
-    if (setup.limits.any_shape() && pipeline.text().find("within-limits") == std::string::npos)
-        pipeline.append(ga::Parser<DesignProblem>(design_registry(setup))
-                            .parse("within-limits { score | refine lm 40 | best 1 }"));
-    return pipeline;
-}
-
-namespace {
-
-/// Nodes a side of the coarsest grid, and its spacings to the shortest wave, at least.
-constexpr Index coarsest_side = 32;
-constexpr double coarsest_wave = 1.9;
-
-/// Without its shortest wave; nothing of a genome with one wave alone.
+/// The genome without its shortest wave; none if it has only one.
 std::optional<Genome> without_shortest(const Genome& genome) {
     const auto scales = length_scales(genome);
     if (scales.size() < 2)
         return std::nullopt;
-    const auto shortest =
-        std::max_element(scales.begin(), scales.end(), [](const LengthScale& a, const LengthScale& b) {
-            return a.wave_number < b.wave_number;
-        });
+    const auto shortest = std::ranges::max_element(scales, {}, &LengthScale::wave_number);
     return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return std::find(shortest->members.begin(), shortest->members.end(), std::pair(s, c)) ==
-               shortest->members.end();
+        return std::ranges::count(shortest->members, std::pair(s, c)) == 0;
     });
 }
 
 using Designs = ga::Population<Genome>;
 
-/// How far each exceeds the limits; infinite of one that has no answer.
+/// How far each design exceeds the limits; infinity without a response.
 std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& context) {
     std::vector<double> all;
-    context.evaluate(designs, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
+    const auto any = [](const auto&) { return true; };
+    context.visit(designs, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
         const auto* outcome = std::get_if<DesignOutcome>(&evaluation);
         all.push_back(outcome ? outcome->excess : HUGE_VAL);
         design.fitness = ga::fitness_of(context.problem(), evaluation, context.problem().objectives().front(),
@@ -150,9 +44,9 @@ std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& conte
     return all;
 }
 
-/// Of each genome without none, one, two of its shortest waves and on, the one that exceeds the limits least.
+/// For each design, the variant that exceeds the limits least if its shortest waves are removed one by one.
 Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
-    Designs least;
+    Designs shorter;
     for (const auto& design : designs) {
         Designs tries{design};
         for (auto next = without_shortest(design.genome); next; next = without_shortest(*next)) {
@@ -161,45 +55,61 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
             context.make_child(tries.back(), ga::Parents(design.identity));
         }
         const std::vector<double> over = excesses(tries, context);
-        least.push_back(
+        shorter.push_back(
             tries[static_cast<std::size_t>(std::min_element(over.begin(), over.end()) - over.begin())]);
     }
-    return least;
+    return shorter;
 }
 
-} // namespace
+/// Runs `body` on a grid with half the nodes along each side, on which contact curves cost less. The nodes
+/// are halved as often as requested, unless the grid becomes too coarse.
+Pipeline coarser(const ga::Arguments& arguments, const Pipeline& body) {
+    const std::size_t halvings = arguments.count("n");
+    return ga::derived_step<DesignProblem>(
+        "coarser " + std::to_string(halvings), body,
+        [halvings](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
+            DesignSetup setup = context.problem().setup();
+            for (std::size_t i = 0; i < halvings; ++i) {
+                Grid grid = setup.model.grid;
+                grid.nodes /= 2;
+                if (grid.is_2d())
+                    grid.rows /= 2;
+                if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
+                    setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
+                    break;
+                setup.model.grid = grid;
+            }
+            return run_derived(stages, DesignProblem(setup), std::move(designs), context);
+        });
+}
 
-DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
-    for (std::size_t i = 0; i < halvings; ++i) {
-        Grid grid = setup.model.grid;
-        grid.nodes /= 2;
-        if (grid.is_2d())
-            grid.rows /= 2;
-        if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < coarsest_side ||
-            setup.limits.shortest_wave < coarsest_wave * grid.widest_spacing())
-            break;
-        setup.model.grid = grid;
+/// The set-up with targets corrected by the change of a verified answer's curve on finer grids and in finer
+/// load steps. An answer that meets them on the search grid is equally far above and below the given targets
+/// in all verifications.
+DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
+    const auto& [own, refined, stepped, both] = verified.misfits;
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        Target& target = setup.targets[t];
+        for (Index k = 0; k < target.points(); ++k) {
+            const auto [least, most] = std::minmax({own[t][k], refined[t][k], stepped[t][k], both[t][k]});
+            const double factor = 1 + (own[t][k] - 0.5 * (least + most)) / target.weight;
+            target.y[k] *= factor;
+            if (target.has_band())
+                target.lower[k] *= factor, target.upper[k] *= factor;
+        }
     }
     return setup;
 }
 
-Pipeline coarser(std::size_t halvings, const Pipeline& body) {
-    return ga::derived_step<DesignProblem>(
-        "coarser " + std::to_string(halvings), body,
-        [halvings](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
-            const DesignProblem coarse(on_coarser_grid(context.problem().setup(), halvings));
-            return run_derived(stages, coarse, std::move(designs), context);
-        });
-}
-
-Pipeline corrected(const Pipeline& body) {
+/// Runs `body` on the first individual under corrected targets; the given population follows its result.
+Pipeline corrected(const ga::Arguments&, const Pipeline& body) {
     return ga::derived_step<DesignProblem>(
         "corrected", body, [](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
             const Verification verified = context.problem().verifier().remembered(designs.front().genome);
             if (std::isnan(verified.worst()))
                 throw ga::Stopped{"stop requested"};
-            const DesignProblem aimed(corrected_targets(context.problem().setup(), verified));
-            Designs all = run_derived(stages, aimed, {designs.front()}, context);
+            const DesignProblem corrected_problem(corrected_targets(context.problem().setup(), verified));
+            Designs all = run_derived(stages, corrected_problem, {designs.front()}, context);
             for (auto& design : all)
                 context.make_child(design, ga::Parents(designs.front().identity));
             all.insert(all.end(), designs.begin(), designs.end());
@@ -207,7 +117,8 @@ Pipeline corrected(const Pipeline& body) {
         });
 }
 
-Pipeline within_limits(const Pipeline& body) {
+/// Runs `body` on the designs shortened(), followed by the given ones, unless a design keeps the limits.
+Pipeline within_limits(const ga::Arguments&, const Pipeline& body) {
     ga::Step<DesignProblem> step;
     step.text = "within-limits { " + body.text() + " }";
     step.check = [body](ga::CheckState& known) {
@@ -225,33 +136,95 @@ Pipeline within_limits(const Pipeline& body) {
     return step;
 }
 
-namespace {
-
-/// The middle of what some curves are off by at one point of one target.
-double middle(std::initializer_list<const std::vector<Eigen::VectorXd>*> curves, std::size_t t, Index k) {
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    for (const auto* misfits : curves) {
-        least = std::min(least, (*misfits)[t][k]);
-        most = std::max(most, (*misfits)[t][k]);
-    }
-    return 0.5 * (least + most);
-}
-
 } // namespace
 
-DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
-    const auto& [own, refined, stepped, both] = verified.misfits;
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        Target& target = setup.targets[t];
-        for (Index k = 0; k < target.points(); ++k) {
-            const double factor =
-                1 + (own[t][k] - middle({&own, &refined, &stepped, &both}, t, k)) / target.weight;
-            target.y[k] *= factor;
-            if (target.has_band())
-                target.lower[k] *= factor, target.upper[k] *= factor;
-        }
+ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
+    const auto fit = [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); };
+    auto registry = paper_registry({.rule = std::make_shared<DominanceRule>(setup.model), .fitted = fit});
+    // A stage that replaces the population by n genomes, the i-th from make(setup, i, stream).
+    const auto start = [&](const char* name, const char* meaning, auto make) {
+        registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
+                     [name, make](const ga::Arguments& a, const auto&...) -> Pipeline {
+                         const std::size_t n = a.count("n");
+                         ga::Step<DesignProblem> step;
+                         step.text = name + (" " + std::to_string(n));
+                         step.check = [](ga::CheckState& known) { known.scored.reset(); };
+                         step.begins = true;
+                         step.apply = [n, make](Designs, ga::Context<DesignProblem>& context) {
+                             Designs fresh(n);
+                             ga::parallel_for(n, context.threads(), [&](std::size_t i) {
+                                 fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
+                             });
+                             for (auto& design : fresh)
+                                 design.identity = context.new_identity();
+                             return fresh;
+                         };
+                         return step;
+                     });
+    };
+    start(
+        "shape",
+        "replaces the population by n genomes that are made for the target, with contact solved backwards",
+        [](const DesignSetup& given, std::size_t, ga::Stream random) { return shaped_start(given, random); });
+    start("own",
+          "replaces the population by n sums of the measured profile's waves, each of half as many waves as "
+          "the one before",
+          [](const DesignSetup& given, std::size_t i, ga::Stream) {
+              return scan_waves(given, max_scan_waves(given) >> i);
+          });
+    registry.add("fit", "roughness",
+                 "sets each genome's amplitude to fit the first target best; does nothing under Eq. 11",
+                 ga::transform("fit", fit));
+    for (std::size_t g = 0; g < setup.targets.size(); ++g) {
+        const std::string name = "reduce goal" + std::to_string(g + 1);
+        registry.add(name, "roughness", "keeps the chromosomes whose curve alone follows this target (M-CCO)",
+                     ga::transform(name, [setup, g](const Genome& genome) {
+                         return reduced_to_target(setup, genome, g);
+                     }));
     }
-    return setup;
+    const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,
+                           Pipeline (*make)(const ga::Arguments&, const Pipeline&)) {
+        registry.add({name, "roughness", meaning, std::move(parameters), "", 1},
+                     [make](const ga::Arguments& a, const std::vector<Pipeline>& bodies, const auto&) {
+                         return make(a, bodies[0]);
+                     });
+    };
+    block("coarser", "runs the pipeline on a grid with half the nodes along each side, n times",
+          {ga::whole("n", std::nullopt, 1, "how often the nodes are halved")}, coarser);
+    block("corrected",
+          "runs the pipeline on the first individual, with targets corrected by the change of its curve on "
+          "finer grids and in more load steps",
+          {}, corrected);
+    block("within-limits",
+          "if no individual keeps the limits on shape, runs the pipeline on each without its shortest waves",
+          {}, within_limits);
+    const double length = setup.model.grid.length;
+    const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
+                           const std::string& meaning) {
+        registry.add(
+            ga::Variables<Genome>{
+                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
+            meaning);
+    };
+    waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
+    waves("micro", 0, length / 8, {}, "phases of shorter waves");
+    for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
+        const std::string part = std::to_string(parts);
+        const PhaseReach free{0, std::numbers::pi};
+        waves("longer-" + part, length / parts, HUGE_VAL, free,
+              "phases of waves of L/" + part + " and longer, without limits");
+        waves("shorter-" + part, 0, length / parts, free,
+              "phases of waves below L/" + part + ", without limits");
+    }
+    return registry;
+}
+
+Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
+    ga::Parser<DesignProblem> parser(design_registry(setup), design_variants(setup.required_similarity));
+    Pipeline pipeline = parser.parse(text);
+    if (setup.limits.any_shape() && pipeline.text().find("within-limits") == std::string::npos)
+        pipeline.append(parser.parse("within-limits { score | refine lm 40 | best 1 }"));
+    return pipeline;
 }
 
 std::string usual_variant(const DesignSetup& setup, bool stored) {
@@ -267,44 +240,44 @@ std::string usual_variant(const DesignSetup& setup, bool stored) {
 
 ga::Variants design_variants(double required) {
     // The paper's algorithms (Algorithms 3-5); a target without Eq. 11 gives each genome its amplitude.
-    ga::Variants variants = paper_variants({});
+    ga::Variants variants = paper_variants();
     const std::string until = "until fitness " + ga::number(required) + " generations ";
-    // Starts near the target. The best are brought down the squares, then towards the least largest misfit,
-    // in more load steps as well: steps are the larger part of the error. Contact sets make the misfits kink,
-    // so the best are moved a little and brought back again and again. The last stage counts the finer grid,
-    // too.
+    // Starts near the target. The best are refined by least squares, then for the smallest largest misfit,
+    // also with more load steps, which cause the larger part of the error. A change of the contact set makes
+    // a kink in the misfits, so the best are moved a little and refined again. The last stage includes the
+    // finer grid.
     const std::string pass =
         "shape 32 | score | best 10 | refine lm 15 | best 5 | score more_steps | refine lm 25 sharpen=8 | "
         "until fitness 0.9985 generations 3 { parents | mutate 0.2 gaussian 0.001 | score more_steps | "
         "refine lm 20 sharpen=4 | plus 5 } | best 1 | score verified | refine lm 15 sharpen=1";
     variants["pass"] = pass;
     variants["default"] = "pass | " + until + "3 { pass | plus 2 }";
-    // Starts near the target. The best are brought nearer to it under all common errors of making at once,
-    // on a grid whose curves cost a fifth first.
+    // Starts near the target. The best are refined under all common errors of making at once, first on a
+    // grid whose curves cost a fifth.
     variants["made"] = "shape 96 | score | best 32 | refine lm 12 | coarser 1 { score made | best 10 | "
                        "refine lm 15 | best 4 | "
                        "refine lm 30 | best 2 } | score made | refine lm 12 | best 2";
-    // An area's, from coarser grids, whose curves cost less, to its own.
+    // For areas: from coarser grids, whose curves cost less, to the search grid.
     variants["maps"] =
         "coarser 2 { shape 24 | score | best 8 | refine lm 15 | best 4 | refine lm 30 sharpen=10 | "
         "best 2 } | coarser 1 { score | refine lm 15 sharpen=5 | best 2 } | score | "
         "refine lm 12 sharpen=4 | best 1 | corrected { score | refine lm 12 sharpen=4 | best 1 } | "
         "score";
-    // Stored genomes that are near already, brought nearer at once: the paper's in-line control.
+    // Stored genomes near the target, refined: the paper's in-line control.
     variants["in-line"] = "score | best 8 | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | "
                           "refine lm 200 sharpen=5 | score verified | refine lm 16 sharpen=4";
-    // The same effort without a target's shape in the starts and without cross-over: what chance brings.
+    // Random starts and refinement only, for comparison at equal cost.
     variants["multistart"] =
         "sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 sharpen=1 | "
         "until fitness 0.9995 generations 8 { sample 60 | score | best 12 | refine lm 12 | "
         "best 4 | refine lm 60 sharpen=1 | plus 4 } | best 2 | score verified | "
         "refine lm 16 sharpen=4";
-    // A scan's own waves, brought back to what the scan answers: stiffness and area together.
+    // The waves of a scan, refined until they have its stiffness and contact area.
     variants["like"] =
         "own 2 | fit | score | refine lm 30 sharpen=8 | score verified | refine lm 30 sharpen=4 | " + until +
         "20 { parents | mutate 0.1 gaussian 0.003 | score verified | "
         "refine lm 10 sharpen=1 | plus 2 }";
-    // Selection, cross-over of length scales and mutation, no derivative.
+    // Selection, cross-over of length scales and mutation, without derivatives.
     variants["plain"] = "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | "
                         "mutate 0.1 gaussian 0.05 | score | elite 2 } | best 1";
     // Two targets, one list of genomes for each (Cinat, Paggi and Gnecco 2019).
@@ -312,23 +285,18 @@ ga::Variants design_variants(double required) {
         "pair(score goal1 | above 0.95 at_least=5 | reduce goal1, score goal2 | above 0.95 at_least=5 | "
         "reduce goal2, unite) | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
         "genes=micro | best 1";
-    // What two targets cost each other: NSGA-II whose ends and children are refined.
+    // The trade-off between two targets: NSGA-II whose ends and children are refined.
     variants["nsga2"] =
         "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 "
         "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
         "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
         "parents | pareto goal1 goal2 | best 40 } | front";
-    // Many surfaces of one response: elites of every wave length and skewness, moved along the gradients of
-    // these and brought back to the target.
+    // Many surfaces of one response: elites for each wavelength and skewness, moved along the gradients of
+    // these and refined towards the target.
     variants["atlas"] =
         "shape 60 | score | best 24 | refine lm 30 sharpen=4 | repeat 60 { above 0.96 at_least=8 | "
         "emit 12 wavelength skewness sigma=0.07 | score | refine lm 25 sharpen=6 | "
         "map-elites wavelength skewness cells=20 } | best 40 | refine lm 25 sharpen=6";
-    return variants;
-}
-
-const ga::Variants& design_variants() {
-    static const ga::Variants variants = design_variants(default_required_similarity);
     return variants;
 }
 

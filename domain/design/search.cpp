@@ -1,6 +1,7 @@
 #include "domain/design/search.hpp"
 
 #include "domain/design/pipelines.hpp"
+#include "domain/design/starts.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
@@ -8,6 +9,7 @@
 #include "ga/base/stopwatch.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/hall_of_fame.hpp"
+#include "ga/problem/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +19,17 @@ namespace rough {
 
 namespace {
 
-constexpr std::size_t remembered = 60; ///< best individuals of all stages
-constexpr std::size_t shown_compromises = 24;
-/// Of an area's answers, those of the pipeline that are verified.
-constexpr std::size_t verified_on_area = 2;
-/// Draws of noise under which answers are compared.
-constexpr int compared_draws = 200;
+constexpr std::size_t hall_size = 60; ///< best individuals of all stages that are kept
+constexpr std::size_t max_compromises = 24;
+constexpr std::size_t max_verified_on_area = 2; ///< answers of the pipeline
+constexpr int compared_draws = 200;             ///< draws of noise under which answers are compared
 
-/// Whether answers are compared by what survives the set-up's errors. Of an area that takes too long.
+/// Whether answers are compared by their similarity under the set-up's errors. On an area that takes too
+/// long.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
-/// The set-up whose contact solutions end after so many seconds from now, or when `stop` asks for it
-/// (ContactOptions::stop), on an area, where a curve may take long. A line's as it is given.
+/// An area's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.
+/// A line's set-up is returned as it is.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
     if (setup.model.grid.is_2d())
         setup.model.contact.stop = [watch = ga::Watch({std::numeric_limits<long>::max(), seconds, stop})] {
@@ -37,26 +38,29 @@ DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* s
     return setup;
 }
 
-/// What verifying is given.
-struct Verifying {
-    std::size_t answers;      ///< of the pipeline, and of the best of its way on a line
+/// How many answers are verified, and the time for it.
+struct VerificationPlan {
+    std::size_t answers;      ///< final population; on a line, as many of the best of all stages
     std::size_t alternatives; ///< that are returned
-    double seconds = 0;       ///< kept back for it
+    double seconds = 0;       ///< kept for verifying
 };
 
-/// Within a search's seconds, as the curve of a start tells: verifying one answer takes so many curves of the
-/// own grid, with some to spare, and two threads at most share it.
-Verifying verifying_within(const DesignSetup& setup, const SearchOptions& options) {
-    constexpr double most = 0.75, share_to_look = 0.1;
+Genome any_start(const DesignSetup& setup, const SearchOptions& options) {
+    return options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed)) : options.starts.front();
+}
+
+/// Plans the verification within the search's time from the time of one curve. One answer takes at most 80
+/// curves on the search grid (and the draws of noise); at most two threads share the work.
+VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions& options) {
+    constexpr double max_share = 0.75, share_for_curve = 0.1;
     const double curves = 80 + (chooses_by_errors(setup) ? compared_draws : 0);
     const bool area = setup.model.grid.is_2d();
-    Verifying plan{area ? std::min(verified_on_area, options.verifying) : options.verifying,
-                   options.alternatives};
+    VerificationPlan plan{area ? std::min(max_verified_on_area, options.verifying) : options.verifying,
+                          options.alternatives};
     if (std::isinf(options.seconds))
         return plan;
-    const Genome start =
-        options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed)) : options.starts.front();
-    const DesignSetup timed = ending(setup, share_to_look * options.seconds, options.stop);
+    const Genome start = any_start(setup, options);
+    const DesignSetup timed = ending(setup, share_for_curve * options.seconds, options.stop);
     const ga::Stopwatch clock;
     double curve = 0;
     try {
@@ -64,109 +68,78 @@ Verifying verifying_within(const DesignSetup& setup, const SearchOptions& option
         curve = clock.seconds();
     } catch (const NotConverged&) {
         curve = is_stopped(timed.model.contact) ? HUGE_VAL : clock.seconds();
-    } catch (const InputError&) { // the start has no curve, which takes as long to find
+    } catch (const InputError&) { // the start has no curve; finding that takes as long
         curve = clock.seconds();
     }
     const double each = curves * curve / std::min(ga::thread_count(options.threads), 2);
     const auto needed = [&] {
         return each * static_cast<double>((area ? 1 : 2) * plan.answers + plan.alternatives - 1);
     };
-    if (needed() > most * options.seconds)
+    if (needed() > max_share * options.seconds)
         plan.answers = plan.alternatives = 1;
-    // Where there is no time to verify even one, its own curve is solved in any case.
-    plan.seconds = needed() <= most * options.seconds ? needed() : std::isinf(curve) ? 0 : 2 * curve;
+    // Without time to verify one answer, its curve on the search grid is still solved.
+    plan.seconds = needed() <= max_share * options.seconds ? needed() : std::isinf(curve) ? 0 : 2 * curve;
     return plan;
 }
 
-/// Verifies answers; what the search has verified is not done again.
-class AnswerVerifier {
-  public:
-    AnswerVerifier(const DesignProblem& problem, const DesignSetup& reported, int threads)
-        : problem_(problem), verifier_(reported, ga::thread_count(threads)),
-          threads_(ga::thread_count(threads)) {}
-    std::vector<Answer> operator()(const std::vector<Genome>& genomes) const {
-        std::vector<Answer> answers(genomes.size());
-        ga::parallel_for(answers.size(), threads_, [&](std::size_t i) {
-            auto verification = problem_.verifier().known(genomes[i]);
-            answers[i] = verified_answer(verifier_.setup(), genomes[i],
-                                         verification ? std::move(*verification) : verifier_.of(genomes[i]));
-            if (answers[i].is_verified() && chooses_by_errors(verifier_.setup()))
-                answers[i].similarity_made = similarity_when_made(
-                    verifier_.setup(), answers[i].genome,
-                    {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
-        });
-        return answers;
-    }
-
-  private:
-    const DesignProblem& problem_;
-    Verifier verifier_;
-    int threads_;
-};
-
-/// The best answer, then the best of the way and of the pipeline's answers that differ from it and from each
-/// other.
-std::vector<Answer> alternatives(const Grid& grid, const AnswerVerifier& verified, const Answer& best,
-                                 const ga::Population<Genome>& seen, std::size_t most) {
-    std::vector<Profile> profiles{sample(best.genome, grid)};
-    std::vector<Genome> others;
-    std::vector<double> differences;
-    for (const auto& kept : seen) {
-        if (1 + others.size() >= most || kept.value() < -1)
-            break;
-        const Profile profile = sample(kept.genome, grid);
-        double least = 2;
-        for (const Profile& other : profiles)
-            least = std::min(least, difference(profile, other));
-        if (least < different)
-            continue;
-        others.push_back(kept.genome);
-        differences.push_back(least);
-        profiles.push_back(profile);
-    }
-    std::vector<Answer> all = verified(others);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].difference = differences[i];
-    all.insert(all.begin(), best);
-    return all;
+/// Whether a genome in final amplitude keeps every limit.
+bool holds_limits(const DesignSetup& setup, const Genome& genome) {
+    return std::ranges::all_of(margins(genome, setup.model.grid, setup.limits), &Margin::holds);
 }
 
-/// What the pipeline gave and the best that it verified; on a line also the best of all stages by similarity,
-/// and the first start that was given. Each once.
+/// The best individuals of all stages that differ from the answer and from each other, each with its smallest
+/// difference from those before it.
+std::vector<std::pair<Genome, double>> others_than(const Genome& answer, const Grid& grid,
+                                                   const ga::Population<Genome>& seen,
+                                                   std::size_t alternatives) {
+    std::vector<Profile> profiles{sample(answer, grid)};
+    std::vector<std::pair<Genome, double>> others;
+    for (const auto& kept : seen) {
+        if (profiles.size() >= alternatives || kept.value() < -1)
+            break;
+        const Profile profile = sample(kept.genome, grid);
+        double smallest = 2;
+        for (const Profile& other : profiles)
+            smallest = std::min(smallest, difference(profile, other));
+        if (smallest < different)
+            continue;
+        others.emplace_back(kept.genome, smallest);
+        profiles.push_back(profile);
+    }
+    return others;
+}
+
+/// The genomes to verify, without duplicates: the best `max_count` of the final population and of those that
+/// the pipeline verified. On a line also the best `max_count` of all stages and the first given start.
 std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
                                   const ga::Population<Genome>& verified, const ga::Population<Genome>& seen,
-                                  const SearchOptions& options, std::size_t most) {
+                                  const SearchOptions& options, std::size_t max_count) {
     std::vector<Genome> candidates;
     std::set<std::string> keys;
-    const auto consider = [&](const Genome& genome) {
-        if (keys.insert(problem.key(genome)).second)
-            candidates.push_back(genome);
+    const auto consider = [&](const ga::Population<Genome>& best, std::size_t count) {
+        for (std::size_t i = 0; i < std::min(best.size(), count); ++i)
+            if (keys.insert(problem.key(best[i].genome)).second)
+                candidates.push_back(best[i].genome);
     };
-    for (std::size_t i = 0; i < std::min(population.size(), most); ++i)
-        consider(population[i].genome);
-    for (std::size_t i = 0; i < std::min(verified.size(), most); ++i)
-        consider(verified[i].genome);
     const bool area = problem.setup().model.grid.is_2d();
-    for (std::size_t i = 0; i < seen.size() && (area ? candidates.empty() : i < most); ++i)
-        consider(seen[i].genome);
-    if (!options.starts.empty() && !area) // the nearest of those given: what is found is no worse
-        consider(options.starts.front());
+    consider(population, max_count);
+    consider(verified, max_count);
+    consider(seen, !area ? max_count : candidates.empty() ? 1 : 0);
+    if (!options.starts.empty() && !area) // the answer is not worse than the nearest start
+        consider(ga::population(std::vector{options.starts.front()}), 1);
     return candidates;
 }
 
-bool better(const Answer& a, const Answer& b) {
-    const auto rank = [](const Answer& one) { // what is not verified is after what is
-        return std::tuple(one.within_limits, one.is_verified() ? one.lowest() : -HUGE_VAL,
-                          one.is_verified() ? 0 : one.similarity);
-    };
-    return rank(a) > rank(b);
+/// Rank of an answer, higher is better; one that is not verified ranks below all that are.
+std::tuple<bool, double, double> rank_of(const Answer& answer) {
+    return answer.is_verified() ? std::tuple(answer.within_limits, answer.lowest(), 0.0)
+                                : std::tuple(answer.within_limits, -HUGE_VAL, answer.similarity);
 }
 
-/// Of verified answers those of which none is better with and without errors, by falling similarity without.
+/// The Pareto front of the similarities with and without errors, by falling similarity without.
 std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
-    std::sort(answers.begin(), answers.end(), [](const Answer& a, const Answer& b) {
-        return std::pair(a.similarity, a.similarity_made) > std::pair(b.similarity, b.similarity_made);
-    });
+    std::ranges::sort(answers, std::ranges::greater{},
+                      [](const Answer& one) { return std::pair(one.similarity, one.similarity_made); });
     std::vector<Answer> front;
     for (Answer& answer : answers)
         if (front.empty() || answer.similarity_made > front.back().similarity_made)
@@ -174,21 +147,8 @@ std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
     return front;
 }
 
-/// Remarks on what an answer's similarities rest on.
-std::vector<std::string> remarks_on(const Answer& best, const SearchOptions& options) {
-    std::vector<std::string> notes;
-    if (!best.is_verified() && !(options.stop && options.stop->load()))
-        notes.push_back("there was no time to verify the answer on this grid and the finer one");
-    if (const double off = best.verification.reading_error; off > 0 && best.is_verified())
-        notes.push_back(line_of("of the finer grid's load steps some are read between solved ones; "
-                                "similarity_worst is lower by what that is off by on the own grid, ",
-                                off));
-    return notes;
-}
-
-} // namespace
-
-Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verification verified) {
+/// The answer of a genome with this verification.
+Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification verified) {
     DesignSetup setup = reported;
     setup.model.contact.stop = {};
     Answer answer{genome};
@@ -213,8 +173,10 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verifi
     return answer;
 }
 
+} // namespace
+
 Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
-    return verified_answer(reported, genome, Verifier(reported).of(genome));
+    return answer_of(reported, genome, Verifier(reported).of(genome));
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
@@ -222,23 +184,68 @@ DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
                                 : scored(setup, answer.verification.on_own);
 }
 
-bool holds_limits(const DesignSetup& setup, const Genome& genome) {
-    const auto all = margins(genome, setup.model.grid, setup.limits);
-    return std::all_of(all.begin(), all.end(), [](const Margin& margin) { return margin.holds(); });
+std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,
+                                    std::size_t max_count, int threads) {
+    const DesignSetup setup = as_reported(searched);
+    const auto each = [&](std::vector<Compromise>& all, auto work) {
+        ga::parallel_for(all.size(), ga::thread_count(threads), [&](std::size_t i) {
+            try {
+                work(all[i]);
+            } catch (const NotConverged&) {
+                if (!is_stopped(setup.model.contact))
+                    throw;
+            }
+        });
+    };
+    std::vector<Compromise> all;
+    for (const Genome& genome : genomes)
+        all.push_back({genome, {}, {}});
+    each(all, [&](Compromise& one) {
+        const DesignResponse response = respond(setup, one.genome, setup.model);
+        one.similarity = similarities(setup, response);
+        if (setup.max_pressure)
+            one.genome.scale = response.scale;
+        one.genome = folded(one.genome);
+    });
+    std::erase_if(all, [&](const Compromise& one) {
+        return one.similarity.empty() || !holds_limits(setup, one.genome);
+    });
+    std::vector<ga::Point> points;
+    for (const Compromise& one : all)
+        points.push_back(one.similarity);
+    const std::vector<std::size_t> ranks = ga::pareto_ranks(points);
+    std::vector<Compromise> front;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (ranks[i] == 0)
+            front.push_back(all[i]);
+    std::ranges::stable_sort(front, {}, &Compromise::similarity);
+    const auto doubles = std::ranges::unique(front, {}, &Compromise::similarity);
+    front.erase(doubles.begin(), doubles.end());
+    if (front.size() > max_count) {
+        std::vector<Compromise> spread;
+        for (std::size_t i = 0; i < max_count; ++i)
+            spread.push_back(front[i * (front.size() - 1) / (max_count - 1)]);
+        front = std::move(spread);
+    }
+    each(front, [&](Compromise& one) {
+        one.similarity_refined.assign(setup.targets.size(), std::numeric_limits<double>::quiet_NaN());
+        one.similarity_refined = similarities(setup, respond(setup, one.genome, refined(setup.model, 4)));
+    });
+    return front;
 }
 
-void expect_searchable(const DesignSetup& given, const std::string& way) {
+void expect_searchable(const DesignSetup& given, const std::string& pipeline) {
     const DesignSetup setup = completed(given);
-    ga::check(design_pipeline(setup, way), DesignProblem(setup), ga::population(std::vector<Genome>(1)));
+    ga::check(design_pipeline(setup, pipeline), DesignProblem(setup), ga::population(std::vector<Genome>(1)));
 }
 
-SearchResult search(const DesignSetup& given, const SearchOptions& asked,
+SearchResult search(const DesignSetup& given, const SearchOptions& given_options,
                     std::vector<ga::Observer<Genome>> observers) {
     const ga::Stopwatch clock;
     SearchResult result;
     const DesignSetup setup = result.setup = completed(given);
     validate(setup);
-    SearchOptions options = asked;
+    SearchOptions options = given_options;
     for (Genome& genome : options.starts)
         genome = fitting_grid(setup, genome);
     const std::string text = options.pipeline.empty() ? usual_variant(setup) : options.pipeline;
@@ -247,57 +254,60 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     result.pipeline = pipeline.text();
     if (!options.starts.empty() && pipeline.begins())
         throw InputError("design: the pipeline '" + result.pipeline +
-                         "' makes its own starts, expected one that begins with those given (score | ...)");
-    const Verifying plan = verifying_within(setup, options);
+                         "' makes its own starts; use one that begins with the given ones (score | ...)");
+    const VerificationPlan plan = plan_verification(setup, options);
+    const int threads = ga::thread_count(options.threads);
     const double left = options.seconds - clock.seconds();
     const double for_pipeline = std::max(0.0, left - plan.seconds);
-    const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory,
-                                ga::thread_count(options.threads));
+    const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory, threads);
     const DesignSetup reported = as_reported(ending(setup, left, options.stop));
-    const auto any_start = [&] {
-        return options.starts.empty() ? shaped_start(setup, ga::Stream(options.seed))
-                                      : options.starts.front();
-    };
 
-    ga::HallOfFame<DesignProblem> seen(problem, remembered);
+    ga::HallOfFame<DesignProblem> seen(problem, hall_size);
     ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying,
                                                   chooses_by_errors(setup) ? "made" : "verified");
-    std::vector<Genome> front;     // the last that was ranked
+    std::vector<Genome> front;     // the last one that was ranked
     std::optional<Genome> nearest; // the best under a derived problem
     observers.insert(observers.begin(), seen.observer());
     observers.insert(observers.begin(), verified_so_far.observer());
     observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
-        if (event.derived && ga::comparable(event.population) && !event.population.empty())
-            nearest = ga::best_of(event.population, 1).front().genome;
-        if (event.derived)
+        if (event.population.empty() || !ga::comparable(event.population))
             return;
-        if (auto ranked = genomes_on_front(event.population); !ranked.empty())
+        if (event.derived) {
+            nearest = ga::best_of(event.population, 1).front().genome;
+            return;
+        }
+        std::vector<Genome> ranked; // several objectives: by `pareto`
+        for (const auto& individual : ga::front_of(event.population))
+            if (individual.fitness.several())
+                ranked.push_back(individual.genome);
+        if (!ranked.empty())
             front = std::move(ranked);
     });
 
-    ga::RunOptions run;
-    run.variant = result.name;
-    run.seed = options.seed;
-    run.threads = options.threads;
-    run.budget = {options.evaluations, for_pipeline, options.stop};
-    std::optional<ga::Checkpoints<DesignProblem>> keeper;
-    if (options.keeping) {
-        keeper.emplace(options.keeping->file, json_text(description(setup), true), options.keeping->resume,
-                       options.keeping->interval);
-        keeper->keep("seen", seen.members);
-        keeper->keep("verified", verified_so_far.members);
-        keeper->keep("front", front);
-        if (options.keeping->also)
-            options.keeping->also(*keeper);
+    const ga::RunOptions run{.variant = result.name,
+                             .seed = options.seed,
+                             .threads = options.threads,
+                             .budget = {options.evaluations, for_pipeline, options.stop}};
+    std::optional<ga::Checkpoints<DesignProblem>> checkpoints;
+    if (options.checkpoints) {
+        checkpoints.emplace(options.checkpoints->file, json_text(description(setup), true),
+                            options.checkpoints->resume, options.checkpoints->interval);
+        checkpoints->keep("seen", seen.members);
+        checkpoints->keep("verified", verified_so_far.members);
+        checkpoints->keep("front", front);
+        if (options.checkpoints->add_values)
+            options.checkpoints->add_values(*checkpoints);
     }
     ga::Population<Genome> population;
     try {
         const std::vector<Genome> starts = !options.starts.empty() ? options.starts
-                                           : pipeline.begins()     ? std::vector<Genome>{any_start()}
-                                                                   : database_starts(setup, options.threads);
+                                           : pipeline.begins()
+                                               ? std::vector<Genome>{any_start(setup, options)}
+                                               : database_starts(setup, options.threads);
         ga::OnThreads<DesignProblem> on_threads(options.threads);
-        auto found = ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
-                                ga::population(starts), run, observers, keeper ? &*keeper : nullptr);
+        auto found =
+            ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
+                       ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
         for (const auto& individual : found.population)
             seen.offer(individual);
         if (found.best)
@@ -314,28 +324,57 @@ SearchResult search(const DesignSetup& given, const SearchOptions& asked,
     if (!front.empty()) {
         for (const auto& kept : seen.members)
             front.push_back(kept.genome);
-        result.front = compromises(reported, front, shown_compromises, options.threads);
+        result.front = compromises(reported, front, max_compromises, options.threads);
     }
     const auto offer = [&](const Genome& genome, double similarity) {
         seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
     };
     for (const Compromise& one : result.front)
         offer(one.genome, *std::min_element(one.similarity.begin(), one.similarity.end()));
-    if (seen.members.empty()) // stopped before the first curve on the own grid
-        offer(nearest ? *nearest : any_start(), 0);
+    if (seen.members.empty()) // stopped before the first curve on the search grid
+        offer(nearest ? *nearest : any_start(setup, options), 0);
 
-    const AnswerVerifier verified(problem, reported, options.threads);
-    const std::vector<Answer> answers = verified(
-        candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers));
-    result.best = *std::max_element(answers.begin(), answers.end(),
-                                    [](const Answer& a, const Answer& b) { return better(b, a); });
+    const Verifier verifier(reported, threads);
+    const auto verified = [&](const Genome& genome) {
+        auto known = problem.verifier().known(genome); // the search may have verified it
+        Answer answer = answer_of(reported, genome, known ? std::move(*known) : verifier.of(genome));
+        if (answer.is_verified() && chooses_by_errors(setup))
+            answer.similarity_made =
+                similarity_when_made(reported, answer.genome,
+                                     {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
+        return answer;
+    };
+    const std::vector<Genome> candidates =
+        candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers);
+    std::vector<Answer> answers(candidates.size());
+    ga::parallel_for(answers.size(), threads, [&](std::size_t i) { answers[i] = verified(candidates[i]); });
+    result.best = *std::ranges::max_element(answers, {}, rank_of);
     if (chooses_by_errors(setup))
         result.made = best_with_and_without(answers);
-    result.alternatives =
-        alternatives(setup.model.grid, verified, result.best, seen.members, plan.alternatives);
-    for (std::string& note : remarks_on(result.best, options))
-        result.notes.push_back(std::move(note));
+    const auto others = others_than(result.best.genome, setup.model.grid, seen.members, plan.alternatives);
+    result.alternatives.resize(1 + others.size());
+    result.alternatives[0] = result.best;
+    ga::parallel_for(others.size(), threads, [&](std::size_t i) {
+        result.alternatives[i + 1] = verified(others[i].first);
+        result.alternatives[i + 1].difference = others[i].second;
+    });
+    if (!result.best.is_verified() && !(options.stop && options.stop->load()))
+        result.notes.push_back("there was no time to verify the answer on this grid and the finer one");
+    if (const double error = result.best.verification.reading_error; error > 0 && result.best.is_verified())
+        result.notes.push_back(
+            line_of("some load steps on the finer grid are interpolated; the error that this "
+                    "makes on the search grid is subtracted from similarity_worst: ",
+                    error));
     return result;
+}
+
+Unreachable unreachable(const DesignSetup& setup, double required) {
+    Unreachable found{out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure)};
+    for (const OutOfReach& reason : found.reasons)
+        found.bound = std::min(found.bound, reason.bound);
+    if (found.bound >= required)
+        found.reasons.clear();
+    return found;
 }
 
 } // namespace rough

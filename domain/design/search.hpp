@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/design/front.hpp"
-#include "domain/profile/profile.hpp"
+#include "domain/problem/problem.hpp"
+#include "domain/target/out_of_reach.hpp"
 #include "ga/run/context.hpp"
 
 #include <atomic>
@@ -17,96 +17,115 @@ class Checkpoints;
 
 namespace rough {
 
-/// Where a search is kept on its way, so that it can go on after its process has ended.
-struct Keeping {
-    std::filesystem::path file; ///< replaced as a whole, by renaming
-    bool resume = false;        ///< go on from the file, where there is one
-    /// Hands the keeper what observers hold, to be kept with the run.
-    std::function<void(ga::Checkpoints<DesignProblem>&)> also = {};
-    double interval = 1; ///< seconds between two writes, at least
+/// How a search writes checkpoints, from which it can be resumed.
+struct CheckpointOptions {
+    std::filesystem::path file; ///< each checkpoint replaces the whole file by renaming
+    bool resume = false;        ///< continue from the file if it exists
+    /// Adds values of observers to the checkpoints.
+    std::function<void(ga::Checkpoints<DesignProblem>&)> add_values = {};
+    double interval = 1; ///< minimum time between two checkpoints, s
 };
 
-/// By which pipeline, from where and how long to search.
+/// Pipeline, start and budget of a search.
 struct SearchOptions {
-    std::string pipeline = {}; ///< text, or one of design_variants; empty: usual_variant
-    std::vector<Genome> starts =
-        {}; ///< the population to begin with; empty: the pipeline's own, or the Sobol database
-    std::uint64_t seed = 1; ///< same seed, same answer, unless `seconds` or `stop` ends the search
-    int threads = 0;        ///< 0: as many as OpenMP has
-    ga::Evaluator<DesignProblem>* evaluator = nullptr; ///< makes the paid calls; none: threads do
-    /// Of wall time, from the call. What verifying the answers takes is kept back, three quarters at most.
+    std::string pipeline = {};       ///< text, or the name of one of design_variants; empty: usual_variant
+    std::vector<Genome> starts = {}; ///< first population; empty: from the pipeline or the Sobol database
+    std::uint64_t seed = 1;          ///< equal seeds give equal answers unless `seconds` or `stop` ends it
+    int threads = 0;                 ///< 0: as many as OpenMP has
+    ga::Evaluator<DesignProblem>* evaluator = nullptr; ///< computes the evaluations; null: threads do
+    /// Wall time from the call on, s. At most three quarters of it are kept for verifying the answers.
     double seconds = std::numeric_limits<double>::infinity();
     long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
-    const std::atomic<bool>* stop = nullptr;             ///< somebody asks the search to end, verifying too
-    std::size_t alternatives = 3;                        ///< different answers to return, the best among them
-    /// Answers that are verified at the end, of the pipeline's and of the best of its way each; of an area,
-    /// where verifying takes longer than searching, two of the pipeline's. Where time is short it is one.
+    const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
+    std::size_t alternatives = 3;                        ///< how many different answers, the best included
+    /// How many answers of the pipeline are verified at the end, and as many of the best of all stages. On an
+    /// area, where verifying takes longer than searching, at most two of the pipeline. 1 if time is short.
     std::size_t verifying = 3;
-    std::optional<Keeping> keeping = {}; ///< nothing: it is kept nowhere
-    /// Of curves that searches of one set-up share (DesignProblem).
+    std::optional<CheckpointOptions> checkpoints = {}; ///< none: no checkpoints are written
+    /// Curves that several searches of one set-up share (DesignProblem).
     std::shared_ptr<ResponseMemory> memory = nullptr;
 };
 
-/// A genome in final amplitude and how well it answers. Of an area that was not verified in time the
-/// similarities but the first are NaN.
+/// A genome in final amplitude and its similarities. On an area that was not verified in time all but the
+/// first are NaN.
 struct Answer {
     Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
-    double similarity_refined = 0; ///< on a grid four times finer, Eq. 11 anew where it applies
-    double similarity_stepped = 0; ///< in four times the load steps, a measured target's too
-    double similarity_worst = 0;   ///< the least of these and of both together
-    /// Under the set-up's errors: what 95 % of 200 draws of noise keep, and every tilt; NaN: none given, or
-    /// no time.
+    double similarity_refined = 0; ///< on a grid four times finer, with Eq. 11 applied again
+    double similarity_stepped = 0; ///< with four times the load steps, also for a measured target
+    double similarity_worst = 0;   ///< lowest of these three and of finer grid and steps together
+    /// Similarity that 95 % of 200 draws of the noise and each tilt keep under the set-up's errors. NaN:
+    /// without errors or without time.
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
-    bool within_limits = true;      ///< it holds every limit of the set-up
-    double difference = 1;          ///< from the answers before it, the least
-    Verification verification = {}; ///< what these similarities are of
+    bool within_limits = true;      ///< it keeps every limit of the set-up
+    double difference = 1;          ///< smallest difference from the answers before it
+    Verification verification = {}; ///< the curves that these similarities belong to
 
-    /// What an answer is verified by: it must survive finer grids and load steps, and errors that were given.
+    /// The similarity that counts: on finer grids, with finer load steps and under the given errors.
     double lowest() const { return similarity_made < similarity_worst ? similarity_made : similarity_worst; }
-    /// Whether all of that is known.
+    /// Whether similarity_worst is known.
     bool is_verified() const { return !std::isnan(similarity_worst); }
 };
 
-/// A genome as an answer, in final amplitude, verified under a set-up as answers are reported (as_reported).
-/// Where the set-up's ContactOptions::stop ends that, the similarity on its own grid is found all the same.
-/// Throws what respond() throws.
+/// Verifies a genome under a set-up from as_reported(). If the set-up's ContactOptions::stop ends this, only
+/// the similarity on the set-up's grid is computed. Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The same of a verification that was made.
-Answer verified_answer(const DesignSetup& reported, const Genome& genome, Verification verification);
-/// The answer's own response, as the set-up that was searched asks, solved throughout: of one that was not
-/// verified that which it has.
+/// The answer's response under the set-up that was searched, without approximations. For an answer that is
+/// not verified, the response that the search computed.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
-/// What a search found, and what it took.
-struct SearchResult {
-    Answer best;                      ///< by its verified similarity
-    std::vector<Answer> alternatives; ///< the best first, then the next best that differ from those before
-    std::vector<Compromise> front;    ///< what `pareto` found, where the pipeline has it
-    /// Of a set-up with errors, verified answers of which none is better both with and without these, by
-    /// falling similarity without.
-    std::vector<Answer> made;
-    ga::Counters counters;          ///< what was spent
-    std::vector<std::string> notes; ///< remarks of stages
-    std::string stopped;            ///< why the search ended before its pipeline; empty when it did not
-    std::string name;               ///< of the variant, or "pipeline": first word of every path
-    std::string pipeline;           ///< as it was run
-    DesignSetup setup;              ///< what the answers are of, completed
+/// A genome on the Pareto front of the targets' similarities.
+struct Compromise {
+    Genome genome;                          ///< amplitude final
+    std::vector<double> similarity;         ///< for each target, on the set-up's grid
+    std::vector<double> similarity_refined; ///< for each target, on a grid four times finer
 };
 
-/// Throws ga::UsageError where one of design_variants, by its name, or a pipeline as text cannot search a
-/// set-up.
-void expect_searchable(const DesignSetup& setup, const std::string& way);
+/// The Pareto front of the genomes that keep the limits, by rising similarity to the first target. If it has
+/// more than `max_count` genomes, both ends and evenly spread ones between them are returned.
+std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<Genome>& genomes,
+                                    std::size_t max_count, int threads);
 
-/// Whether the genome (in final amplitude) is within every limit.
-bool holds_limits(const DesignSetup& setup, const Genome& genome);
+/// The result of a search and its cost.
+struct SearchResult {
+    Answer best;                      ///< the one of the highest verified similarity
+    std::vector<Answer> alternatives; ///< the best, then the next best that differ from all before them
+    std::vector<Compromise> front;    ///< from `pareto`; empty if the pipeline does not have it
+    /// If the set-up has errors: the Pareto front of the verified answers' similarities with and without
+    /// errors, by falling similarity without.
+    std::vector<Answer> made;
+    ga::Counters counters;          ///< evaluations spent
+    std::vector<std::string> notes; ///< remarks of stages
+    std::string stopped;            ///< why the search ended before its pipeline; empty if it did not
+    std::string name;               ///< the variant's name or "pipeline": first word of every path
+    std::string pipeline;           ///< text that was run
+    DesignSetup setup;              ///< completed
+};
 
-/// Runs a pipeline on a design and picks what to believe: of its answers and the best individuals of all its
-/// stages those that are best at their worst (Verification). There is always an answer: the best so far, or a
-/// first start. Throws ga::UsageError on a pipeline that cannot work or a kept run of another search,
-/// InputError on starts for a pipeline that makes its own, NotConverged when no curve of the whole run could
-/// be computed.
+/// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.
+void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
+
+/// Runs a pipeline on a design. Verifies its answers and the best individuals of all stages, and returns the
+/// one whose lowest similarity over all checks (Verification) is highest. There is always an answer: the best
+/// so far or a start. Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search.
+/// Throws InputError on starts for a pipeline that begins with its own, NotConverged if no curve of the run
+/// could be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
+
+/// Why no profile can meet a set-up's targets, and the highest similarity that one may have.
+struct Unreachable {
+    std::vector<OutOfReach> reasons; ///< empty if the bound is above the required similarity
+    double bound = 1;                ///< no profile has a higher similarity
+};
+
+/// Similarity from which on a target is not reported as out of reach, unless another one is required.
+constexpr double exact_enough = 0.999;
+
+/// The verdict on a set-up, without approximations; `required` is the similarity that is enough.
+Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
+
+/// Curves and gradients that suffice to find the nearest profile to a target out of reach.
+constexpr long enough_for_the_nearest = 3000;
 
 } // namespace rough

@@ -1,10 +1,13 @@
 #include "domain/design/starts.hpp"
 
 #include "domain/design/inverse.hpp"
-#include "domain/design/shape_to_waves.hpp"
+#include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "domain/problem/harmonics.hpp"
+#include "domain/mwm/waves.hpp"
+#include "domain/problem/response.hpp"
 #include "ga/base/parallel.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -16,72 +19,132 @@ namespace rough {
 
 namespace {
 
-/// Nodes by their depth, the least first.
-std::vector<int> in_order_of(const std::vector<double>& depth) {
-    std::vector<int> order(depth.size());
+/// The order in which nodes touch: by distance from the nearest peak, relative to the peak's width. In half
+/// of the cases there is one peak, else up to eight of equal height and similar width.
+std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
+    struct Peak {
+        double x, y, width;
+    };
+    const bool area = grid.is_2d();
+    const std::size_t count = random.chance(0.5) ? 1 : 2 + random.below(7);
+    // A single peak is near the middle, so that its contact does not reach the ends.
+    const double margin = count == 1 ? 0.4 : area ? 0.1 : 0.25;
+    std::vector<Peak> peaks(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        const double place = random.uniform(margin, 1 - margin);
+        peaks[p].x =
+            area ? grid.length * place : (static_cast<double>(p) + place) / static_cast<double>(count);
+        peaks[p].y = area ? grid.width * random.uniform(margin, 1 - margin) : 0;
+        peaks[p].width = count == 1 ? 1 : random.uniform(0.7, 1);
+    }
+    const auto away = [&](double from, double to, double period) {
+        const double straight = std::abs(from - to);
+        return grid.periodic ? std::min(straight, period - straight) : straight;
+    };
+    std::vector<double> distance;
+    for (Index i = 0; i < grid.shape().nodes(); ++i) { // on a line in units of its length
+        const double column = static_cast<double>(i % grid.nodes), row = static_cast<double>(i / grid.nodes),
+                     x = area ? grid.spacing() * column
+                              : column / static_cast<double>(grid.nodes - (grid.periodic ? 0 : 1)),
+                     y = area ? grid.row_spacing() * row : 0;
+        double nearest = HUGE_VAL;
+        for (const Peak& peak : peaks)
+            nearest = std::min(
+                nearest, std::hypot(away(x, peak.x, area ? grid.length : 1), away(y, peak.y, grid.width)) /
+                             peak.width);
+        distance.push_back(nearest);
+    }
+    std::vector<int> order(distance.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        return depth[static_cast<std::size_t>(a)] < depth[static_cast<std::size_t>(b)];
-    });
+    std::ranges::stable_sort(order, {}, [&](int i) { return distance[static_cast<std::size_t>(i)]; });
     return order;
 }
 
-/// drawn_order of an area: cones of like width, one near the middle or up to eight anywhere.
-std::vector<int> drawn_area_order(const Profile& surface, const Grid& grid, ga::Stream& random) {
-    const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
-    const double margin = peaks == 1 ? 0.4 : 0.1;
-    std::vector<double> depth(static_cast<std::size_t>(surface.nodes()), HUGE_VAL);
-    for (std::size_t p = 0; p < peaks; ++p) {
-        const double x = grid.length * random.uniform(margin, 1 - margin),
-                     y = grid.width * random.uniform(margin, 1 - margin),
-                     width = peaks == 1 ? 1 : random.uniform(0.7, 1);
-        const auto away = [&](double from, double to, double period) {
-            const double straight = std::abs(from - to);
-            return grid.periodic ? std::min(straight, period - straight) : straight;
-        };
-        const Index columns = surface.shape().columns;
-        for (Index i = 0; i < surface.nodes(); ++i) {
-            const double here =
-                std::hypot(away(surface.spacing * static_cast<double>(i % columns), x, grid.length),
-                           away(surface.row_spacing * static_cast<double>(i / columns), y, grid.width));
-            double& least = depth[static_cast<std::size_t>(i)];
-            least = std::min(least, here / width);
-        }
-    }
-    return in_order_of(depth);
-}
-
-/// Where nodes touch first: peaks of a field over the profile, highest first. One asperity in half of the
-/// cases, else up to eight, of equal height and like width.
-std::vector<int> drawn_order(Index nodes, bool periodic, ga::Stream& random) {
-    const std::size_t peaks = random.chance(0.5) ? 1 : 2 + random.below(7);
-    struct Peak {
-        double at, width;
-    };
-    std::vector<Peak> all;
-    // A single one stands near the middle, so that its contact does not reach the ends.
-    const double margin = peaks == 1 ? 0.4 : 0.25;
-    for (std::size_t i = 0; i < peaks; ++i) {
-        const double place =
-            (static_cast<double>(i) + random.uniform(margin, 1 - margin)) / static_cast<double>(peaks);
-        all.push_back({place, peaks == 1 ? 1 : random.uniform(0.7, 1)});
-    }
-    std::vector<double> depth(static_cast<std::size_t>(nodes));
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        const double x = static_cast<double>(i) / static_cast<double>(nodes - (periodic ? 0 : 1));
-        depth[i] = std::numeric_limits<double>::infinity();
-        for (const Peak& peak : all) {
-            const double away = std::abs(x - peak.at);
-            depth[i] = std::min(depth[i], (periodic ? std::min(away, 1 - away) : away) / peak.width);
-        }
-    }
-    return in_order_of(depth);
-}
-
 constexpr Index shaping_nodes = 256, shaping_side = 24;
-/// Of a start on a periodic body in free amplitude: how far under contact its valleys end, over the last
-/// displacement.
-constexpr double deepest_free = 0.5;
+/// Depth of the valleys below contact, relative to the last displacement, for a start in free amplitude on a
+/// periodic body.
+constexpr double valley_depth = 0.5;
+
+/// The series with A = 1 and chromosomes 1 to n_f, whose phases are 0.
+Series with_chromosomes(Series law, double shortest, std::size_t phases) {
+    law.A = 1;
+    law.chromosomes.clear();
+    for (int n = 1; n <= last_chromosome(law.lambda, law.gamma, shortest); ++n)
+        law.chromosomes.push_back({n, std::vector<double>(phases, 0.0)});
+    if (law.chromosomes.empty())
+        throw InputError("series: its longest wave is " + std::to_string(law.lambda) +
+                         " mm, shorter than allowed; use at least " + std::to_string(shortest) + " mm");
+    return law;
+}
+
+/// Weights of the waves, fitted with a constant by damped least squares.
+Eigen::VectorXd fitted(const Eigen::MatrixXd& waves, const Eigen::VectorXd& heights, double damping) {
+    Eigen::MatrixXd basis(waves.rows(), 1 + waves.cols());
+    basis << Eigen::VectorXd::Ones(waves.rows()), waves;
+    Eigen::MatrixXd normal = basis.transpose() * basis;
+    normal.diagonal().tail(waves.cols()).array() += damping * static_cast<double>(heights.size());
+    return normal.ldlt().solve(basis.transpose() * heights).tail(waves.cols());
+}
+
+/// R and theta of -R cos(k x + theta) = c cos(k x) + s sin(k x).
+struct Cosine {
+    double R, theta;
+    Cosine(double c, double s) : R(std::hypot(c, s)), theta(std::atan2(s, -c)) {}
+
+    /// The A that gives R with two ridges of this amplitude at A = 1, with a tenth to spare.
+    double least_A(double amplitude) const { return R / (2 * 0.9 * amplitude); }
+    /// The angle between the phase of either ridge and theta: R = 2 G cos(angle).
+    double half_between(double amplitude) const { return std::acos(std::min(1.0, R / (2 * amplitude))); }
+};
+/// The cosines of pairs of weights.
+std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
+    std::vector<Cosine> all;
+    for (Index w = 0; w < weights.size(); w += 2)
+        all.emplace_back(weights[w], weights[w + 1]);
+    return all;
+}
+
+/// Weight of a node that does not touch; the weight of one that touches is 1.
+constexpr double unseen = 0.02;
+/// Rounds of fitting; after each, the nodes below the sum get the weight 1.
+constexpr int rounds = 4;
+/// Damping of the waves, relative to the sum of the nodes' weights.
+constexpr double damping = 1e-4;
+/// Longer scans are divided into parts, whose highest nodes are fitted, because contact is on peaks.
+constexpr Index max_points = 2048;
+
+/// The points of a scan that are fitted.
+struct Points {
+    Eigen::VectorXd x, z; ///< mm
+    Eigen::VectorXd weight;
+};
+
+Points points_of(const Profile& scan, const std::vector<int>& touching) {
+    const Index n = scan.nodes(), part = (n + max_points - 1) / max_points, count = (n + part - 1) / part;
+    Points points{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd::Constant(count, unseen)};
+    for (Index k = 0; k < count; ++k) {
+        Index highest = 0;
+        points.z[k] = scan.heights.segment(k * part, std::min(part, n - k * part)).maxCoeff(&highest);
+        points.x[k] = scan.spacing * static_cast<double>(k * part + highest);
+    }
+    for (const int node : touching)
+        points.weight[node / part] = 1;
+    return points;
+}
+
+std::vector<int> touching(const DesignSetup& setup) {
+    const Body body = completed(setup.model.body, setup.model.grid.length);
+    double last = 0;
+    for (const Loading& loading : loadings_of(setup, setup.model.loading).each)
+        last = std::max(last, step_displacements(*setup.like, body, loading, setup.model.contact).back());
+    ContactOptions contact = setup.model.contact;
+    contact.states = true;
+    return solve_contact(*setup.like, body, {last}, contact).states.front().nodes;
+}
+
+double longest_wave(const DesignSetup& setup) {
+    return (setup.model.grid.periodic ? 1 : 2) * setup.model.grid.length;
+}
 
 } // namespace
 
@@ -93,7 +156,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     grid.rows = std::min(grid.rows, shaping_side);
     const Profile surface{Eigen::VectorXd(grid.shape().nodes()), grid.spacing(), grid.rows,
                           grid.row_spacing()};
-    // A coarser grid asks for a farther datum; a start need only be near.
+    // A coarser grid requires a farther datum; a start need only be near the target.
     Body body = setup.model.body;
     if (body.kernel == Kernel::free)
         body.datum = std::max(body.datum, 1.02 * grid.spacing() * static_cast<double>(grid.nodes) / 4);
@@ -101,23 +164,20 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const double last_pressure = setup.max_pressure          ? *setup.max_pressure
                                  : target.against_pressure() ? target.last()
                                                              : infinity;
-    InverseProfile inverse = inverse_profile(surface, body,
-                                             grid.is_2d() ? drawn_area_order(surface, grid, random)
-                                                          : drawn_order(grid.nodes, grid.periodic, random),
-                                             advance_for(target, surface.nodes()), last_pressure,
-                                             target.against_pressure() ? infinity : target.last());
-    if (grid.periodic && !grid.is_2d() && setup.max_pressure)
-        inverse =
-            with_mean_at_full_approach(std::move(inverse), completed(setup.model.loading, body.kernel).reach);
+    InverseProfile inverse =
+        inverse_profile(surface, body, drawn_order(grid, random), advance_for(target, surface.nodes()),
+                        last_pressure, target.against_pressure() ? infinity : target.last());
+    const bool periodic_line = grid.periodic && !grid.is_2d();
+    if (periodic_line && setup.max_pressure)
+        inverse = with_mean_at_full_approach(std::move(inverse), setup.model.loading.reach);
     else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
-    else if (grid.periodic &&
-             !grid.is_2d()) // as its stiffness has no end, neither have valleys beyond the load
+    else if (periodic_line) // stiffness has no upper limit, so the valleys would have none
         inverse.profile.heights = inverse.profile.heights.cwiseMax(
-            (inverse.lowest_free.array() - deepest_free * inverse.last_displacement).matrix());
+            (inverse.lowest_free.array() - valley_depth * inverse.last_displacement).matrix());
     const Eigen::VectorXd& heights = inverse.profile.heights;
     if (!(heights.maxCoeff() - heights.minCoeff() > 1e-9 * inverse.last_displacement))
-        return drawn_start(setup, random); // all of the target is above full contact: flat answers best
+        return drawn_start(setup, random); // the whole target is above full contact: a flat profile is best
     const double gamma = random.uniform(1.3, 1.6);
     const double H = random.uniform(0.8, 1.6);
     if (grid.is_2d())
@@ -153,6 +213,106 @@ std::vector<Genome> database_starts(const DesignSetup& setup, int threads) {
         genomes[i] = with_fitting_amplitude(setup, fitting_grid(setup, genomes[i]));
     });
     return genomes;
+}
+
+Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest, double damping) {
+    Genome genome{1, {}};
+    for (const Series& law : series)
+        genome.series.push_back(with_chromosomes(law, shortest, 2));
+    const Grid grid{profile.nodes(), profile.spacing * static_cast<double>(profile.nodes()), true};
+    const std::vector<Cosine> wanted = cosines_of(fitted(wave_basis(genome, grid), profile.heights, damping));
+    auto next = wanted.begin();
+    for (Series& one : genome.series) {
+        const auto first = next;
+        double A = 1e-300;
+        for (const Chromosome& each : one.chromosomes)
+            A = std::max(A, next++->least_A(amplitude(one, each.n, 2)));
+        one.A = A;
+        next = first;
+        for (Chromosome& each : one.chromosomes) {
+            const double half = next->half_between(amplitude(one, each.n, 2));
+            each.phases = {next->theta + half, next->theta - half};
+            ++next;
+        }
+    }
+    return genome;
+}
+
+Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& grid, double shortest,
+                 double damping) {
+    const auto count = static_cast<std::size_t>(ridges);
+    Series one = with_chromosomes(law, shortest, count);
+    const std::vector<PlaneWave> waves = plane_waves({1, {one}}, grid);
+    const Index columns = map.shape().columns;
+    Eigen::MatrixXd basis(map.nodes(), 2 * static_cast<Index>(waves.size()));
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+        const Eigen::ArrayXd angle = Eigen::ArrayXd::NullaryExpr(map.nodes(), [&](Index i) {
+            return waves[w].k_x * map.spacing * static_cast<double>(i % columns) +
+                   waves[w].k_y * map.row_spacing * static_cast<double>(i / columns);
+        });
+        basis.col(2 * static_cast<Index>(w)) = angle.cos();
+        basis.col(2 * static_cast<Index>(w) + 1) = angle.sin();
+    }
+    const std::vector<Cosine> wanted = cosines_of(fitted(basis, map.heights, damping));
+    double A = 1e-300;
+    for (std::size_t w = 0; w < waves.size(); ++w)
+        A = std::max(A, wanted[w].least_A(waves[w].amplitude));
+    one.A = A;
+    Series twin = one;
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+        const double half = wanted[w].half_between(A * waves[w].amplitude);
+        one.chromosomes[w / count].phases[w % count] = wanted[w].theta + half;
+        twin.chromosomes[w / count].phases[w % count] = wanted[w].theta - half;
+    }
+    return {1, {std::move(one), std::move(twin)}};
+}
+
+Index max_scan_waves(const DesignSetup& given) {
+    const DesignSetup setup = completed(given);
+    return static_cast<Index>(longest_wave(setup) /
+                              std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
+                              (1 + 1e-12));
+}
+
+Genome scan_waves(const DesignSetup& given, Index waves) {
+    if (!given.like)
+        throw InputError("own: a measured profile is missing; design like a scan");
+    if (given.like->is_2d())
+        throw InputError("own: the measured surface is a map; use a profile");
+    const DesignSetup setup = completed(given);
+    const double longest = longest_wave(setup);
+    const Index count = std::max<Index>(1, waves);
+    Points points = points_of(*setup.like, touching(setup));
+    Eigen::MatrixXd basis(points.x.size(), 1 + 2 * count);
+    basis.col(0).setOnes();
+    for (Index k = 1; k <= count; ++k) {
+        const Eigen::ArrayXd angle = 2 * std::numbers::pi * static_cast<double>(k) / longest * points.x;
+        basis.col(2 * k - 1) = angle.cos();
+        basis.col(2 * k) = angle.sin();
+    }
+    Eigen::VectorXd parts;
+    for (int round = 0; round < rounds; ++round) {
+        const Eigen::MatrixXd rows = points.weight.cwiseSqrt().asDiagonal() * basis;
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
+        normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+        normal.diagonal().tail(2 * count).array() += damping * points.weight.sum();
+        parts = normal.ldlt().solve(basis.transpose() * points.weight.cwiseProduct(points.z));
+        const Eigen::ArrayXd above = basis * parts - points.z;
+        points.weight = (above > 0).select(1, points.weight);
+    }
+    Genome genome{1, {}};
+    for (Index k = 1; k <= count; ++k) {
+        const Cosine wave(parts[2 * k - 1], parts[2 * k]);
+        Series series{1,
+                      std::clamp(1.0, setup.bounds.H_from, setup.bounds.H_to),
+                      std::clamp(2.0, setup.bounds.gamma_from, setup.bounds.gamma_to),
+                      longest / static_cast<double>(k),
+                      {{1, {wave.theta}}}};
+        series.A = wave.R / amplitude(series, 1, 1);
+        if (series.A > 0)
+            genome.series.push_back(std::move(series));
+    }
+    return genome;
 }
 
 } // namespace rough

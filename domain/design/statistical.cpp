@@ -14,8 +14,8 @@ namespace rough {
 
 namespace {
 
-/// The parameters as real genes: H, ln of the long cut-off over L, where the short one lies between its
-/// limits (in ln), ln of the slope.
+/// The parameters as real genes: H, ln(long cut-off/L), ln(slope), and between the two the short cut-off as a
+/// logarithmic share (0 to 1) of its range.
 struct StatisticalProblem {
     using Genome = std::vector<double>;
     using Outcome = double; // similarity
@@ -34,18 +34,18 @@ struct StatisticalProblem {
                 .rms_slope = std::exp(genes[3]),
                 .is_area = task->is_area};
     }
-    Eigen::VectorXd foretold(const Genome& genes) const {
-        const TheoryCurve curve = foretold_curve(task->theory, random_surface(parameters(genes)),
-                                                 task->effective_modulus, task->target.x);
+    Eigen::VectorXd predicted(const Genome& genes) const {
+        const TheoryCurve curve = predicted_curve(task->theory, random_surface(parameters(genes)),
+                                                  task->effective_modulus, task->target.x);
         return is_contact_fraction(task->target.quantity) ? curve.contact_fraction : curve.stiffness;
     }
-    double evaluate(const Genome& genes) const { return likeness(foretold(genes)); }
+    double evaluate(const Genome& genes) const { return similarity_of(predicted(genes)); }
 
-    double likeness(const Eigen::VectorXd& y) const {
-        double worst = 0;
-        for (Index k = 0; k < y.size(); ++k)
-            worst = std::isnan(y[k]) ? y[k] : std::max(worst, std::abs(misfit(task->target, k, y[k])));
-        return y.allFinite() ? 1 - worst : std::numeric_limits<double>::quiet_NaN();
+    double similarity_of(const Eigen::VectorXd& y) const {
+        if (!y.allFinite())
+            return std::numeric_limits<double>::quiet_NaN();
+        return similarity(
+            Eigen::VectorXd::NullaryExpr(y.size(), [&](Index k) { return misfit(task->target, k, y[k]); }));
     }
     const std::vector<ga::Objective<double>>& objectives() const { return list; }
     const std::vector<ga::Variable>& bounds(const Genome&) const { return box; }
@@ -58,14 +58,14 @@ struct StatisticalProblem {
 };
 
 void expect_fit(const StatisticalTask& task) {
-    const Quantity asked = task.target.quantity;
-    if (asked != Quantity::stiffness && asked != Quantity::interface_stiffness &&
-        asked != Quantity::area_at_pressure)
-        refuse("target: expected a stiffness or an area against pressure, which theories foretell");
+    const Quantity quantity = task.target.quantity;
+    if (quantity != Quantity::stiffness && quantity != Quantity::interface_stiffness &&
+        quantity != Quantity::area_at_pressure)
+        refuse("target: no theory predicts this quantity; use stiffness or contact area against pressure");
     if (task.nodes < 40)
-        refuse("nodes: ", task.nodes, " given, expected at least 40: waves from L/8 to 8 nodes");
+        refuse("nodes: ", task.nodes, " is out of range (at least 40: waves are from L/8 to 8 nodes)");
     if (!holds_for(task.theory, task.is_area))
-        refuse("theory: ", name_of(task.theory), " given for profiles, expected persson");
+        refuse("theory: ", name_of(task.theory), " does not hold for profiles; use persson");
 }
 
 } // namespace
@@ -74,33 +74,28 @@ StatisticalAnswer statistical_design(const StatisticalTask& task, const std::str
                                      std::uint64_t seed, int threads, const std::atomic<bool>* stop) {
     expect_fit(task);
     const StatisticalProblem problem{&task};
-    ga::RunOptions options;
-    options.seed = seed;
-    options.threads = threads;
-    options.budget.stop = stop;
+    const ga::RunOptions options{.seed = seed, .threads = threads, .budget = {.stop = stop}};
     const auto stage =
         ga::Parser<StatisticalProblem>(ga::with_adaptation(ga::vocabulary<StatisticalProblem>()))
             .parse(pipeline);
     const auto found = ga::run(stage, problem, {}, options);
     if (!found.best)
-        refuse("statistical design: no surface of these parameters has a curve at the target's pressures");
+        refuse("statistical design: no surface has a curve at the target's pressures; lower the pressures");
     const std::vector<double>& genes = found.best->genome;
-    return {problem.parameters(genes), problem.foretold(genes), found.best->value(),
+    return {problem.parameters(genes), problem.predicted(genes), found.best->value(),
             found.counters.evaluations};
 }
 
 RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& parameters,
                                std::uint64_t seed) {
-    Grid grid{.nodes = task.nodes, .length = task.length, .periodic = true};
-    if (task.is_area) {
-        grid.rows = task.nodes;
-        grid.width = task.length;
-    }
+    const Grid grid{.nodes = task.nodes,
+                    .length = task.length,
+                    .periodic = true,
+                    .rows = task.is_area ? task.nodes : 1,
+                    .width = task.is_area ? task.length : 0};
     RealisedAnswer answer{realised(parameters, grid, seed),
                           Eigen::VectorXd::Constant(task.target.points(), std::nan("")), 0};
-    Body body;
-    body.kernel = Kernel::periodic;
-    body.effective_modulus = task.effective_modulus;
+    const Body body{.kernel = Kernel::periodic, .effective_modulus = task.effective_modulus};
     std::vector<double> pressures(task.target.x.begin(), task.target.x.end());
     ContactCurve curve;
     for (; !pressures.empty() && curve.steps.empty(); pressures.pop_back()) // up to full contact
@@ -112,7 +107,7 @@ RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& pa
         answer.exact[static_cast<Index>(k)] = is_contact_fraction(task.target.quantity)
                                                   ? curve.steps[k].contact_fraction
                                                   : curve.steps[k].tangent_stiffness;
-    answer.similarity = StatisticalProblem{&task}.likeness(answer.exact);
+    answer.similarity = StatisticalProblem{&task}.similarity_of(answer.exact);
     return answer;
 }
 

@@ -9,28 +9,28 @@
 
 namespace rough {
 
-/// A design without heights: which statistical parameters (H, long and short cut-off, rms slope) of a surface
-/// have a curve, as a theory foretells it. The body is periodic, so that K = K_i.
+/// A design without heights. It gives the statistical parameters (H, long and short cut-off, rms slope) of a
+/// surface for which a theory predicts the target. The body is periodic, so K = K_i.
 struct StatisticalTask {
-    Target target;                   ///< a stiffness or an area, against pressure
-    Theory theory = Theory::persson; ///< that foretells curves
-    bool is_area = true;             ///< surfaces of every direction; false: profiles
+    Target target;                   ///< stiffness or contact area against pressure
+    Theory theory = Theory::persson; ///< predicts the curves
+    bool is_area = true;             ///< isotropic surfaces; false: profiles
     double effective_modulus = 1;    ///< E*, MPa
     double length = 1;               ///< L of the surfaces, mm
-    Index nodes = 128;               ///< of them, a side; no wave is shorter than 8 nodes
+    Index nodes = 128;               ///< nodes per side; the shortest wavelength is 8 node spacings
 };
 
-/// What a search found.
+/// The result of a search for parameters.
 struct StatisticalAnswer {
-    SelfAffine parameters;    ///< the surface's
-    Eigen::VectorXd foretold; ///< the target's quantity at its points, by the theory
-    double similarity = 0;    ///< of that curve, Eq. 12
-    long evaluations = 0;     ///< curves foretold
+    SelfAffine parameters;     ///< found
+    Eigen::VectorXd predicted; ///< the target's quantity at its points, by the theory
+    double similarity = 0;     ///< Eq. 12, for this curve
+    long evaluations = 0;      ///< predicted curves
 };
 
-/// Searches by a pipeline in text over H from 0.3 to 0.95, long cut-offs from L/8 to L/2, short ones between
-/// 8 nodes and half of the long one, slopes from 0.001 to 1. Throws InputError on a target that no theory
-/// foretells, ga::UsageError on a pipeline that does not fit. `threads` decides no result.
+/// Searches by a pipeline given as text. Ranges: H 0.3 to 0.95, long cut-off L/8 to L/2, short cut-off 8
+/// nodes to half the long one, slope 0.001 to 1. The result does not depend on `threads`.
+/// Throws InputError on a target that theories do not predict and ga::UsageError on an invalid pipeline.
 StatisticalAnswer statistical_design(const StatisticalTask& task, const std::string& pipeline,
                                      std::uint64_t seed, int threads = 0,
                                      const std::atomic<bool>* stop = nullptr);
@@ -38,10 +38,10 @@ StatisticalAnswer statistical_design(const StatisticalTask& task, const std::str
 /// One surface of an answer, and its exact curve.
 struct RealisedAnswer {
     Profile surface;       ///< mm
-    Eigen::VectorXd exact; ///< the target's quantity at its points (tangents); no number beyond full contact
-    double similarity = 0; ///< no number where a point has none
+    Eigen::VectorXd exact; ///< the target's quantity at its points (tangents); NaN beyond full contact
+    double similarity = 0; ///< NaN if a point is NaN
 };
-/// The surface of that seed, solved.
+/// The surface of that seed and its solved curve.
 RealisedAnswer realised_answer(const StatisticalTask& task, const SelfAffine& parameters, std::uint64_t seed);
 
 } // namespace rough

@@ -9,19 +9,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace rough {
 
 namespace {
 
 constexpr int min_draws = 40, max_draws = 1000, min_draws_in_time = 5;
-constexpr int few_draws = 20;                       ///< to bracket a noise, at least
-constexpr double line_nodes = 4096, map_nodes = 64; ///< up to so many nodes, max_draws are made
-constexpr double precision = 1.015;                 ///< ratio of a size that is lost to one that is kept
-constexpr double max_scale = 0.99, max_tilt = 16;   ///< of all heights; over the height range
-constexpr double smallest = 0x1p-40;                ///< size that is tried, over the largest
+constexpr int few_draws = 20;                       ///< minimum to bracket a noise
+constexpr double line_nodes = 4096, map_nodes = 64; ///< largest grids that get max_draws
+constexpr double precision = 1.015; ///< ratio of the smallest size found to fail to the largest found to hold
+constexpr double max_scale = 0.99, max_tilt = 16; ///< relative to all heights, to the height range
+constexpr double smallest = 0x1p-40;              ///< smallest size that is tried, relative to the largest
 
-/// Draws of noise of which this many may lose a similarity that a share of 0.95 keeps.
+/// How many of these draws may fail while a share of 0.95 keeps the similarity.
 std::size_t may_lose(int draws) { return static_cast<std::size_t>((1 - Tolerance::share) * draws + 1e-9); }
 
 int draws_for(const Grid& grid) {
@@ -30,7 +31,7 @@ int draws_for(const Grid& grid) {
     return static_cast<int>(std::clamp<double>(std::round(full / nodes), min_draws, max_draws));
 }
 
-/// Similarities of one design made with errors, until the time is over: then they throw ga::Stopped.
+/// Similarities of one design under errors. They throw ga::Stopped when the time is over.
 class Trials {
   public:
     Trials(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options)
@@ -38,7 +39,7 @@ class Trials {
           watch_({std::numeric_limits<long>::max(), options.seconds, options.stop}),
           setup_(exactly(completed(given))), made_(stopping(setup_), genome),
           range_(made_.surface().heights.maxCoeff() - made_.surface().heights.minCoeff()) {}
-    Trials(const Trials&) = delete; // its surface refers to its clock
+    Trials(const Trials&) = delete; // the surface refers to the clock
 
     const Eigen::VectorXd& heights() const { return made_.surface().heights; }
     double range() const { return range_; }
@@ -46,7 +47,7 @@ class Trials {
     double seconds_left() const { return options_.seconds - watch_.seconds(); }
     double similarity() const { return made_.similarity(Eigen::VectorXd::Zero(made_.surface().nodes())); }
 
-    /// Similarities, in rising order, of the first so many draws of noise with this rms (mm).
+    /// Similarities of the first draws of noise with this rms (mm), in rising order.
     std::vector<double> with_noise(double rms, int draws) {
         std::vector<double> similarities(static_cast<std::size_t>(draws));
         draws_.resize(std::max(draws_.size(), similarities.size()));
@@ -54,11 +55,11 @@ class Trials {
         std::sort(similarities.begin(), similarities.end());
         return similarities;
     }
-    /// Whether 95 % of the first so many draws keep a similarity. A draw that keeps it with more noise keeps
-    /// it, and one that loses it with less noise loses it: only the other draws are pressed.
+    /// Whether 95 % of the first draws keep a similarity. A draw that keeps it under more noise is not
+    /// computed again, nor is one that fails under less noise.
     bool keep(double level, double rms, int draws) {
         draws_.resize(std::max(draws_.size(), static_cast<std::size_t>(draws)));
-        std::vector<std::size_t> open;
+        std::vector<std::size_t> unknown;
         std::size_t lost = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(draws); ++i) {
             bool kept_above = false, lost_below = false;
@@ -68,29 +69,29 @@ class Trials {
             }
             lost += lost_below;
             if (!lost_below && !kept_above)
-                open.push_back(i);
+                unknown.push_back(i);
         }
-        each(open.size(), [&](std::size_t i) { pressed(draws_[open[i]], open[i], rms); });
-        for (const std::size_t i : open)
+        each(unknown.size(), [&](std::size_t i) { pressed(draws_[unknown[i]], unknown[i], rms); });
+        for (const std::size_t i : unknown)
             lost += draws_[i].similarity.at(rms) < level;
         return lost <= may_lose(draws);
     }
 
-    /// For each size of an error, the lowest similarity of these shapes (heights, mm) with either sign.
+    /// For each size of an error, the lowest similarity under these shapes (heights, mm) in either direction.
     std::vector<double> lowest(const std::vector<Eigen::VectorXd>& shapes,
                                const std::vector<double>& sizes) const {
-        const std::size_t ways = 2 * shapes.size();
-        std::vector<double> all(sizes.size() * ways), result;
+        const std::size_t cases = 2 * shapes.size();
+        std::vector<double> all(sizes.size() * cases), result;
         each(all.size(), [&](std::size_t i) {
-            all[i] = made_.similarity((i % 2 ? -1 : 1) * sizes[i / ways] * shapes[i % ways / 2]);
+            all[i] = made_.similarity((i % 2 ? -1 : 1) * sizes[i / cases] * shapes[i % cases / 2]);
         });
-        for (auto from = all.begin(); from != all.end(); from += static_cast<std::ptrdiff_t>(ways))
-            result.push_back(*std::min_element(from, from + static_cast<std::ptrdiff_t>(ways)));
+        for (auto from = all.begin(); from != all.end(); from += static_cast<std::ptrdiff_t>(cases))
+            result.push_back(*std::min_element(from, from + static_cast<std::ptrdiff_t>(cases)));
         return result;
     }
 
   private:
-    /// One draw of noise with rms 1, and the similarity for each rms (mm) that was tried.
+    /// One draw of noise with rms 1, and its similarity for each rms (mm) that was tried.
     struct Draw {
         Eigen::VectorXd heights = {};
         std::map<double, double> similarity = {};
@@ -122,14 +123,14 @@ class Trials {
     ga::Watch watch_;
     DesignSetup setup_;
     MadeSurface made_;
-    double range_; ///< of the heights, mm
+    double range_; ///< height range, mm
     std::vector<Draw> draws_;
 };
 
-/// The similarity that is kept at some sizes of an error, by size.
+/// The similarity under some sizes of an error, by size.
 using KeptBySize = std::map<double, double>;
 
-/// Sizes up to `cap`, each `ratio` times the one before: from one that keeps `high` to one that loses `low`.
+/// Sizes up to `cap`, each `ratio` times the one before, from one that keeps `high` to one below `low`.
 template <class KeptAt>
 KeptBySize ladder(double cap, double ratio, double high, double low, KeptAt kept) {
     KeptBySize all{{cap / 1024, kept(cap / 1024)}};
@@ -144,7 +145,8 @@ KeptBySize ladder(double cap, double ratio, double high, double low, KeptAt kept
     return all;
 }
 
-/// The largest size before the first that loses the level, or 0, and that one; twice the last if none does.
+/// The largest size before the first below the level, or 0, and that first size; if none is below, twice the
+/// last.
 std::pair<double, double> bracket(const KeptBySize& all, double level) {
     const auto lost =
         std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second < level; });
@@ -152,40 +154,39 @@ std::pair<double, double> bracket(const KeptBySize& all, double level) {
     return {kept, lost == all.end() ? kept : lost->first};
 }
 
-/// The largest tilts or scales up to which every one keeps a level: octaves are divided into `parts`, then
-/// the step before the first size that loses the level is divided again and again.
+/// Sets the largest tilts or scales up to which all keep a level. Octaves are divided into `parts`; then the
+/// interval before the first size below the level is divided further.
 void find_errors(const Trials& trials, const std::vector<Eigen::VectorXd>& shapes, double cap, int parts,
-                 const std::vector<ToleranceLevel*>& levels, double ToleranceLevel::*error) {
-    KeptBySize all = ladder(cap, 2, levels.front()->similarity, levels.back()->similarity,
+                 std::span<ToleranceLevel> levels, double ToleranceLevel::*error) {
+    KeptBySize all = ladder(cap, 2, levels.front().similarity, levels.back().similarity,
                             [&](double size) { return trials.lowest(shapes, {size}).front(); });
-    const auto divide = [&](double from, double to, int into, std::vector<double>& sizes) {
-        for (int i = 1; i < into; ++i)
-            sizes.push_back(from + (to - from) * i / into);
-    };
-    const auto probe = [&](const std::vector<double>& sizes) {
+    using Gaps = std::vector<std::pair<double, double>>;
+    const auto probe_inside = [&](const Gaps& gaps, int into) {
+        std::vector<double> sizes;
+        for (const auto& [from, to] : gaps)
+            for (int i = 1; i < into; ++i)
+                sizes.push_back(from + (to - from) * i / into);
         const std::vector<double> similarities = trials.lowest(shapes, sizes);
         for (std::size_t i = 0; i < sizes.size(); ++i)
             all[sizes[i]] = similarities[i];
     };
-    std::vector<double> sizes;
+    Gaps octaves;
     double last = 0;
     for (const auto& [size, similarity] : all)
-        divide(std::exchange(last, size), size, parts, sizes);
-    probe(sizes);
-    for (ToleranceLevel* level : levels) {
-        auto [from, to] = bracket(all, level->similarity);
+        octaves.emplace_back(std::exchange(last, size), size);
+    probe_inside(octaves, parts);
+    for (ToleranceLevel& level : levels) {
+        auto [from, to] = bracket(all, level.similarity);
         while (to > precision * from && to > smallest * cap) {
-            sizes.clear();
-            divide(from, to, 4, sizes);
-            probe(sizes);
-            std::tie(from, to) = bracket(all, level->similarity);
+            probe_inside({{from, to}}, 4);
+            std::tie(from, to) = bracket(all, level.similarity);
         }
-        level->*error = from;
+        level.*error = from;
     }
 }
 
-/// The largest noise of which so many draws keep the level: bisected with a tenth of them, then with more
-/// and more, each time around the noise that the draws before gave.
+/// The largest noise under which the draws keep the level, by bisection. It begins with few draws and repeats
+/// with more, each time around the noise found before.
 double largest_noise(Trials& trials, const KeptBySize& rough_steps, double level, int few, int draws) {
     auto [from, to] = bracket(rough_steps, level);
     if (from == 0 || from == to)
@@ -207,15 +208,15 @@ double largest_noise(Trials& trials, const KeptBySize& rough_steps, double level
     }
 }
 
-/// Wilson's interval of a share (95 %) of which so many draws are known.
+/// Wilson's 95 % confidence interval of a share that was measured with this many draws.
 std::pair<double, double> share_interval(double share, int draws) {
     const double z = 1.96, n = draws, centre = share + z * z / (2 * n),
                  half = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n)), all = 1 + z * z / n;
     return {(centre - half) / all, (centre + half) / all};
 }
 
-/// How many draws of noise are made, and into how many parts octaves of tilts and scales are divided: fewer
-/// if time is short, as some curves tell. It is planned for 0.7 of the time.
+/// The number of draws of noise, and the number of parts of each octave of tilts and scales. Both are smaller
+/// if time is short, by the time of some curves, and planned for 0.7 of it.
 std::pair<int, int> effort_for(const Trials& trials, const Grid& grid, const ToleranceOptions& options) {
     std::pair effort(draws_for(grid), grid.is_2d() ? 2 : 8);
     auto& [draws, parts] = effort;
@@ -226,7 +227,8 @@ std::pair<int, int> effort_for(const Trials& trials, const Grid& grid, const Tol
                   std::vector(static_cast<std::size_t>(trials.threads()), 1e-6)); // 2 each
     const double curves = 1.4 * trials.seconds_left() * trials.threads() / clock.seconds();
     parts = static_cast<int>(std::clamp<double>(curves / 200, 1, parts));
-    // 7 octaves of tilts and of scales with 18 finer sizes, two each; 4 noises; 4 for each draw.
+    // Curves: two per tilt and scale in 7 octaves and for 18 finer sizes, 4 per draw, and 4 noises with few
+    // draws.
     const double left = curves - 4 * (7 * parts + 18) - 4 * few_draws;
     draws = static_cast<int>(std::clamp<double>(left / 4, min_draws_in_time, draws));
     return effort;
@@ -250,40 +252,36 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
         const auto [draws, parts] = effort_for(trials, setup.model.grid, options);
         result.draws = draws;
         std::tie(result.share_from, result.share_to) = share_interval(Tolerance::share, draws);
-        std::vector<ToleranceLevel*> feasible;
-        for (ToleranceLevel& level : result.levels) {
-            if (level.similarity > result.similarity)
-                level.noise_rms = level.tilt = level.scale = 0;
-            else
-                feasible.push_back(&level);
-        }
+        const auto first = std::ranges::find_if(result.levels, [&](const ToleranceLevel& level) {
+            return level.similarity <= result.similarity;
+        });
+        for (ToleranceLevel& level : std::span(result.levels.begin(), first))
+            level.noise_rms = level.tilt = level.scale = 0;
+        const std::span feasible(first, result.levels.end());
         if (!feasible.empty()) {
             find_errors(trials, unit_tilts(setup.model.grid), max_tilt * trials.range(), parts, feasible,
                         &ToleranceLevel::tilt);
             find_errors(trials, {trials.heights()}, max_scale, parts, feasible, &ToleranceLevel::scale);
             const int few = std::max(std::min(few_draws, draws), draws / 10);
-            const KeptBySize all =
-                ladder(trials.range(), 4, feasible.front()->similarity, feasible.back()->similarity,
-                       [&, &curve = result.curve](double rms) {
-                           const std::vector<double> similarities = trials.with_noise(rms, few);
-                           const double kept = similarities[may_lose(few)];
-                           curve.push_back({rms, kept, quantile(similarities, 0.5), few});
-                           return kept;
-                       });
-            for (ToleranceLevel* level : feasible) // until all draws are made
-                level->noise_rms = bracket(all, level->similarity).first;
+            const KeptBySize all = ladder(
+                trials.range(), 4, feasible.front().similarity, feasible.back().similarity, [&](double rms) {
+                    const std::vector<double> similarities = trials.with_noise(rms, few);
+                    const double kept = similarities[may_lose(few)];
+                    result.curve.push_back({rms, kept, quantile(similarities, 0.5), few});
+                    return kept;
+                });
+            for (ToleranceLevel& level : feasible) // replaced when all draws are done
+                level.noise_rms = bracket(all, level.similarity).first;
             for (auto level = feasible.rbegin(); level != feasible.rend(); ++level) {
-                const double similarity = (*level)->similarity;
-                (*level)->noise_rms = largest_noise(trials, all, similarity, few, draws);
-                if ((*level)->noise_rms > 0)
-                    result.curve.push_back({(*level)->noise_rms, similarity, unknown, draws});
+                level->noise_rms = largest_noise(trials, all, level->similarity, few, draws);
+                if (level->noise_rms > 0)
+                    result.curve.push_back({level->noise_rms, level->similarity, unknown, draws});
             }
         }
     } catch (const ga::Stopped&) {
         result.complete = false;
     }
-    std::sort(result.curve.begin(), result.curve.end(),
-              [](const auto& a, const auto& b) { return a.noise_rms < b.noise_rms; });
+    std::ranges::sort(result.curve, {}, &NoiseQuantile::noise_rms);
     return result;
 }
 

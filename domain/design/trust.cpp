@@ -1,21 +1,19 @@
 #include "domain/design/trust.hpp"
 
 #include "domain/contact/names.hpp"
-#include "domain/design/starts.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/plain_stream.hpp"
+#include "domain/problem/drawn_start.hpp"
+#include "domain/problem/problem.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/problem/surface_descriptors.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <numbers>
 
 namespace rough {
@@ -24,22 +22,8 @@ namespace {
 
 const std::string in_finer_steps_too = "4 times the load steps, for the target too";
 const std::string as_designed = "as designed";
-/// A likeness that falls by more than this with the load steps is said to hang on them.
+/// A similarity that falls by more than this with more load steps is reported as dependent on them.
 constexpr double unsettled = 0.01;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// 2 L/(pi E*) ln(factor): what a farther datum adds to a displacement for each unit of mean pressure.
-double compliance_of_datum(const Model& model, double factor) {
-    return 2 * model.grid.length / (std::numbers::pi * model.body.effective_modulus) * std::log(factor);
-}
-
-/// The set-up without Eq. 11: the genome's own amplitude, loaded as far as the targets go.
-DesignSetup in_final_amplitude(const DesignSetup& setup) {
-    DesignSetup final = setup;
-    final.max_pressure.reset();
-    return final;
-}
 
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
@@ -56,12 +40,11 @@ void flag(Trust& trust, const Parts&... parts) {
     trust.flags.push_back(line.str());
 }
 
-/// Of an area: the root mean square gradient.
+/// Root mean square gradient of a map.
 double gradient_of(const Genome& genome, const Grid& grid) {
     const auto all = surface_descriptors(grid);
-    return std::pow(10, std::find_if(all.begin(), all.end(), [](const auto& each) {
-                            return each.name == "slope";
-                        })->of(genome));
+    const auto slope = std::ranges::find(all, std::string("slope"), &ga::Descriptor<Genome>::name);
+    return std::pow(10, slope->of(genome));
 }
 
 void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
@@ -80,18 +63,17 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
     const ContactState& state = trust.last;
     trust.peak_pressure = state.pressure.maxCoeff();
     const auto [columns, rows] = profile.shape();
-    trust.contact_at_ends =
-        setup.model.body.kernel != Kernel::periodic &&
-        std::any_of(state.nodes.begin(), state.nodes.end(), [columns = columns, rows = rows](int node) {
-            const Index i = node % columns, j = node / columns;
-            return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
-        });
+    trust.contact_at_ends = setup.model.body.kernel != Kernel::periodic &&
+                            std::ranges::any_of(state.nodes, [columns = columns, rows = rows](int node) {
+                                const Index i = node % columns, j = node / columns;
+                                return i == 0 || i == columns - 1 || (rows > 1 && (j == 0 || j == rows - 1));
+                            });
     trust.shortest_wave_nodes = shortest_wave(genome) * (1 + 1e-12) / setup.model.grid.widest_spacing();
 
     if (trust.rms_slope > 0.1)
         flag(trust, "rms slope ", trust.rms_slope,
              " is above 0.1: ", profile.is_2d() ? "half-space" : "half-plane",
-             " theory supposes small slopes");
+             " theory assumes small slopes");
     if (options.hardness > 0 && trust.peak_pressure > options.hardness)
         flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
              " MPa: the peaks would flow");
@@ -100,38 +82,32 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
              " nodes, under 8: the grid is part of the answer");
     if (trust.contact_at_ends)
         flag(trust, "contact reaches the ", profile.is_2d() ? "area's edges" : "profile's ends",
-             ", where a real surface would go on");
+             "; a real surface continues there");
 }
 
-/// One question, asked of what it refers to; NaN where it has no answer.
+/// One similarity to compute. It refers to the set-up, the genome and the options.
 struct Job {
+    enum class Kind { check, kernel, redrawn } kind;
     std::string name;
     std::function<double()> similarity;
     bool decides = false;
-
-    double answer() const {
-        try {
-            return similarity();
-        } catch (const std::exception&) {
-            return unknown;
-        }
-    }
 };
+using Jobs = std::vector<Job>;
+using enum Job::Kind;
 
-Job under(const DesignSetup& setup, const Genome& genome, const std::string& name, const Model& model) {
-    return {name, [&setup, &genome, model] { return similarity(setup, respond(setup, genome, model)); }};
-}
-
-std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-                           Trust& trust, const Answer* verified) {
-    std::vector<Job> jobs;
+Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions& options, Trust& trust,
+              const Answer* verified) {
+    Jobs jobs;
+    const auto under = [&](Job::Kind kind, const std::string& name, const Model& model) {
+        jobs.push_back({kind, name, [&, model] { return similarity(setup, respond(setup, genome, model)); }});
+    };
     const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
-        if (verified && known && setup.model.grid.is_2d() && std::isnan(verified->*known))
+        if (!verified || !known || !setup.model.grid.is_2d())
+            under(check, name, model);
+        else if (std::isnan(verified->*known))
             trust.left_out.push_back(name);
-        else if (verified && known && setup.model.grid.is_2d())
-            jobs.push_back({name, [=] { return verified->*known; }});
         else
-            jobs.push_back(under(setup, genome, name, model));
+            jobs.push_back({check, name, [=] { return verified->*known; }});
     };
     ask(as_designed, setup.model, &Answer::similarity);
     ask("2 times the nodes", refined(setup.model, 2), nullptr);
@@ -140,71 +116,64 @@ std::vector<Job> checks_of(const DesignSetup& setup, const Genome& genome, const
     steps.loading.steps *= 4;
     ask("4 times the load steps", steps, &Answer::similarity_stepped);
     if (setup.like)
-        jobs.push_back({in_finer_steps_too, [&setup, &genome] {
+        jobs.push_back({check, in_finer_steps_too, [&] {
                             const DesignSetup finer = in_finer_steps(setup);
                             return similarity(finer, respond(finer, genome, finer.model));
                         }});
+    DesignSetup unscaled = setup; // without Eq. 11: the genome's amplitude, loaded as far as the targets go
+    unscaled.max_pressure.reset();
     if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_2d()) {
-        DesignSetup far = in_final_amplitude(setup);
+        DesignSetup far = unscaled;
         far.targets = with_datum(setup.targets, setup.model, 4);
         far.model.body.datum *= 4;
         if (!far.targets.empty())
-            jobs.push_back({"4 times the datum, the target moved with it",
-                            [far, &genome] { return similarity(far, respond(far, genome, far.model)); }});
+            jobs.push_back({check, "4 times the datum, the target moved with it",
+                            [&, far] { return similarity(far, respond(far, genome, far.model)); }});
     }
     const auto [noise, noise_length, tilt] = setup.errors;
-    const auto made = [&setup, &genome, &options](const MakingErrors& errors) {
-        return [&, errors] {
-            DesignSetup with = setup;
-            with.errors = errors;
-            return similarity_when_made(with, genome, {.seed = options.seed, .threads = 1});
-        };
-    };
-    if (noise > 0)
-        jobs.push_back({line_of("height noise of ", noise, " mm rms, 95 % of the draws"),
-                        made({noise, noise_length, 0}), true});
-    if (tilt > 0)
-        jobs.push_back(
-            {line_of("tilt of ", tilt, " mm over the length"), made({0, noise_length, tilt}), true});
-    if (trust.peak_pressure > options.hardness && options.hardness > 0)
-        jobs.push_back({"nodes held at the hardness",
-                        [&setup, &genome, &options] {
-                            DesignSetup yields = in_final_amplitude(setup);
-                            yields.model.body.hardness = options.hardness;
-                            for (const Target& target : setup.targets)
-                                if (target.against_pressure())
-                                    yields.model.loading.to_pressure =
-                                        std::max(yields.model.loading.to_pressure, target.last());
-                            yields = in_finer_steps(std::move(yields), 1); // a measured target's nodes, too
-                            return similarity(yields, respond(yields, genome, yields.model));
+    const auto under_errors = [&](const std::string& name, const MakingErrors& errors) {
+        jobs.push_back({check, name,
+                        [&, errors] {
+                            DesignSetup with = setup;
+                            with.errors = errors;
+                            return similarity_when_made(with, genome, {.seed = options.seed, .threads = 1});
                         },
                         true});
-    return jobs;
-}
-
-std::vector<Job> kernels_of(const DesignSetup& setup, const Genome& genome) {
-    std::vector<Job> jobs;
-    for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
-        if (kernel != setup.model.body.kernel && !(setup.model.grid.is_2d() && kernel == Kernel::strip))
-            jobs.push_back(under(setup, genome, name_of(kernel), with_kernel(setup.model, kernel)));
-    return jobs;
-}
-
-/// Of the same spectrum: a ridge's amplitude stays, its place moves.
-std::vector<Job> redrawn_phases(const DesignSetup& setup, const Genome& genome, const TrustOptions& options) {
-    std::vector<Job> jobs;
+    };
+    if (noise > 0)
+        under_errors(line_of("height noise of ", noise, " mm rms, 95 % of the draws"),
+                     {noise, noise_length, 0});
+    if (tilt > 0)
+        under_errors(line_of("tilt of ", tilt, " mm over the length"), {0, noise_length, tilt});
+    if (trust.peak_pressure > options.hardness && options.hardness > 0) {
+        DesignSetup yielding = unscaled;
+        yielding.model.body.hardness = options.hardness;
+        for (const Target& target : setup.targets)
+            if (target.against_pressure())
+                yielding.model.loading.to_pressure =
+                    std::max(yielding.model.loading.to_pressure, target.last());
+        jobs.push_back({check, "nodes held at the hardness",
+                        [&, yielding] { // nodes of a measured target are held, too
+                            const DesignSetup held = in_finer_steps(yielding, 1);
+                            return similarity(held, respond(held, genome, held.model));
+                        },
+                        true});
+    }
+    for (const Kernel other : {Kernel::free, Kernel::periodic, Kernel::strip})
+        if (other != setup.model.body.kernel && !(setup.model.grid.is_2d() && other == Kernel::strip))
+            under(kernel, name_of(other), with_kernel(setup.model, other));
     for (int draw = 0; draw < options.phase_draws; ++draw)
-        jobs.push_back({"", [&, draw] {
+        jobs.push_back({redrawn, "", [&, draw] { // each ridge keeps its amplitude and moves to another place
                             ga::Stream random(
                                 ga::fold(ga::fold(options.seed, "phases"), static_cast<std::uint64_t>(draw)));
-                            Genome redrawn = genome;
-                            for (Series& series : redrawn.series)
+                            Genome moved = genome;
+                            for (Series& series : moved.series)
                                 for (Chromosome& chromosome : series.chromosomes) {
                                     const double turn = random.uniform(0, 2 * std::numbers::pi);
                                     for (double& phase : chromosome.phases)
                                         phase += turn;
                                 }
-                            return similarity(setup, with_fitting_amplitude(setup, redrawn));
+                            return similarity(setup, with_fitting_amplitude(setup, moved));
                         }});
     return jobs;
 }
@@ -212,7 +181,9 @@ std::vector<Job> redrawn_phases(const DesignSetup& setup, const Genome& genome, 
 } // namespace
 
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor) {
-    const double c = compliance_of_datum(model, factor);
+    // The displacement that the farther datum adds per unit of mean pressure, mm/MPa.
+    const double c =
+        -datum_sensitivity(1, model.grid.length, model.body.effective_modulus) * std::log(factor);
     std::vector<Target> moved;
     for (Target target : targets) {
         const auto stiffer = [&](Eigen::VectorXd& K) { K = K.array() / (1 + c * K.array()); };
@@ -232,70 +203,93 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
 }
 
 Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options,
-               const Answer* verified, const DesignResponse* own) {
+               const Answer* verified, const DesignResponse* designed) {
     Trust trust;
     DesignSetup setup = completed(given);
-    assess_strains(setup, genome, options, own ? *own : respond(setup, genome, setup.model), trust);
+    assess_strains(setup, genome, options, designed ? *designed : respond(setup, genome, setup.model), trust);
     const auto late = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds, options.stop})] {
         return watch.expired();
     };
     setup.model.contact.stop = late;
-    std::vector<Job> jobs = checks_of(setup, genome, options, trust, verified);
-    const std::size_t checks = jobs.size();
-    for (Job& job : kernels_of(setup, genome))
-        jobs.push_back(std::move(job));
-    const std::size_t kernels = jobs.size();
-    for (Job& job : redrawn_phases(setup, genome, options))
-        jobs.push_back(std::move(job));
-    std::vector<double> values(jobs.size(), unknown);
+    const Jobs jobs = jobs_for(setup, genome, options, trust, verified);
+    std::vector<double> values(jobs.size());
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
         if (late())
             return;
-        values[i] = jobs[i].answer();
+        try {
+            values[i] = jobs[i].similarity();
+        } catch (const std::exception&) {
+            values[i] = Trust::unknown;
+        }
         done[i] = std::isfinite(values[i]) || !late();
     });
-    std::vector<double> checked, redrawn;
-    for (std::size_t i = 0; i < kernels; ++i)
-        if (!done[i]) {
-            trust.left_out.push_back(jobs[i].name);
-            trust.all_decided = trust.all_decided && !jobs[i].decides;
-        } else {
-            (i < checks ? trust.checks : trust.kernels).push_back({jobs[i].name, values[i], jobs[i].decides});
+    std::vector<double> phases_moved, deciding;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const auto& [kind, name, similarity, decides] = jobs[i];
+        if (done[i] && kind == redrawn) {
+            phases_moved.push_back(values[i]);
+        } else if (done[i]) {
+            (kind == check ? trust.checks : trust.kernels).push_back({name, values[i], decides});
+            if (decides)
+                deciding.push_back(values[i]);
+        } else if (kind != redrawn) {
+            trust.left_out.push_back(name);
+            trust.all_decided = trust.all_decided && !decides;
         }
-    const auto worse = [](const Check& a, const Check& b) { // none is the worst
-        return a.similarity < b.similarity || (std::isnan(a.similarity) && !std::isnan(b.similarity));
-    };
-    std::vector<Check> deciding;
-    std::copy_if(trust.checks.begin(), trust.checks.end(), std::back_inserter(deciding),
-                 [](const Check& check) { return check.decides; });
-    if (!deciding.empty())
-        trust.under = std::min_element(deciding.begin(), deciding.end(), worse)->similarity;
-    for (const Check& check : trust.checks)
-        checked.push_back(check.similarity);
-    for (std::size_t i = kernels; i < jobs.size(); ++i)
-        if (done[i])
-            redrawn.push_back(values[i]);
-    for (const Check& check : trust.checks)
-        if (check.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
-            check.similarity < trust.checks[0].similarity - unsettled)
-            flag(trust, "with ", in_finer_steps_too, ", the similarity is ", check.similarity,
+    }
+    if (!deciding.empty()) // a check without a response is the worst
+        trust.under = *std::min_element(deciding.begin(), deciding.end(), [](double a, double b) {
+            return a < b || (std::isnan(a) && !std::isnan(b));
+        });
+    for (const Check& one : trust.checks)
+        if (one.name == in_finer_steps_too && trust.checks[0].name == as_designed &&
+            one.similarity < trust.checks[0].similarity - unsettled)
+            flag(trust, "with ", in_finer_steps_too, ", the similarity is ", one.similarity,
                  ": the two curves agree less between the ", setup.model.loading.steps,
                  " steps than at them");
-    if (!checked.empty()) {
-        trust.median = quantile(checked, 0.5);
-        trust.tenth = quantile(checked, 0.1);
-    }
-    trust.redrawn = static_cast<int>(redrawn.size());
-    if (!redrawn.empty()) {
-        trust.redrawn_best = quantile(redrawn, 1);
-        trust.redrawn_median = quantile(redrawn, 0.5);
-        trust.redrawn_tenth = quantile(redrawn, 0.1);
-    }
+    const std::vector<double> checked = column(trust.checks, &Check::similarity);
+    trust.median = quantile(checked, 0.5);
+    trust.tenth = quantile(checked, 0.1);
+    trust.redrawn = static_cast<int>(phases_moved.size());
+    trust.redrawn_best = quantile(phases_moved, 1);
+    trust.redrawn_median = quantile(phases_moved, 0.5);
+    trust.redrawn_tenth = quantile(phases_moved, 0.1);
     if (trust.redrawn < options.phase_draws)
         trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
-                                 " of the phases drawn anew");
+                                 " sets of redrawn phases");
     return trust;
+}
+
+std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& answer) {
+    const DesignSetup setup = completed(given);
+    const Model own = exactly(setup.model);
+    const Target& target = setup.targets.front();
+    const auto values = [&](const Model& model) {
+        const Curve curve = respond(setup, answer.genome, model).curves.front();
+        return Eigen::VectorXd(target.x.unaryExpr([&](double x) { return curve.at(x); }));
+    };
+    const Eigen::VectorXd base = values(own);
+    std::vector<ErrorSource> budget;
+    const auto add = [&](const std::string& kind, const std::string& source, const Model& model) {
+        budget.push_back({kind, source, (values(model).array() / base.array() - 1).abs().maxCoeff()});
+    };
+    if (own.body.kernel == Kernel::free && !own.grid.is_2d()) {
+        Model far = own;
+        far.body.datum *= 4;
+        add("model", "the half-plane's datum at 4 times the distance", far);
+        add("model", "a periodic half-plane instead of the free one", with_kernel(own, Kernel::periodic));
+    }
+    add("numerical", "the grid: 4 times the elements", refined(own, 4));
+    Model steps = own;
+    steps.loading.steps *= 4;
+    add("numerical", "the load steps: 4 times as many", steps);
+    if (setup.model.accuracy > 0)
+        add("numerical", "the accuracy that the search was allowed", setup.model);
+    budget.push_back(
+        {"target", "the remaining mismatch with the target on the model's grid", 1 - answer.similarity});
+    budget.push_back({"target", "the remaining mismatch on the finer grid", 1 - answer.similarity_refined});
+    return budget;
 }
 
 } // namespace rough

@@ -8,60 +8,69 @@
 
 namespace rough {
 
-/// How an answer is put to the test.
+/// How an answer is checked.
 struct TrustOptions {
-    int phase_draws = 30;   ///< how many genomes with phases drawn anew
-    double hardness = 0;    ///< MPa: no node bears more, the measured target's neither; 0: not given
-    std::uint64_t seed = 1; ///< of noise and redrawn phases
+    int phase_draws = 30;   ///< genomes with redrawn phases
+    double hardness = 0;    ///< maximum pressure of a node, also for a measured target, MPa; 0: not given
+    std::uint64_t seed = 1; ///< for noise and redrawn phases
     int threads = 0;        ///< 0: all
-    double seconds = std::numeric_limits<double>::infinity(); ///< what is not done by then is left out
-    const std::atomic<bool>* stop = nullptr; ///< somebody asks it to end, as if the seconds were over
+    double seconds = std::numeric_limits<double>::infinity(); ///< checks not done by then are left out
+    const std::atomic<bool>* stop = nullptr;                  ///< true ends the checks, as `seconds` does
 };
 
-/// One way to ask the same again, and the similarity it gives; NaN where it has no answer.
+/// The similarity of an answer under one change.
 struct Check {
-    std::string name;     ///< what was asked, in words
-    double similarity;    ///< NaN: no answer
-    bool decides = false; ///< noise, tilt or hardness that was given: an answer is to hold under it
+    std::string name;     ///< the change, in words
+    double similarity;    ///< NaN: no response
+    bool decides = false; ///< noise, tilt or hardness was given: the answer must hold under it
 };
 
-/// How far an answer is to be believed.
+/// How reliable an answer is.
 struct Trust {
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< of what was not tried
-    std::vector<Check> checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt,
-                               ///< nodes held at the hardness where the peaks would flow
-    /// The least similarity of checks that decide; NaN where there is none, or one without an answer.
-    double under = unknown;
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< value if not checked
+    std::vector<Check>
+        checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt, hardness
+    double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
     bool all_decided = true;    ///< no check that decides was left out
-    double median = unknown;    ///< of the checks' similarities
+    double median = unknown;    ///< median similarity of the checks
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
-    std::vector<Check> kernels; ///< the same profile on other bodies, for comparison: no check of the answer
-    /// Similarity of genomes of the same spectrum with phases drawn anew (amplitude by Eq. 11, or fitted):
-    /// where the best of them is near the answer the spectrum does it, where it is not the phases do.
+    std::vector<Check> kernels; ///< the profile on other bodies, for comparison only
+    /// Highest similarity of genomes with redrawn phases and the same spectrum, in fitted amplitude. If it is
+    /// near the answer's, the response follows from the spectrum; otherwise it follows from the phases.
     double redrawn_best = unknown;
-    double redrawn_median = unknown;   ///< as redrawn_best, the median
-    double redrawn_tenth = unknown;    ///< as redrawn_best, the tenth percentile
-    int redrawn = 0;                   ///< how many were drawn
-    double rms_slope = 0;              ///< of the profile, dimensionless
+    double redrawn_median = unknown;   ///< their median similarity
+    double redrawn_tenth = unknown;    ///< tenth percentile of their similarities
+    int redrawn = 0;                   ///< their number
+    double rms_slope = 0;              ///< slope of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa
-    double shortest_wave_nodes = 0;    ///< in units of the grid's spacing
-    bool contact_at_ends = false;      ///< of a free or strip profile, at the last load step
-    ContactState last;                 ///< what touches at the last load step
-    std::vector<std::string> flags;    ///< where the model strains, a line each
-    std::vector<std::string> left_out; ///< what there was no time for
+    double shortest_wave_nodes = 0;    ///< shortest wavelength in units of the node spacing
+    bool contact_at_ends = false;      ///< an end touches at the last load step; false for a periodic body
+    ContactState last;                 ///< contact at the last load step
+    std::vector<std::string> flags;    ///< doubtful assumptions of the model, one line each
+    std::vector<std::string> left_out; ///< checks without time
 };
 
-/// Re-verifies a genome in final amplitude, under the set-up's errors too, whose response as designed may be
-/// given (response_of). On an area what the search has verified already is taken from its answer, where that
-/// is given: a fine area's curve costs a minute; what it had no time for is left out. The datum's change is
-/// exact on the target side: 1/K(4 d) = 1/K(d)
-/// + (2 L/(pi E*)) ln 4 at the same load, displacements grow by (2 P L/(pi E*)) ln 4, areas and interface
-/// stiffness stay.
+/// Checks a genome in final amplitude under changes of the model and under the set-up's errors. A
+/// curve on a fine area takes a minute, so similarities that the search has verified are taken from
+/// `verified` if it is given. Those that the search did not have time for are left out. The target moves with
+/// the datum by with_datum(). `designed` is the response as designed (response_of), if it is known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
-               const Answer* verified = nullptr, const DesignResponse* own = nullptr);
+               const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 
-/// The targets as they read with the datum `factor` times farther; free kernel only. A target against
-/// displacement has no reading of its own where the load at its points is not known, and is left out.
+/// The targets for a datum at `factor` times the distance, exactly; free kernel only. At equal load
+/// 1/K(f d) = 1/K(d) + (2 L/(pi E*)) ln f, and displacements grow by (2 P L/(pi E*)) ln f. Contact area and
+/// interface stiffness do not change. Targets against displacement with unknown loads are left out.
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
+
+/// One source of error of a designed surface.
+struct ErrorSource {
+    std::string kind;   ///< model, numerical or target
+    std::string source; ///< in words
+    double size = 0;    ///< largest relative change of the curve at the target's points, or remaining misfit
+};
+
+/// How far an answer's curve moves at the first target's points if one thing changes: body, grid, load steps
+/// or the accuracy of the search. Eq. 11 is applied again. The remaining mismatches on both grids follow.
+std::vector<ErrorSource> error_budget(const DesignSetup& setup, const Answer& answer);
 
 } // namespace rough

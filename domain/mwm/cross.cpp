@@ -1,7 +1,7 @@
 #include "domain/mwm/cross.hpp"
 
 #include "domain/mwm/waves.hpp"
-#include "ga/variation/points.hpp"
+#include "ga/variation/cross.hpp"
 
 #include <algorithm>
 
@@ -9,40 +9,35 @@ namespace rough {
 
 namespace {
 
-/// A chromosome with the genes of the series that it comes from.
-struct Owned {
-    Series genes; ///< without chromosomes
-    Chromosome chromosome;
-};
-
-std::vector<Owned> by_wave_length(const Genome& genome) {
-    std::vector<Owned> scales;
-    for (const auto& series : folded(genome).series)
-        for (const auto& chromosome : series.chromosomes)
-            scales.push_back({{series.A, series.H, series.gamma, series.lambda, {}}, chromosome});
-    std::stable_sort(scales.begin(), scales.end(), [](const Owned& a, const Owned& b) {
-        return wave_length(a.genes, a.chromosome.n) > wave_length(b.genes, b.chromosome.n);
+/// The chromosomes of a genome from the longest wavelength to the shortest, each as one series.
+std::vector<Series> by_wave_length(const Genome& genome) {
+    std::vector<Series> scales;
+    for (const Series& series : folded(genome).series)
+        for (const Chromosome& chromosome : series.chromosomes)
+            scales.push_back({series.A, series.H, series.gamma, series.lambda, {chromosome}});
+    std::stable_sort(scales.begin(), scales.end(), [](const Series& a, const Series& b) {
+        return wave_length(a, a.chromosomes[0].n) > wave_length(b, b.chromosomes[0].n);
     });
     return scales;
 }
 
-/// A series takes a chromosome if its genes are equal and the place n is free.
-bool takes(const Series& series, const Owned& scale) {
-    const auto& genes = scale.genes;
-    return series.A == genes.A && series.H == genes.H && series.gamma == genes.gamma &&
-           series.lambda == genes.lambda &&
+/// Whether a series has the genes of a scale, and its place n free.
+bool takes(const Series& series, const Series& scale) {
+    return series.A == scale.A && series.H == scale.H && series.gamma == scale.gamma &&
+           series.lambda == scale.lambda &&
            std::none_of(series.chromosomes.begin(), series.chromosomes.end(),
-                        [&](const Chromosome& other) { return other.n == scale.chromosome.n; });
+                        [&](const Chromosome& other) { return other.n == scale.chromosomes[0].n; });
 }
 
-Genome genome_of(const std::vector<Owned>& scales) {
+Genome genome_of(const std::vector<Series>& scales) {
     Genome genome;
-    for (const auto& scale : scales) {
-        auto home = std::find_if(genome.series.begin(), genome.series.end(),
-                                 [&](const Series& series) { return takes(series, scale); });
+    for (const Series& scale : scales) {
+        const auto home = std::find_if(genome.series.begin(), genome.series.end(),
+                                       [&](const Series& series) { return takes(series, scale); });
         if (home == genome.series.end())
-            home = genome.series.insert(home, scale.genes);
-        home->chromosomes.push_back(scale.chromosome);
+            genome.series.push_back(scale);
+        else
+            home->chromosomes.push_back(scale.chromosomes[0]);
     }
     return genome;
 }

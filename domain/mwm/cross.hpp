@@ -5,12 +5,13 @@
 
 namespace rough {
 
-/// Cross-over of length scales: the chromosomes of each genome, ordered from the longest wave to the
-/// shortest, change places; each keeps its own series' genes and its profile's scale. Chromosomes that end up
-/// beside others of equal series genes form one series with them; series left empty go. Numbers of
-/// chromosomes stay.
+/// @file
+/// Cross-over of length scales. The chromosomes of each genome, ordered from the longest wavelength
+/// to the shortest, change places. Each keeps the genes of its series and the scale of its genome.
+/// Chromosomes with equal series genes form one series afterwards, and empty series are removed. Numbers
+/// of chromosomes stay.
 
-/// Exchanges every other piece between `cuts` cuts at places both genomes have.
+/// Exchanges every other piece between `cuts` cuts, at places that both genomes have.
 void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
 
 /// Exchanges each place that both genomes have with probability 1/2.

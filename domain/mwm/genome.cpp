@@ -1,25 +1,14 @@
 #include "domain/mwm/genome.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/plain_stream.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 namespace rough {
 
 namespace {
-
-template <class... Parts>
-[[noreturn]] void refuse(const std::string& where, const Parts&... parts) {
-    PlainStream line;
-    line.precision(17);
-    line << where << ": ";
-    (line << ... << parts);
-    throw InputError(line.str());
-}
 
 void append_bits(std::string& key, const void* value, std::size_t size) {
     key.append(static_cast<const char*>(value), size);
@@ -44,35 +33,34 @@ void for_each_gene(G& genome, Visit visit) {
 } // namespace
 
 void validate(const Genome& genome, const std::string& where) {
-    if (!std::isfinite(genome.scale) || genome.scale == 0)
-        refuse(where, "scale is ", genome.scale, ", expected a finite number other than 0");
+    const auto expect = [](bool good, const std::string& place, const char* what, double value,
+                           const char* expected) {
+        if (!good)
+            refuse(place, ": ", what, " is ", value, "; use a finite number", expected);
+    };
+    expect(std::isfinite(genome.scale) && genome.scale != 0, where, "scale", genome.scale, " other than 0");
     if (genome.series.empty())
-        refuse(where, "no series given, expected at least one");
+        refuse(where, ": no series; give at least one");
     for (std::size_t s = 0; s < genome.series.size(); ++s) {
         const auto& series = genome.series[s];
         const std::string place = where + ": series " + std::to_string(s + 1);
-        if (!std::isfinite(series.A) || series.A == 0)
-            refuse(place, "A is ", series.A, ", expected a finite number other than 0");
-        if (!std::isfinite(series.H))
-            refuse(place, "H is ", series.H, ", expected a finite number");
-        if (!std::isfinite(series.gamma) || series.gamma <= 1)
-            refuse(place, "gamma is ", series.gamma, ", expected a finite number greater than 1");
-        if (!std::isfinite(series.lambda) || series.lambda <= 0)
-            refuse(place, "lambda is ", series.lambda, " mm, expected a finite number greater than 0");
+        expect(std::isfinite(series.A) && series.A != 0, place, "A", series.A, " other than 0");
+        expect(std::isfinite(series.H), place, "H", series.H, "");
+        expect(std::isfinite(series.gamma) && series.gamma > 1, place, "gamma", series.gamma, " greater than 1");
+        expect(std::isfinite(series.lambda) && series.lambda > 0, place, "lambda", series.lambda,
+               " greater than 0 (mm)");
         if (series.chromosomes.empty())
-            refuse(place, "no chromosomes given, expected at least one");
+            refuse(place, ": no chromosomes; give at least one");
         std::set<int> seen;
         for (const auto& chromosome : series.chromosomes) {
             if (chromosome.n < 1)
-                refuse(place, "a chromosome has n = ", chromosome.n, ", expected n >= 1");
+                refuse(place, ": a chromosome has n = ", chromosome.n, "; use n >= 1");
             if (!seen.insert(chromosome.n).second)
-                refuse(place, "chromosome n = ", chromosome.n, " is given twice, expected each n once");
+                refuse(place, ": chromosome n = ", chromosome.n, " is given twice; give each n once");
             if (chromosome.phases.empty())
-                refuse(place, "chromosome n = ", chromosome.n, " has no phases, expected at least one");
+                refuse(place, ": chromosome n = ", chromosome.n, " has no phases; give at least one");
             for (double phase : chromosome.phases)
-                if (!std::isfinite(phase))
-                    refuse(place, "chromosome n = ", chromosome.n, " has phase ", phase,
-                           ", expected a finite number (rad)");
+                expect(std::isfinite(phase), place, "a phase", phase, " (rad)");
         }
     }
 }

@@ -5,9 +5,9 @@
 
 namespace rough {
 
-/// One length scale of a series: M ridges of the same wave length, each with its phase (rad).
+/// One length scale of a series: M ridges of the same wavelength, each with its phase (rad).
 struct Chromosome {
-    int n = 1;                  ///< place in the series, >= 1; wave length lambda gamma^(1-n)
+    int n = 1;                  ///< place in the series, >= 1; wavelength lambda gamma^(1-n)
     std::vector<double> phases; ///< phi_{m,n}, rad, M >= 1 of them
 };
 
@@ -15,35 +15,38 @@ struct Chromosome {
 struct Series {
     double A = 1;       ///< amplitude, != 0; with lambda in mm, the unit that makes G_n a length in mm
     double H = 0.5;     ///< Hurst exponent, dimensionless
-    double gamma = 1.5; ///< ratio of neighbouring wave numbers, > 1
-    double lambda = 1;  ///< longest wave length, mm
+    double gamma = 1.5; ///< ratio of neighbouring wavenumbers, > 1
+    double lambda = 1;  ///< longest wavelength, mm
     std::vector<Chromosome> chromosomes; ///< at least one, each n once
 };
 
 /// A rough profile: scale * sum of series. A cross-over adds the parents' series.
 ///
-/// `scale` is the amplitude of the whole. It costs nothing to change: scaling a profile scales pressures and
-/// displacements and leaves stiffness and contact sets as they are, so Eq. 11 is a change of `scale` alone.
+/// `scale` is the amplitude of the whole profile. Changing it needs no new contact solution: it scales
+/// pressures and displacements, and leaves stiffness and contact sets as they are. So Eq. 11 changes only
+/// `scale`.
 struct Genome {
     double scale = 1;           ///< != 0
     std::vector<Series> series; ///< at least one
 };
 
-/// Checks every number. Throws InputError: nothing in it, A = 0, gamma <= 1, lambda <= 0, n < 1, n twice in a
-/// series, no phase, or anything not finite; `where` begins the message.
+/// Checks every number. Throws InputError, with `where` in front, on an empty genome or series, a chromosome
+/// without phases, or an n twice in a series. It also refuses A = 0, gamma <= 1, lambda <= 0, n < 1, and
+/// numbers that are not finite.
 void validate(const Genome& genome, const std::string& where);
 
-/// The same profile with scale 1: the amplitudes carry it.
+/// The profile with scale 1; its amplitudes are multiplied by the scale.
 Genome folded(Genome genome);
 
-/// The two parents' profiles added, each with its own scale. Series that differ in amplitude alone become
-/// one; the order of the parents does not matter, not even to the bits.
+/// The sum of the two parents' profiles. Series that differ only in amplitude become one. The order of the
+/// parents does not matter, not even to the last bit.
 Genome sum(const Genome& left, const Genome& right);
 
-/// The bits of all but the scale: genomes of one key have responses that differ by the scale alone.
+/// The bits of all numbers except the scale. The responses of genomes with equal keys differ only by the
+/// scale.
 std::string shape_key(const Genome& genome);
 
-/// What a gene is and where it stands.
+/// Kind and place of a gene.
 struct GenePlace {
     /// Amplitude, Hurst exponent, frequency ratio, longest wave (mm), ridge phase (rad).
     enum class Kind { A, H, gamma, lambda, phase };

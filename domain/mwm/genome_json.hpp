@@ -17,11 +17,11 @@ nlohmann::json genome_to_json(const Genome& genome);
 /// value.
 Genome genome_from_json(const nlohmann::json& json, const std::string& where);
 
-/// The length of a profile, mm, where nothing else is said (the paper's).
+/// The default length of a profile, mm (the paper's).
 constexpr double standard_length = 0.84942;
 
-/// What a genome file holds: the genome as above and, beside "series", "length_mm", the length of the profile
-/// that it was made for.
+/// A genome file: the genome as above, and "length_mm" next to "series", the length of the profile that it
+/// was made for.
 struct GenomeFile {
     Genome genome;                   ///< validated
     double length = standard_length; ///< mm, > 0
@@ -29,10 +29,10 @@ struct GenomeFile {
 
 /// Reads and validates a genome file of at most 16 MB. Throws InputError that begins with the file's name.
 GenomeFile read_genome_file(const std::filesystem::path& file);
-/// The genome alone.
+/// Reads only the genome.
 Genome read_genome(const std::filesystem::path& file);
 
-/// A genome file's text; a standard length is left out.
+/// A genome file's text; a standard length is omitted.
 std::string genome_file_text(const Genome& genome, double length);
 
 } // namespace rough

@@ -12,8 +12,8 @@ namespace rough {
 
 namespace {
 
-/// cos and sin of from + step * j, j = 0..count-1, doubled by the addition theorem: each value is a product
-/// of no more than 1 + log2(count) correctly rounded ones, so errors do not build up along x.
+/// cos and sin of from + step * j, j = 0..count-1, by doubling with the addition theorem. Each value is a
+/// product of at most 1 + log2(count) correctly rounded ones, so errors do not accumulate along x.
 struct Turns {
     Eigen::ArrayXd cosines, sines;
 
@@ -46,7 +46,7 @@ struct AlongWave {
                                                         fine.sines.data()} {}
 };
 
-/// wave_basis with as many further columns of zeros as fill whole blocks of eight.
+/// wave_basis, extended by columns of zeros to whole blocks of eight.
 Eigen::MatrixXd filled_wave_basis(const std::vector<Wave>& all, const Grid& grid) {
     const Index columns = 2 * static_cast<Index>(all.size());
     const Index filled = (columns + panel_width - 1) / panel_width * panel_width;
@@ -60,7 +60,7 @@ Eigen::MatrixXd filled_wave_basis(const std::vector<Wave>& all, const Grid& grid
     return basis;
 }
 
-/// rows * columns, of which there are a multiple of eight.
+/// rows * columns; the number of columns is a multiple of eight.
 Eigen::MatrixXd product(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& columns) {
     const Index depth = rows.cols();
     Eigen::MatrixXd result(rows.rows(), columns.cols());
@@ -82,7 +82,7 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& colu
     return result;
 }
 
-/// cos(k x_i) and sin(k x_i), or along y, a column for each plane wave.
+/// cos(k x_i) and sin(k x_i), or along y, one column per plane wave.
 struct Axis {
     Eigen::MatrixXd cosines, sines;
 
@@ -104,7 +104,7 @@ Axis y_axis(const std::vector<PlaneWave>& all, const Grid& grid) {
     return {all, &PlaneWave::k_y, grid.rows, grid.row_spacing(), 0};
 }
 
-/// The waves' sum, from `offset` (mm) on.
+/// The waves' sum plus `offset` (mm).
 Eigen::MatrixXd sampled_from(double offset, const std::vector<PlaneWave>& all, const Grid& grid) {
     const Axis x = x_axis(all, grid), y = y_axis(all, grid);
     Eigen::VectorXd c(x.cosines.cols()), s(x.cosines.cols());
@@ -129,7 +129,7 @@ Profile sample_area(const Genome& genome, const Grid& grid) {
     return {sampled_from(offset, all, grid).reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
 }
 
-/// One functional's sums over an area: S = sum g exp(i(k_x x + k_y y)), T_x and T_y the same of g x and g y.
+/// One functional's sums over a map: S = sum g exp(i(k_x x + k_y y)), T_x and T_y with g x and g y for g.
 struct PlaneSums {
     Eigen::VectorXcd S, Tx, Ty;
 };
@@ -152,7 +152,7 @@ PlaneSums plane_sums(const Eigen::Map<const Eigen::MatrixXd>& g, const Axis& x, 
     return {contracted(gc, gs, one), contracted(gc, gs, at_x), contracted(yc, ys, one)};
 }
 
-/// How a series' genes move the height and the wave number of one of its chromosomes' waves.
+/// Derivatives of a chromosome's wave by the genes of its series: relative height, and wavenumber (turn).
 struct SeriesRates {
     double H, gamma, lambda, gamma_turn, lambda_turn;
 
@@ -228,7 +228,7 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
                 if (grid.periodic) {
                     const double x = wave.k_x * grid.length / turn, y = wave.k_y * grid.width / turn;
                     double i = std::round(x), j = std::round(y);
-                    if (i == 0 && j == 0) // the nearest but zero, at the end of either axis
+                    if (i == 0 && j == 0) // the nearest other than zero, along one of the axes
                         (std::abs(x) * grid.width >= std::abs(y)* grid.length ? i = std::copysign(1, x)
                                                                               : j = 1);
                     const double fit_x = turn * i / grid.length, fit_y = turn * j / grid.width;
@@ -279,7 +279,7 @@ Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid) {
 Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid) {
     if (grid.is_2d())
         return pulled_back_area(height_gradient, genome, grid);
-    // With S = sum_i g_i exp(i k x_i) and T = sum_i g_i x_i exp(i k x_i), for the functional g:
+    // For the functional g, with S = sum_i g_i exp(i k x_i) and T = sum_i g_i x_i exp(i k x_i):
     //   cosine part  sum_i g_i cos(k x_i + theta) = Re(S e^{i theta}),  d/d phi_m = Im(S e^{i phi_m}) G,
     //   d/dk = G R Im(T e^{i theta}).
     const Eigen::MatrixXd basis = filled_wave_basis(waves(genome), grid);

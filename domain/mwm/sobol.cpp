@@ -10,49 +10,36 @@ namespace rough {
 
 namespace {
 
-/// Points of the Sobol sequence in [0,1)^dimension, its first point (the middle, as Boost leaves out the
-/// origin) skipped or not.
-class SobolPoints {
-  public:
-    SobolPoints(int dimension, bool with_first)
-        : dimension_(dimension), engine_(static_cast<std::size_t>(dimension)) {
-        if (!with_first)
-            next();
+/// `count` points of the Sobol sequence in [0,1)^dimension. Its first point is the middle, as Boost omits the
+/// origin; it is skipped unless `with_first` is set.
+std::vector<std::vector<double>> sobol_points(int dimension, int count, bool with_first) {
+    boost::random::sobol engine(static_cast<std::size_t>(dimension));
+    boost::random::uniform_01<double> uniform;
+    std::vector<std::vector<double>> points;
+    for (int i = with_first ? 0 : -1; i < count; ++i) {
+        std::vector<double> point(static_cast<std::size_t>(dimension));
+        std::generate(point.begin(), point.end(), [&] { return uniform(engine); });
+        if (i >= 0)
+            points.push_back(std::move(point));
     }
-    std::vector<double> next() {
-        std::vector<double> point;
-        for (int i = 0; i < dimension_; ++i)
-            point.push_back(boost::random::uniform_01<double>()(engine_));
-        return point;
-    }
-
-  private:
-    int dimension_;
-    boost::random::sobol engine_;
-};
+    return points;
+}
 
 } // namespace
 
 std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout) {
-    SobolPoints points(2, layout.with_first);
     std::vector<std::pair<double, double>> pairs;
-    for (int i = 0; i < layout.pairs; ++i) {
-        const auto u = points.next();
+    for (const auto& u : sobol_points(2, layout.pairs, layout.with_first))
         pairs.emplace_back(layout.H_from + (layout.H_to - layout.H_from) * u[0],
                            layout.gamma_from + (layout.gamma_to - layout.gamma_from) * u[1]);
-    }
     return pairs;
 }
 
 std::vector<std::vector<double>> sobol_phases(int columns, int last, bool with_first) {
-    SobolPoints points(columns, with_first);
-    std::vector<std::vector<double>> phases;
-    for (int n = 1; n <= last; ++n) {
-        auto row = points.next();
+    auto phases = sobol_points(columns, last, with_first);
+    for (auto& row : phases)
         for (double& value : row)
             value *= 2 * std::numbers::pi;
-        phases.push_back(std::move(row));
-    }
     return phases;
 }
 

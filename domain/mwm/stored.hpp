@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 /// @file
-/// Genomes as checkpoints hold them, without loss, the scale apart. (A genome file for people is
-/// genome_json.hpp's.)
+/// Genomes in checkpoints: lossless, the scale as a separate number. (genome_json.hpp has the
+/// format of genome files.)
 namespace rough {
 
 /// @cond

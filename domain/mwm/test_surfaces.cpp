@@ -1,6 +1,12 @@
 #include "domain/mwm/test_surfaces.hpp"
 
+#include "domain/errors.hpp"
+#include "domain/numerics/fourier.hpp"
+#include "domain/profile/detrend.hpp"
+#include "ga/base/random.hpp"
+
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace rough {
@@ -11,17 +17,30 @@ constexpr double turn = 2 * std::numbers::pi;
 
 constexpr double golden_angle = 2.399963; // its multiples fill the turn evenly and never repeat
 
+/// A real sequence and its transform.
+struct Transform {
+    explicit Transform(Index length)
+        : plan(fourier_plan({length})), bins(length / 2 + 1), real(length), spectrum(bins) {}
+    void forward() { fftw_execute_dft_r2c(plan.forward, real.data(), spectrum.data()); }
+    void backward() { fftw_execute_dft_c2r(plan.backward, spectrum.data(), real.data()); }
+
+    FourierPlan plan;
+    Index bins;
+    AlignedBuffer<double> real;
+    AlignedBuffer<fftw_complex> spectrum;
+};
+
 double drawn(const Uniform& uniform, double from, double to) { return from < to ? uniform(from, to) : from; }
 
 } // namespace
 
 Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, double length, double shortest,
-                     const SeriesLaw& law) {
+                     const SeriesRanges& ranges) {
     Genome genome;
     for (int s = 0; s < series; ++s) {
-        Series one{drawn(uniform, law.A_from, law.A_to),
-                   drawn(uniform, law.H_from, law.H_to),
-                   drawn(uniform, law.gamma_from, law.gamma_to),
+        Series one{drawn(uniform, ranges.A_from, ranges.A_to),
+                   drawn(uniform, ranges.H_from, ranges.H_to),
+                   uniform(1.4, 2),
                    length,
                    {}};
         for (int n = 1; n <= last_chromosome(length, one.gamma, shortest); ++n) {
@@ -65,6 +84,56 @@ Profile sampled(const Grid& grid, const std::function<double(double)>& height) {
     for (Index i = 0; i < grid.nodes; ++i)
         profile.heights[i] = height(static_cast<double>(i) * profile.spacing);
     return profile;
+}
+
+Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_t seed) {
+    if (!(hurst > 0 && hurst < 1))
+        refuse("hurst: ", hurst, " is out of range (above 0, below 1)");
+    if (!(rms > 0) || grid.nodes < 4)
+        refuse("fractal profile: rms height ", rms, " on ", grid.nodes,
+               " nodes; use one above 0 on 4 or more");
+    Transform transform(4 * grid.nodes);
+    ga::Stream random(ga::fold(seed, "fractal"));
+    transform.spectrum[0][0] = transform.spectrum[0][1] = 0;
+    for (Index bin = 1; bin < transform.bins; ++bin) {
+        const double deviation = std::pow(static_cast<double>(bin), -(hurst + 0.5));
+        transform.spectrum[bin][0] = deviation * random.normal();
+        transform.spectrum[bin][1] = deviation * random.normal();
+    }
+    transform.backward();
+    const Eigen::VectorXd heights =
+        detrended({Eigen::Map<const Eigen::VectorXd>(transform.real.data(), grid.nodes), grid.spacing()},
+                  Detrend::line);
+    const double scale = rms / std::sqrt(heights.squaredNorm() / static_cast<double>(grid.nodes));
+    return {scale * heights, grid.spacing()};
+}
+
+std::vector<Band> octave_bands(const Profile& profile) {
+    const Index nodes = profile.nodes();
+    Transform transform(2 * nodes);
+    for (Index i = 0; i < nodes; ++i)
+        transform.real[i] = transform.real[2 * nodes - 1 - i] = profile.heights[i];
+    transform.forward();
+    std::vector<std::complex<double>> whole;
+    for (Index bin = 0; bin < transform.bins; ++bin)
+        whole.emplace_back(transform.spectrum[bin][0], transform.spectrum[bin][1]);
+
+    const double period = 2 * static_cast<double>(nodes) * profile.spacing;
+    std::vector<Band> bands;
+    for (Index first = 1; first < nodes; first *= 2) { // bin N, the last, is empty
+        const Index past = std::min(2 * first, transform.bins);
+        for (Index bin = 0; bin < transform.bins; ++bin) {
+            const auto value =
+                bin >= first && bin < past ? whole[static_cast<std::size_t>(bin)] : std::complex<double>();
+            transform.spectrum[bin][0] = value.real();
+            transform.spectrum[bin][1] = value.imag();
+        }
+        transform.backward();
+        bands.push_back({period / static_cast<double>(first), period / static_cast<double>(2 * first),
+                         Eigen::Map<const Eigen::VectorXd>(transform.real.data(), nodes) /
+                             static_cast<double>(2 * nodes)});
+    }
+    return bands;
 }
 
 } // namespace rough

@@ -2,44 +2,63 @@
 
 #include "domain/mwm/sampling.hpp"
 
+#include <cstdint>
 #include <functional>
 
-/// Surfaces to try methods on: for tests, benchmarks and the experiments that compare solvers.
+/// @file
+/// Surfaces for tests, benchmarks, and the experiments that compare solvers.
 namespace rough {
 
-/// A draw from [from, to), e.g. ga::Stream's.
+/// Draws a number from [from, to), e.g. ga::Stream's.
 using Uniform = std::function<double(double from, double to)>;
 
-/// Between which bounds a random series' genes are drawn; a gene whose bounds are equal is not drawn.
-struct SeriesLaw {
-    double A_from = 0.5;     ///< least amplitude
-    double A_to = 2;         ///< greatest amplitude
-    double H_from = 0.5;     ///< least Hurst exponent
-    double H_to = 1.5;       ///< greatest Hurst exponent
-    double gamma_from = 1.4; ///< least ratio of neighbouring wave numbers
-    double gamma_to = 2;     ///< greatest ratio of neighbouring wave numbers
+/// Ranges of a random series' amplitude and Hurst exponent; nothing is drawn if both ends are equal.
+struct SeriesRanges {
+    double A_from = 0.5; ///< lowest amplitude
+    double A_to = 2;     ///< highest amplitude
+    double H_from = 0.5; ///< lowest Hurst exponent
+    double H_to = 1.5;   ///< highest Hurst exponent
 };
 
-/// A genome of so many series, each with every wave from `length` down to `shortest` (mm), of so many ridges
-/// with phases from the whole turn.
+/// A random genome. Each series has every wave from `length` down to `shortest` (mm), with gamma from 1.4 to
+/// 2. Each wave has `ridges` phases from the whole turn.
 Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, double length, double shortest,
-                     const SeriesLaw& law = {});
+                     const SeriesRanges& ranges = {});
 
-/// Waves of a self-affine profile: of amplitude `amplitude` ratio^(-n hurst) (mm) and ratio^n to the length
-/// (mm), n = 0 to count-1; phases by the golden angle. A periodic one has whole numbers of them, so that it
-/// repeats.
+/// Waves n = 0 to count-1 of a self-affine profile. Their amplitudes are `amplitude` ratio^(-n hurst) (mm),
+/// their wavelengths length/ratio^n (mm). In a `periodic` profile wavelengths are the next ones that divide
+/// the length. Phases by the golden angle.
 std::vector<Wave> self_affine_waves(double length, double amplitude, double hurst, double ratio, int count,
                                     bool periodic = false);
 
-/// Waves of a fractional-Brownian profile: 1 to `count` to the length (mm), the n-th of amplitude `amplitude`
-/// n^-(hurst + 1/2) (mm), so that the power spectral density is ~ k^-(1 + 2 hurst); phases by the golden
-/// angle times squares, as those of evenly spaced waves must not grow evenly: their crests would meet.
+/// Waves n = 1 to `count` of a fractional-Brownian profile. Their wavelengths are length/n, their amplitudes
+/// `amplitude` n^-(hurst + 1/2), both mm. So the power spectral density is ~ k^-(1 + 2 hurst). Phases are
+/// squares of n times the golden angle. If they grew evenly, the crests of these waves would meet.
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count);
 
 /// A sum of waves at x, both in mm, without their offsets.
 double height_at(const std::vector<Wave>& waves, double x);
 
-/// The heights (mm) that a formula gives at the grid's nodes, x in mm from the first.
+/// The heights (mm) that a formula gives at the grid's nodes, x in mm from the first node.
 Profile sampled(const Grid& grid, const std::function<double(double)>& height);
+
+/// A self-affine profile that is not an MWM series: fractional Brownian motion by spectral synthesis. Normal
+/// random amplitudes have a power spectrum ~ k^-(1 + 2 H) on four times the grid's length. The first quarter
+/// is kept, so the profile does not repeat. Its least-squares line is removed, its heights are scaled to
+/// `rms` (mm). 0 < hurst < 1. The same seed gives the same profile. Throws InputError on a hurst, rms or grid
+/// out of range.
+Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_t seed);
+
+/// The waves of a profile with wavelengths from `shortest` (exclusive) to `longest` (inclusive).
+struct Band {
+    double longest;          ///< wavelength, mm
+    double shortest;         ///< wavelength, mm, less than `longest`
+    Eigen::VectorXd heights; ///< mm, mean 0
+};
+
+/// A profile as a sum of octave bands, coarsest first: its cosine components with wavelengths 2L/2^b to
+/// 2L/2^(b+1). They are those of its even continuation, which has no jump at the ends. Their sum is the
+/// profile minus its mean.
+std::vector<Band> octave_bands(const Profile& profile);
 
 } // namespace rough

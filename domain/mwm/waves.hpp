@@ -12,14 +12,14 @@ struct Wave {
     double offset;      ///< G_n g1, mm
 };
 
-/// M ridges of one wave number as one cosine: sum_m [cos phi_m - cos(k x + phi_m)] = g1 - R cos(k x + theta).
+/// M ridges of one wavenumber as one cosine: sum_m [cos phi_m - cos(k x + phi_m)] = g1 - R cos(k x + theta).
 /// Paper, Eq. 5-10; theta by atan2, as Eq. 8's arccos loses the sign of g2.
 struct Ridge {
     double g1;    ///< sum of cos phi
     double R;     ///< hypot(g1, g2), g2 = sum of sin phi
     double theta; ///< atan2(g2, g1), rad
 };
-/// Of one chromosome's phases (rad).
+/// Collapses one chromosome's phases (rad).
 Ridge collapsed(const std::vector<double>& phases);
 
 double wave_length(const Series& series, int n); ///< lambda_n = lambda gamma^(1-n), mm
@@ -33,16 +33,16 @@ Wave wave(const Series& series, const Chromosome& chromosome);
 /// All waves of a genome, scale included: one for each chromosome of each series, in order.
 std::vector<Wave> waves(const Genome& genome);
 
-/// The shortest wave length of a genome, mm.
+/// The shortest wavelength of a genome, mm.
 double shortest_wave(const Genome& genome);
 
-/// n_f of Eq. 4: the largest n whose wave length is at least `shortest` (mm), with a guard of 1e-12 so that
-/// an exact power keeps its last chromosome; 0 if there is none. Throws InputError on `shortest` of 0 and
-/// gamma of 1, which have no last one.
+/// n_f of Eq. 4: the largest n whose wavelength is at least `shortest` (mm); 0 if even the first is
+/// shorter. A guard of 1e-12 keeps the last chromosome of an exact power. Throws InputError on `shortest`
+/// of 0 and gamma of 1, which have no last one.
 int last_chromosome(double lambda, double gamma, double shortest);
 
-/// The genome with only the chromosomes that are kept; series left without any go.
-/// `keep` is asked with the series' index and the chromosome's index.
+/// The genome with only the chromosomes that are kept; empty series are removed.
+/// `keep` is called with the index of the series and that of the chromosome.
 template <class Keep>
 Genome filtered(const Genome& genome, Keep keep) {
     Genome result{genome.scale, {}};
@@ -58,16 +58,16 @@ Genome filtered(const Genome& genome, Keep keep) {
     return result;
 }
 
-/// Chromosomes of one wave number, of any series: one length scale of the profile.
+/// Chromosomes of one wavenumber, of any series: one length scale of the profile.
 struct LengthScale {
     double wave_number;                                       ///< rad/mm
     std::vector<std::pair<std::size_t, std::size_t>> members; ///< series, chromosome
 };
 
-/// All of a genome, each once.
+/// All length scales of a genome, each once.
 std::vector<LengthScale> length_scales(const Genome& genome);
 
-/// The genome without its other length scales.
+/// The genome with only this length scale.
 Genome only(const Genome& genome, const LengthScale& scale);
 
 /// One cosine of a profile, as power: half its squared amplitude.
@@ -76,9 +76,9 @@ struct SpectralLine {
     double power;       ///< a^2/2, mm^2
 };
 
-/// The discrete power spectrum of a cosine series, exact: one line for each wave number, in increasing order;
-/// waves of equal wave number (from several series) are added as waves, with their phases. The powers' sum is
-/// the mean square height over a length that all wave lengths divide.
+/// The discrete power spectrum of a cosine series, exact: one line for each wavenumber, in increasing
+/// order. Waves of equal wavenumber (from several series) are added with their phases. The sum of the
+/// powers is the mean square height over a length that all wavelengths divide.
 std::vector<SpectralLine> discrete_spectrum(const Genome& genome);
 
 } // namespace rough

@@ -1,7 +1,6 @@
 #include "domain/numerics/fourier.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <mutex>
 #include <numbers>
@@ -10,56 +9,33 @@ namespace rough {
 
 namespace {
 
-std::mutex& planner() {
-    static std::mutex lock;
-    return lock;
-}
+std::mutex planner; ///< FFTW's planner is not thread-safe; executing a plan on new arrays is
 
-/// Plans are made under a lock: FFTW's planner is not thread-safe, its new-array execution is.
 template <typename Key, typename Plan, typename Make>
 Plan cached(const Key& key, std::map<Key, Plan>& plans, Make make) {
-    const std::lock_guard guard(planner());
+    const std::lock_guard guard(planner);
     const auto known = plans.find(key);
     return known != plans.end() ? known->second : plans.emplace(key, make()).first->second;
 }
 
 using ShapeKey = std::pair<Index, Index>;
 
-/// Numbers of the half-complex transform.
-Index half_of(Extent shape) { return (shape.columns / 2 + 1) * shape.rows; }
-
-/// FFTW's sizes, rows first; a single row is a transform of one dimension.
-struct Sizes {
-    int n[2];
-    int rank;
-    explicit Sizes(Extent shape)
-        : n{static_cast<int>(shape.rows), static_cast<int>(shape.columns)}, rank(shape.rows == 1 ? 1 : 2) {}
-    const int* begin() const { return n + 2 - rank; }
-};
-
-/// FFTW's functions in one precision.
+/// FFTW's functions in one precision, whose names begin with `prefix`.
 template <typename Real>
 struct Call;
-template <>
-struct Call<double> {
-    using Complex = fftw_complex;
-    static constexpr auto plan_forward = fftw_plan_many_dft_r2c;
-    static constexpr auto plan_backward = fftw_plan_many_dft_c2r;
-    static constexpr auto plan_complex = fftw_plan_many_dft;
-    static constexpr auto forward = fftw_execute_dft_r2c;
-    static constexpr auto backward = fftw_execute_dft_c2r;
-    static constexpr auto complex = fftw_execute_dft;
-};
-template <>
-struct Call<float> {
-    using Complex = fftwf_complex;
-    static constexpr auto plan_forward = fftwf_plan_many_dft_r2c;
-    static constexpr auto plan_backward = fftwf_plan_many_dft_c2r;
-    static constexpr auto plan_complex = fftwf_plan_many_dft;
-    static constexpr auto forward = fftwf_execute_dft_r2c;
-    static constexpr auto backward = fftwf_execute_dft_c2r;
-    static constexpr auto complex = fftwf_execute_dft;
-};
+#define RUGOSA_FFTW(Real, prefix)                                                                            \
+    template <>                                                                                              \
+    struct Call<Real> {                                                                                      \
+        using Complex = prefix##_complex;                                                                    \
+        static constexpr auto plan_forward = prefix##_plan_many_dft_r2c;                                     \
+        static constexpr auto plan_backward = prefix##_plan_many_dft_c2r;                                    \
+        static constexpr auto plan_complex = prefix##_plan_many_dft;                                         \
+        static constexpr auto forward = prefix##_execute_dft_r2c;                                            \
+        static constexpr auto backward = prefix##_execute_dft_c2r;                                           \
+        static constexpr auto complex = prefix##_execute_dft;                                                \
+    }
+RUGOSA_FFTW(double, fftw);
+RUGOSA_FFTW(float, fftwf);
 
 template <typename Real>
 typename Call<Real>::Complex* as_fftw(std::complex<Real>* numbers) {
@@ -71,67 +47,54 @@ constexpr Index column_block = 8;
 /// From one of them to the next: a power of two would put them all in the same places of the cache.
 constexpr Index column_stride(Index rows) { return rows + column_block; }
 
-/// Of the first `rows` of padded rows; the others are zeros.
+/// Plans of complex transforms of a block of columns, laid one after another; null if there is one row only.
 template <typename Real>
-RowColumnPlan<Real> row_column_plan(Index rows, Extent padded) {
-    static std::map<std::array<Index, 3>, RowColumnPlan<Real>> plans;
-    return cached(std::array{rows, padded.columns, padded.rows}, plans, [&] {
-        using Fftw = Call<Real>;
-        const int n = static_cast<int>(padded.columns), m = static_cast<int>(padded.rows), half = n / 2 + 1,
-                  many = static_cast<int>(rows), block = static_cast<int>(column_block),
-                  stride = static_cast<int>(column_stride(padded.rows));
-        AlignedBuffer<Real> real(rows * padded.columns);
-        AlignedBuffer<std::complex<Real>> transform(rows * half),
-            columns(column_block * column_stride(padded.rows));
-        auto* wave = as_fftw(transform.data());
+PlanPair<Real> column_plans(Index rows) {
+    static std::map<Index, PlanPair<Real>> plans;
+    if (rows == 1)
+        return {};
+    return cached(rows, plans, [rows] {
+        const int m = static_cast<int>(rows), block = static_cast<int>(column_block),
+                  stride = static_cast<int>(column_stride(rows));
+        AlignedBuffer<std::complex<Real>> columns(column_block * column_stride(rows));
         auto* column = as_fftw(columns.data());
         const auto along_y = [&](int sign) {
-            return m == 1 ? nullptr
-                          : Fftw::plan_complex(1, &m, block, column, nullptr, 1, stride, column, nullptr, 1,
-                                               stride, sign, FFTW_ESTIMATE);
+            return Call<Real>::plan_complex(1, &m, block, column, nullptr, 1, stride, column, nullptr, 1,
+                                            stride, sign, FFTW_ESTIMATE);
         };
-        return RowColumnPlan<Real>{Fftw::plan_forward(1, &n, many, real.data(), nullptr, 1, n, wave, nullptr,
-                                                      1, half, FFTW_ESTIMATE),
-                                   Fftw::plan_backward(1, &n, many, wave, nullptr, 1, half, real.data(),
-                                                       nullptr, 1, n, FFTW_ESTIMATE),
-                                   along_y(FFTW_FORWARD), along_y(FFTW_BACKWARD)};
+        return PlanPair<Real>{along_y(FFTW_FORWARD), along_y(FFTW_BACKWARD)};
     });
 }
 
-/// Complex transforms in place: of all rows, and of a block of columns laid one after another.
-RowColumnPlan<double> complex_plan(Extent shape) {
-    static std::map<ShapeKey, RowColumnPlan<double>> plans;
-    return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
-        const int n = static_cast<int>(shape.columns), m = static_cast<int>(shape.rows),
-                  block = static_cast<int>(column_block),
-                  stride = static_cast<int>(column_stride(shape.rows));
-        AlignedBuffer<fftw_complex> row(shape.columns), column(column_block * column_stride(shape.rows));
-        const auto along_x = [&](int sign) {
-            return fftw_plan_dft_1d(n, row.data(), row.data(), sign, FFTW_ESTIMATE);
-        };
-        const auto along_y = [&](int sign) {
-            return m == 1 ? nullptr
-                          : fftw_plan_many_dft(1, &m, block, column.data(), nullptr, 1, stride, column.data(),
-                                               nullptr, 1, stride, sign, FFTW_ESTIMATE);
-        };
-        return RowColumnPlan<double>{along_x(FFTW_FORWARD), along_x(FFTW_BACKWARD), along_y(FFTW_FORWARD),
-                                     along_y(FFTW_BACKWARD)};
+/// Plans of real transforms of all rows at once, each of `columns` numbers.
+template <typename Real>
+PlanPair<Real> row_plans(Index rows, Index columns) {
+    static std::map<ShapeKey, PlanPair<Real>> plans;
+    return cached(ShapeKey(columns, rows), plans, [&] {
+        using Fftw = Call<Real>;
+        const int n = static_cast<int>(columns), half = n / 2 + 1, many = static_cast<int>(rows);
+        AlignedBuffer<Real> real(rows * columns);
+        AlignedBuffer<std::complex<Real>> transform(rows * half);
+        auto* wave = as_fftw(transform.data());
+        return PlanPair<Real>{Fftw::plan_forward(1, &n, many, real.data(), nullptr, 1, n, wave, nullptr, 1,
+                                                 half, FFTW_ESTIMATE),
+                              Fftw::plan_backward(1, &n, many, wave, nullptr, 1, half, real.data(), nullptr,
+                                                  1, n, FFTW_ESTIMATE)};
     });
 }
 
 } // namespace
 
-FourierPlan fourier_plan(Index length) { return fourier_plan(Extent{length}); }
-
 FourierPlan fourier_plan(Extent shape) {
     static std::map<ShapeKey, FourierPlan> plans;
     return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
         AlignedBuffer<double> real(shape.nodes());
-        AlignedBuffer<fftw_complex> transform(half_of(shape));
-        const Sizes n(shape);
+        AlignedBuffer<fftw_complex> transform((shape.columns / 2 + 1) * shape.rows);
+        const int n[] = {static_cast<int>(shape.rows), static_cast<int>(shape.columns)},
+                  line = shape.rows == 1 ? 1 : 0; // a single row is a transform of one dimension
         return FourierPlan{
-            fftw_plan_dft_r2c(n.rank, n.begin(), real.data(), transform.data(), FFTW_ESTIMATE),
-            fftw_plan_dft_c2r(n.rank, n.begin(), transform.data(), real.data(), FFTW_ESTIMATE)};
+            fftw_plan_dft_r2c(2 - line, n + line, real.data(), transform.data(), FFTW_ESTIMATE),
+            fftw_plan_dft_c2r(2 - line, n + line, transform.data(), real.data(), FFTW_ESTIMATE)};
     });
 }
 
@@ -139,10 +102,12 @@ FourierPlan complex_fourier_plan(Extent shape) {
     static std::map<ShapeKey, FourierPlan> plans;
     return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
         AlignedBuffer<fftw_complex> work(shape.nodes());
-        const Sizes n(shape);
-        return FourierPlan{
-            fftw_plan_dft(n.rank, n.begin(), work.data(), work.data(), FFTW_FORWARD, FFTW_ESTIMATE),
-            fftw_plan_dft(n.rank, n.begin(), work.data(), work.data(), FFTW_BACKWARD, FFTW_ESTIMATE)};
+        const int n[] = {static_cast<int>(shape.rows), static_cast<int>(shape.columns)},
+                  line = shape.rows == 1 ? 1 : 0;
+        const auto plan = [&](int sign) {
+            return fftw_plan_dft(2 - line, n + line, work.data(), work.data(), sign, FFTW_ESTIMATE);
+        };
+        return FourierPlan{plan(FFTW_FORWARD), plan(FFTW_BACKWARD)};
     });
 }
 
@@ -170,7 +135,7 @@ Index fast_fourier_length(Index length) {
 template <typename Real>
 BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded)
     : shape_(shape), padded_(padded), half_(padded.columns / 2 + 1),
-      plan_(row_column_plan<Real>(shape.rows, padded)), real_(shape.rows * padded.columns),
+      rows_(row_plans<Real>(shape.rows, padded.columns)), real_(shape.rows * padded.columns),
       spectrum_(half_ * padded.rows), transform_(half_ * shape.rows),
       columns_(padded.rows == 1 ? 0 : column_block * column_stride(padded.rows)) {}
 
@@ -209,28 +174,6 @@ BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Extent shape,
     return op;
 }
 
-template <typename Real>
-void BasicFourierOperator<Real>::spread() {
-    if (padded_.columns == shape_.columns)
-        return;
-    Real* real = real_.data();
-    for (Index j = shape_.rows - 1; j >= 0; --j) {
-        Real* row = real + j * padded_.columns;
-        if (j > 0)
-            std::copy_backward(real + j * shape_.columns, real + (j + 1) * shape_.columns,
-                               row + shape_.columns);
-        std::fill(row + shape_.columns, row + padded_.columns, Real(0));
-    }
-}
-
-template <typename Real>
-void BasicFourierOperator<Real>::gather() {
-    Real* real = real_.data();
-    if (padded_.columns != shape_.columns)
-        for (Index j = 1; j < shape_.rows; ++j)
-            std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
-}
-
 /// Entries of the half-complex transform by the operator's eigenvalues.
 template <typename Real>
 static void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count) {
@@ -238,61 +181,85 @@ static void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index
         numbers[k] *= eigenvalues[k];
 }
 
-template <typename Real>
-void BasicFourierOperator<Real>::multiply_columns() {
-    const Index rows = padded_.rows, stride = column_stride(rows);
-    std::complex<Real>* block = columns_.data();
+/// Transforms `shape` numbers along y, padded with zeros to `padded` rows: some columns at a time in `block`.
+/// Calls visit(column, number) for each transformed column, then transforms it back.
+template <typename Real, class Visit>
+static void each_column(std::complex<Real>* numbers, Extent shape, Index padded, std::complex<Real>* block,
+                        Visit visit) {
+    const PlanPair<Real> plan = column_plans<Real>(padded);
+    const Index stride = column_stride(padded);
     auto* planned = as_fftw(block);
-    for (Index first = 0; first < half_; first += column_block) {
-        const Index count = std::min(column_block, half_ - first);
-        std::complex<Real>* corner = transform_.data() + first;
-        for (Index j = 0; j < shape_.rows; ++j)
+    for (Index first = 0; first < shape.columns; first += column_block) {
+        const Index count = std::min(column_block, shape.columns - first);
+        std::complex<Real>* corner = numbers + first;
+        for (Index j = 0; j < shape.rows; ++j)
             for (Index c = 0; c < count; ++c)
-                block[c * stride + j] = corner[j * half_ + c];
+                block[c * stride + j] = corner[j * shape.columns + c];
         for (Index c = 0; c < column_block; ++c)
-            std::fill(block + c * stride + (c < count ? shape_.rows : 0), block + c * stride + rows,
+            std::fill(block + c * stride + (c < count ? shape.rows : 0), block + c * stride + padded,
                       std::complex<Real>());
-        Call<Real>::complex(plan_.columns_forward, planned, planned);
+        Call<Real>::complex(plan.forward, planned, planned);
         for (Index c = 0; c < count; ++c)
-            multiply(block + c * stride, spectrum_.data() + (first + c) * rows, rows);
-        Call<Real>::complex(plan_.columns_backward, planned, planned);
-        for (Index j = 0; j < shape_.rows; ++j)
+            visit(block + c * stride, first + c);
+        Call<Real>::complex(plan.backward, planned, planned);
+        for (Index j = 0; j < shape.rows; ++j)
             for (Index c = 0; c < count; ++c)
-                corner[j * half_ + c] = block[c * stride + j];
+                corner[j * shape.columns + c] = block[c * stride + j];
     }
 }
 
 template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
     Real* real = real_.data();
-    spread();
-    Call<Real>::forward(plan_.rows_forward, real, as_fftw(transform_.data()));
-    if (padded_.rows == 1)
+    const bool pads = padded_.columns != shape_.columns;
+    for (Index j = pads ? shape_.rows - 1 : -1; j >= 0; --j) { // from N entries to the padded rows
+        Real* row = real + j * padded_.columns;
+        if (j > 0)
+            std::copy_backward(real + j * shape_.columns, real + (j + 1) * shape_.columns,
+                               row + shape_.columns);
+        std::fill(row + shape_.columns, row + padded_.columns, Real(0));
+    }
+    Call<Real>::forward(rows_.forward, real, as_fftw(transform_.data()));
+    const Index rows = padded_.rows;
+    if (rows == 1)
         multiply(transform_.data(), spectrum_.data(), half_);
     else
-        multiply_columns();
-    Call<Real>::backward(plan_.rows_backward, as_fftw(transform_.data()), real);
-    gather();
+        each_column(transform_.data(), {half_, shape_.rows}, rows, columns_.data(),
+                    [&](std::complex<Real>* column, Index k) {
+                        multiply(column, spectrum_.data() + k * rows, rows);
+                    });
+    Call<Real>::backward(rows_.backward, as_fftw(transform_.data()), real);
+    for (Index j = 1; pads && j < shape_.rows; ++j) // and back
+        std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
     return real;
+}
+
+template <typename Real>
+const Real* BasicFourierOperator<Real>::apply(const std::vector<int>& nodes, const Eigen::VectorXd& p) {
+    std::fill_n(input(), this->nodes(), Real(0));
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        input()[nodes[k]] = static_cast<Real>(p[static_cast<Index>(k)]);
+    return apply();
 }
 
 template class BasicFourierOperator<double>;
 template class BasicFourierOperator<float>;
 
 SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
-    : shape_(shape == Extent{} ? Extent{first_column.size()} : shape), plan_(complex_plan(shape_)),
-      work_(shape_.nodes()), columns_(shape_.rows == 1 ? 0 : column_block * column_stride(shape_.rows)),
-      twist_x_(shape_.columns), twist_y_(shape_.rows) {
+    : shape_(shape), rows_(complex_fourier_plan({shape.columns})), work_(shape.nodes()),
+      columns_(shape.rows == 1 ? 0 : column_block * column_stride(shape.rows)), twist_x_(shape.columns),
+      twist_y_(shape.rows) {
     for (auto* twist : {&twist_x_, &twist_y_})
         for (Index j = 0; j < twist->size(); ++j)
             (*twist)[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) /
                                               static_cast<double>(twist->size()));
-    // c_0 may go to either part; of an area to the circulant one, so that a periodic one has no other.
+    // c_0 may go to either part; that of an area goes to the circulant one, so that a periodic area has no
+    // other part.
     const bool line = shape_.rows == 1;
     const auto mirrored = [line](Index i, Index n, bool skew) -> std::pair<Index, double> {
         return i > 0 ? std::pair(n - i, skew ? -1.0 : 1.0) : std::pair(Index(0), line ? 0.0 : skew ? -1 : 1);
     };
-    Eigen::Map<Eigen::ArrayXcd> work(reinterpret_cast<std::complex<double>*>(work_.data()), shape_.nodes());
+    Eigen::Map<Eigen::ArrayXcd> work(work_.data(), shape_.nodes());
     for (const bool skew_y : {false, true})
         for (const bool skew_x : {false, true}) {
             if (line && skew_y)
@@ -313,53 +280,37 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
             }
             if ((work == 0).all())
                 continue;
-            twist(part, false);
-            transform_rows(plan_.rows_forward);
-            const double parts = (line ? 2 : 4) * static_cast<double>(shape_.nodes());
             part.eigenvalues.resize(shape_.nodes());
-            each_column_block([&](std::complex<double>* column, Index first) {
+            const double parts = (line ? 2 : 4) * static_cast<double>(shape_.nodes());
+            transform(part, [&](std::complex<double>* column, Index k) {
                 for (Index j = 0; j < shape_.rows; ++j)
-                    part.eigenvalues[first * shape_.rows + j] = column[j].real() / parts;
+                    part.eigenvalues[k * shape_.rows + j] = column[j].real() / parts;
             });
             parts_.push_back(std::move(part));
         }
 }
 
-void SplitOperator::transform_rows(fftw_plan plan) {
-    for (Index j = 0; j < shape_.rows; ++j)
-        fftw_execute_dft(plan, work_.data() + j * shape_.columns, work_.data() + j * shape_.columns);
-}
-
 template <class Visit>
-void SplitOperator::each_column_block(Visit visit) {
-    auto* work = reinterpret_cast<std::complex<double>*>(work_.data());
-    if (shape_.rows == 1) {
+void SplitOperator::transform(const Part& part, Visit visit) {
+    const auto transform_rows = [&](fftw_plan plan) {
+        for (Index j = 0; j < shape_.rows; ++j) {
+            fftw_complex* row = as_fftw(work_.data() + j * shape_.columns);
+            fftw_execute_dft(plan, row, row);
+        }
+    };
+    twist(part, false);
+    transform_rows(rows_.forward);
+    if (shape_.rows > 1)
+        each_column(work_.data(), shape_, shape_.rows, columns_.data(), visit);
+    else
         for (Index i = 0; i < shape_.columns; ++i)
-            visit(work + i, i);
-        return;
-    }
-    const Index rows = shape_.rows, stride = column_stride(rows);
-    std::complex<double>* block = columns_.data();
-    auto* planned = as_fftw(block);
-    for (Index first = 0; first < shape_.columns; first += column_block) {
-        const Index count = std::min(column_block, shape_.columns - first);
-        std::fill(block + count * stride, block + column_block * stride, std::complex<double>());
-        for (Index j = 0; j < rows; ++j)
-            for (Index c = 0; c < count; ++c)
-                block[c * stride + j] = work[j * shape_.columns + first + c];
-        fftw_execute_dft(plan_.columns_forward, planned, planned);
-        for (Index c = 0; c < count; ++c)
-            visit(block + c * stride, first + c);
-        fftw_execute_dft(plan_.columns_backward, planned, planned);
-        for (Index j = 0; j < rows; ++j)
-            for (Index c = 0; c < count; ++c)
-                work[j * shape_.columns + first + c] = block[c * stride + j];
-    }
+            visit(work_.data() + i, i);
+    transform_rows(rows_.backward);
+    twist(part, true);
 }
 
 void SplitOperator::twist(const Part& part, bool back) {
-    Eigen::Map<Eigen::ArrayXXcd> work(reinterpret_cast<std::complex<double>*>(work_.data()), shape_.columns,
-                                      shape_.rows);
+    Eigen::Map<Eigen::ArrayXXcd> work(work_.data(), shape_.columns, shape_.rows);
     if (part.skew_x)
         for (Index j = 0; j < shape_.rows; ++j)
             work.col(j) *= back ? twist_x_.conjugate().eval() : twist_x_;
@@ -369,17 +320,13 @@ void SplitOperator::twist(const Part& part, bool back) {
 }
 
 Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
-    Eigen::Map<Eigen::ArrayXcd> work(reinterpret_cast<std::complex<double>*>(work_.data()), shape_.nodes());
+    Eigen::Map<Eigen::ArrayXcd> work(work_.data(), shape_.nodes());
     Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());
     for (const Part& part : parts_) {
         work = p.array().cast<std::complex<double>>();
-        twist(part, false);
-        transform_rows(plan_.rows_forward);
-        each_column_block([&](std::complex<double>* column, Index first) {
-            multiply(column, part.eigenvalues.data() + first * shape_.rows, shape_.rows);
+        transform(part, [&](std::complex<double>* column, Index k) {
+            multiply(column, part.eigenvalues.data() + k * shape_.rows, shape_.rows);
         });
-        transform_rows(plan_.rows_backward);
-        twist(part, true);
         u.array() += work.real();
     }
     return u;

@@ -12,15 +12,15 @@ struct Extent {
     Index columns = 0; ///< N_x
     Index rows = 1;    ///< N_y
 
-    Index nodes() const { return columns * rows; }  ///< of all rows
+    Index nodes() const { return columns * rows; }  ///< number of all nodes
     bool operator==(const Extent&) const = default; ///< as many along x, and along y
 };
 
-/// Where a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. An area: `rows` such lines,
-/// y_j = j * row_spacing.
+/// The nodes at which a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. An area: `rows`
+/// such lines, y_j = j * row_spacing.
 struct Grid {
-    Index nodes = 512;       ///< N >= 2; of an area, N_x of each row
-    double length = 0.84942; ///< L, mm; of an area, L_x
+    Index nodes = 512;       ///< N >= 2; for an area, N_x
+    double length = 0.84942; ///< L, mm; for an area, L_x
     bool periodic = false;   ///< periodic: spacing L/N in place of L/(N-1)
     double from = 0;         ///< x of the first node, mm
     Index rows = 1;          ///< N_y
@@ -35,15 +35,15 @@ struct Grid {
     double row_spacing() const {
         return width / static_cast<double>(periodic || rows == 1 ? rows : rows - 1);
     }
-    /// mm^2, of the patches about all nodes; 0 of a line
+    /// mm^2, the patches of all nodes; 0 for a line
     double nominal_area() const {
         return spacing() * row_spacing() * static_cast<double>(nodes) * static_cast<double>(rows);
     }
-    /// mm, of neighbours along the axis where they are farther apart: no shorter wave is seen along both
+    /// mm, the larger of the two spacings: shorter waves are not resolved along both axes
     double widest_spacing() const { return spacing() > row_spacing() ? spacing() : row_spacing(); }
 };
 
-/// The grid of `refine` elements for each of this one, along x and y.
+/// The grid with `refine` elements for each one of this grid, along x and y.
 inline Grid refined(Grid grid, Index refine) {
     grid.nodes = grid.periodic ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
     if (grid.is_2d())

@@ -38,7 +38,7 @@ double two_sided(const std::vector<double>& counts, std::size_t seen) {
     return std::min(1.0, 2 * std::min(below, above) / all);
 }
 
-/// The same of a normal distribution, half a step nearer to its mean.
+/// Both tails of a normal distribution, half a step nearer to its mean.
 double two_sided_normal(double seen, double mean, double variance) {
     if (!(variance > 0))
         return 1;
@@ -67,42 +67,43 @@ std::vector<double> ranks(const std::vector<double>& values) {
 }
 
 double rank_sum_p(const std::vector<double>& first, const std::vector<double>& second) {
-    constexpr std::size_t most_counted = 60;
+    constexpr std::size_t max_counted = 60;
     std::vector<double> all = first;
     all.insert(all.end(), second.begin(), second.end());
     const std::size_t n = first.size(), total = all.size();
     if (n == 0 || n == total)
         return 1;
-    if (total > most_counted) {
+    if (total > max_counted) {
         const std::vector<double> rank = ranks(all);
         const double N = static_cast<double>(total), share = static_cast<double>(n) / N;
         const double seen = std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), 0.0);
-        const double spread = squares(rank) / N - (N + 1) * (N + 1) / 4; // of one rank; ties lessen it
+        const double spread =
+            squares(rank) / N - (N + 1) * (N + 1) / 4; // variance of one rank; ties lessen it
         return two_sided_normal(seen, share * N * (N + 1) / 2,
                                 share * (1 - share) * N * N / (N - 1) * spread);
     }
     const std::vector<std::size_t> rank = doubled_ranks(all);
     const std::size_t largest = std::accumulate(rank.begin(), rank.end(), std::size_t{0});
-    // ways[k][s]: to choose k of the ranks with the sum s
-    std::vector<std::vector<double>> ways(n + 1, std::vector<double>(largest + 1, 0.0));
-    ways[0][0] = 1;
+    // counts[k][s]: number of choices of k ranks with the sum s
+    std::vector<std::vector<double>> counts(n + 1, std::vector<double>(largest + 1, 0.0));
+    counts[0][0] = 1;
     for (const std::size_t r : rank)
         for (std::size_t k = n; k >= 1; --k)
             for (std::size_t s = r; s <= largest; ++s)
-                ways[k][s] += ways[k - 1][s - r];
-    return two_sided(ways[n],
+                counts[k][s] += counts[k - 1][s - r];
+    return two_sided(counts[n],
                      std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), std::size_t{0}));
 }
 
 double signed_rank_p(std::vector<double> differences) {
-    constexpr std::size_t most_counted = 400;
+    constexpr std::size_t max_counted = 400;
     std::erase(differences, 0.0);
     if (differences.empty())
         return 1;
     std::vector<double> sizes;
     for (const double difference : differences)
         sizes.push_back(std::abs(difference));
-    if (sizes.size() > most_counted) {
+    if (sizes.size() > max_counted) {
         const std::vector<double> rank = ranks(sizes);
         double seen = 0;
         for (std::size_t i = 0; i < rank.size(); ++i)
@@ -110,7 +111,7 @@ double signed_rank_p(std::vector<double> differences) {
         return two_sided_normal(seen, std::accumulate(rank.begin(), rank.end(), 0.0) / 2, squares(rank) / 4);
     }
     const std::vector<std::size_t> rank = doubled_ranks(sizes);
-    std::vector<double> chance{1.0}; // of each sum of the ranks with a positive sign
+    std::vector<double> chance{1.0}; // probability of each sum of the ranks with a positive sign
     std::size_t seen = 0;
     for (std::size_t i = 0; i < rank.size(); ++i) {
         std::vector<double> next(chance.size() + rank[i], 0.0);
@@ -151,10 +152,10 @@ Friedman friedman(const std::vector<std::vector<double>>& blocks) {
 
 std::vector<double> holm(const std::vector<double>& p) {
     std::vector<double> corrected(p.size());
-    double least = 0;
+    double lowest = 0;
     std::size_t left = p.size();
     for (const std::size_t i : ascending(p))
-        corrected[i] = least = std::max(least, std::min(1.0, static_cast<double>(left--) * p[i]));
+        corrected[i] = lowest = std::max(lowest, std::min(1.0, static_cast<double>(left--) * p[i]));
     return corrected;
 }
 

@@ -8,27 +8,27 @@ namespace rough {
 std::vector<double> ranks(const std::vector<double>& values);
 
 /// Two-sided p of the rank-sum test (Wilcoxon 1945, Mann and Whitney 1947): how likely two samples of one
-/// distribution differ as much as these in the sum of ranks. Up to 60 values together exact, by counting all
-/// ways to deal out the ranks (ties keep theirs); more by the normal approximation with corrections for ties
-/// and continuity. 1 where one of them is empty.
+/// distribution differ as much as these in the sum of ranks. Exact up to 60 values together, by counting all
+/// assignments of the ranks; ties keep their ranks. For more values by the normal approximation with
+/// corrections for ties and continuity. 1 if a sample is empty.
 double rank_sum_p(const std::vector<double>& first, const std::vector<double>& second);
 
 /// Two-sided p of the signed-rank test (Wilcoxon 1945) of paired differences: how likely differences that are
-/// symmetric about 0 are as lopsided as these. Differences of 0 are left out; up to 400 exact by counting all
-/// signs, more by the normal approximation. 1 where none is left.
+/// symmetric about 0 are as lopsided as these. Differences of 0 are left out. Exact up to 400 by counting all
+/// signs, for more by the normal approximation. 1 if none is left.
 double signed_rank_p(std::vector<double> differences);
 
 /// Friedman's test of several treatments on the same blocks.
 struct Friedman {
-    std::vector<double> mean_ranks; ///< of each treatment over the blocks; 1 for the smallest value
+    std::vector<double> mean_ranks; ///< mean rank of each treatment over the blocks; 1 for the smallest value
     double statistic = 0;           ///< Friedman's chi-square with its correction for ties
-    double p = 1;                   ///< by the chi-square distribution of one degree less than treatments
+    double p = 1; ///< p-value from the chi-square distribution with one degree less than treatments
 };
-/// @param blocks  at least one row, each with a value a treatment and as wide as the others
+/// @param blocks  at least one row, each with one value per treatment
 Friedman friedman(const std::vector<std::vector<double>>& blocks);
 
-/// p-values of a family of tests after Holm's correction (1979), in the order given: rejecting those at or
-/// under a level keeps the chance of any false rejection under it.
+/// p-values of a family of tests after Holm's correction (1979), in the given order. Rejecting those up to a
+/// level keeps the probability of any false rejection below it.
 std::vector<double> holm(const std::vector<double>& p);
 
 } // namespace rough

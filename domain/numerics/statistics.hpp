@@ -8,31 +8,31 @@
 
 namespace rough {
 
-/// Pearson's correlation of two series of equal length; NaN where one of them does not vary.
+/// Pearson's correlation of two series of equal length; NaN if one of them does not vary.
 double pearson(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b);
 
-/// The value below which a share of the values lies, 0 to 1, linear between neighbours in order; values that
-/// are NaN are left out, NaN of none.
+/// The value below which a share of the values lies, 0 to 1, linear between neighbours in order. NaN values
+/// are left out; NaN without values.
 double quantile(std::vector<double> values, double share);
 /// The quantile of one half.
 double median(std::vector<double> values);
-/// Arithmetic mean; values that are NaN are left out, NaN of none.
+/// Arithmetic mean; NaN values are left out, NaN without values.
 double mean(const std::vector<double>& values);
 
-/// Share of the values that are at most `limit`, 0 to 1, where the empirical distribution steps; a NaN is
-/// never reached but counts among them. NaN of none.
+/// Share of the values that are at most `limit`, 0 to 1; the empirical distribution steps at each value. NaN
+/// counts as above every limit. NaN without values.
 double share_up_to(const std::vector<double>& values, double limit);
 
-/// From where to where a quantity lies, and how sure that is.
+/// An interval for a quantity, and its coverage.
 struct Interval {
     double lower;    ///< in the quantity's unit
     double upper;    ///< no less than `lower`
-    double coverage; ///< chance that such an interval holds the quantity
+    double coverage; ///< probability that such an interval holds the quantity
 };
 
-/// The narrowest pair of order statistics, as far from one end as from the other, that holds the median of
-/// any continuous distribution with at least this confidence; of too few values the two extremes, with the
-/// coverage they have. NaN counts as greater than all. No value may be missing altogether.
+/// The narrowest pair of order statistics, equally far from both ends, that holds the median of any
+/// continuous distribution with at least this confidence. With too few values, the two extremes with their
+/// coverage. NaN counts as greater than all. `values` must not be empty.
 Interval median_interval(std::vector<double> values, double confidence = 0.95);
 
 /// Efron's percentile interval (1979) of a statistic of n observations.
@@ -46,7 +46,7 @@ Interval bootstrap_interval(std::size_t n,
 /// Slope of the least-squares line through the points (x, y); NaN for fewer than two.
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
-/// A member of each row, or what a function says of it.
+/// A member of each row, or a function's value for it.
 template <class Row, class Value>
 std::vector<double> column(const std::vector<Row>& rows, Value value) {
     std::vector<double> values;

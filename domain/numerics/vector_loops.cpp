@@ -1,7 +1,5 @@
 #include "domain/numerics/vector_loops.hpp"
 
-#include "domain/numerics/build.hpp"
-
 #include <cstdlib>
 #include <cstring>
 #include <vector>
@@ -10,7 +8,7 @@ namespace rough {
 
 namespace {
 
-/// Those that this processor can run, the widest first.
+/// The loops that this processor can run, the widest first.
 std::vector<const VectorLoops*> available() {
     std::vector<const VectorLoops*> all;
 #ifdef __x86_64__
@@ -26,13 +24,6 @@ std::vector<const VectorLoops*> available() {
     return all;
 }
 
-const VectorLoops& chosen() {
-    const auto all = available();
-    const char* requested = std::getenv("RUGOSA_VECTORS");
-    const VectorLoops* narrower = requested ? vector_loops(requested) : nullptr;
-    return narrower ? *narrower : *all.front();
-}
-
 } // namespace
 
 const VectorLoops* vector_loops(const char* vectors) {
@@ -43,8 +34,12 @@ const VectorLoops* vector_loops(const char* vectors) {
 }
 
 const VectorLoops& vector_loops() {
-    static const VectorLoops& loops = chosen();
-    return loops;
+    static const VectorLoops& chosen = []() -> const VectorLoops& {
+        const char* requested = std::getenv("RUGOSA_VECTORS");
+        const VectorLoops* narrower = requested ? vector_loops(requested) : nullptr;
+        return narrower ? *narrower : *available().front();
+    }();
+    return chosen;
 }
 
 Build build() { return {RUGOSA_COMPILER, RUGOSA_FLAGS, vector_loops().vectors}; }

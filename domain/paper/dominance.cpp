@@ -14,8 +14,8 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// The response of one length scale alone, or nothing where it is flat at the nodes.
-std::optional<Response> response_of(const Genome& genome, const LengthScale& scale, const Model& model) {
+/// The response of one length scale alone; none if it is flat at the nodes.
+std::optional<Response> response_alone(const Genome& genome, const LengthScale& scale, const Model& model) {
     const Genome alone = only(genome, scale);
     const Profile profile = sample(alone, model.grid);
     if (is_flat(profile, alone))
@@ -33,25 +33,20 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
         double correlation = undefined;
         if (part && reading != DominanceReading::same_pressure)
             correlation = pearson(whole.y, part->y);
-        else if (part)
-            correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) { return part->held_at(x); }));
+        else if (part) // constant beyond the part's points
+            correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) {
+                return part->at(std::clamp(x, part->x[0], part->x[part->x.size() - 1]));
+            }));
         if (correlation > best)
             best = correlation;
         result.correlation.push_back(correlation);
         result.dominant.push_back(correlation > threshold); // Algorithm 1
     }
     result.only_best = !(best > threshold);
-    if (result.only_best) // ours: the paper is silent on genomes of which none passes
+    if (result.only_best) // our choice; the paper does not treat this case
         for (std::size_t i = 0; i < parts.size(); ++i)
             result.dominant[i] = !std::isfinite(best) || result.correlation[i] == best;
     return result;
-}
-
-LoneResponses::LoneResponses(Model model) : model_(std::move(model)) {
-    for (Grid& grid = model_.grid; grid.is_2d() && std::max(grid.nodes, grid.rows) > 64;) {
-        grid.nodes = (grid.nodes + 1) / 2;
-        grid.rows = (grid.rows + 1) / 2;
-    }
 }
 
 Curve compared_curve(const Response& response, DominanceReading reading) {
@@ -61,7 +56,15 @@ Curve compared_curve(const Response& response, DominanceReading reading) {
     return curve;
 }
 
-std::shared_ptr<const LoneResponses::Known> LoneResponses::operator()(const Genome& genome) const {
+DominanceRule::DominanceRule(Model model, DominanceReading reading, double threshold)
+    : model_(std::move(model)), reading_(reading), threshold_(threshold) {
+    for (Grid& grid = model_.grid; grid.is_2d() && std::max(grid.nodes, grid.rows) > 64;) {
+        grid.nodes = (grid.nodes + 1) / 2;
+        grid.rows = (grid.rows + 1) / 2;
+    }
+}
+
+std::shared_ptr<const DominanceRule::Known> DominanceRule::responses_of(const Genome& genome) const {
     const std::string key = shape_key(genome);
     {
         const std::lock_guard lock(guard_);
@@ -70,27 +73,19 @@ std::shared_ptr<const LoneResponses::Known> LoneResponses::operator()(const Geno
     }
     auto result = std::make_shared<Known>(Known{respond(genome, model_), {}});
     for (const LengthScale& scale : length_scales(genome))
-        result->parts.push_back(response_of(genome, scale, model_));
+        result->parts.push_back(response_alone(genome, scale, model_));
     const std::lock_guard lock(guard_);
     return known_.emplace(key, std::move(result)).first->second;
 }
 
-long LoneResponses::curves() const {
-    const std::lock_guard lock(guard_);
-    long count = 0;
-    for (const auto& [key, known] : known_)
-        count += 1 + static_cast<long>(known->parts.size());
-    return count;
-}
-
-Dominance DominanceRule::operator()(const Genome& genome) const {
+Dominance DominanceRule::operator()(const Genome& genome, DominanceReading reading) const {
     const auto scales = length_scales(genome);
-    const auto responses = (*responses_)(genome);
+    const auto responses = responses_of(genome);
     std::vector<std::optional<Curve>> alone;
     for (const auto& part : responses->parts)
-        alone.push_back(part ? std::optional(compared_curve(*part, reading_)) : std::nullopt);
+        alone.push_back(part ? std::optional(compared_curve(*part, reading)) : std::nullopt);
     const DominantParts parts =
-        dominant_parts(compared_curve(responses->whole, reading_), alone, threshold_, reading_);
+        dominant_parts(compared_curve(responses->whole, reading), alone, threshold_, reading);
     Dominance result;
     result.only_best = parts.only_best;
     for (const auto& series : genome.series) {
@@ -109,34 +104,23 @@ Genome reduced(const Genome& genome, const Dominance& dominance) {
     return filtered(genome, [&](std::size_t s, std::size_t c) { return dominance.at(s, c); });
 }
 
-namespace {
-
-std::optional<Curve> curve_alone(const Genome& alone, const Model& model, const Target& target) {
-    const Profile profile = sample(alone, model.grid);
-    if (is_flat(profile, alone))
-        return std::nullopt;
-    Loading loading = model.loading;
-    (target.against_pressure() ? loading.to_pressure : loading.to_displacement) = target.last();
-    try {
-        return curve_of(target.quantity, respond(profile, model.body, loading, model.contact));
-    } catch (const InputError&) { // periodic, in full contact below that load
-        return std::nullopt;
-    }
-}
-
-} // namespace
-
 Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
                          double threshold) {
-    const Target& asked = setup.targets[target];
+    const Target& wanted = setup.targets[target];
+    Model model = setup.model;
+    (wanted.against_pressure() ? model.loading.to_pressure : model.loading.to_displacement) = wanted.last();
     const auto scales = length_scales(genome);
-    std::vector<std::optional<Curve>> alone;
-    for (const LengthScale& scale : scales)
-        alone.push_back(curve_alone(only(genome, scale), setup.model, asked));
-    const DominantParts parts = dominant_parts({asked.x, asked.y}, alone, threshold);
+    std::vector<std::optional<Curve>> alone(scales.size());
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        try {
+            if (const auto response = response_alone(genome, scales[i], model))
+                alone[i] = curve_of(wanted.quantity, *response);
+        } catch (const InputError&) { // periodic, in full contact below that load
+        }
+    const DominantParts parts = dominant_parts({wanted.x, wanted.y}, alone, threshold);
     return filtered(genome, [&](std::size_t s, std::size_t c) {
         for (std::size_t i = 0; i < scales.size(); ++i)
-            if (std::count(scales[i].members.begin(), scales[i].members.end(), std::pair(s, c)))
+            if (std::ranges::count(scales[i].members, std::pair(s, c)))
                 return parts.dominant[i] != 0;
         return false;
     });

@@ -12,95 +12,78 @@
 
 namespace rough {
 
-/// How Algorithm 1 compares the curves. The paper does not say; pressures are our reading.
+/// How Algorithm 1 compares curves. The paper does not say; our choice is `same_pressure`.
 enum class DominanceReading {
-    same_pressure, ///< at the whole's absolute pressures, each part's curve held constant beyond its own
-                   ///< range
-    same_step,     ///< by load step, each part on its own range
-    raw,           ///< the tangents as the solver gives them, by load step
+    same_pressure, ///< at the whole's pressures; each part's curve is constant beyond its end points
+    same_step,     ///< at equal load steps, each part over its range
+    raw,           ///< the solver's tangents at equal load steps
 };
 
 /// The correlation above which a part is dominant (the paper).
 constexpr double dominance_threshold = 0.95;
 
-/// Which parts of a profile govern its curve (paper, Algorithm 1).
+/// The parts of a profile that dominate its curve (paper, Algorithm 1).
 struct DominantParts {
-    std::vector<double> correlation; ///< Pearson's, of the whole's values with each part's; NaN: undefined
-    std::vector<char> dominant;      ///< one a part; at least one is set
-    bool only_best = false;          ///< none passed the threshold: the best correlated was kept
+    std::vector<double> correlation; ///< Pearson's, of each part's values with the whole's; NaN: undefined
+    std::vector<char> dominant;      ///< one per part; at least one is set
+    bool only_best = false;          ///< no part exceeds the threshold; the best correlated one is kept
 };
-/// Algorithm 1 for curves of any kind: `parts` are those of each part alone, empty where it has no height
-/// range or no answer. Of none that is defined all are kept.
+/// Algorithm 1 for curves of any kind. `parts` are the curves of each part alone, empty if the part is flat
+/// or has no response. If no correlation is defined, all parts are dominant.
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
                              double threshold = dominance_threshold,
                              DominanceReading reading = DominanceReading::same_pressure);
 
-/// The curve of a response that a reading compares.
+/// The curve of a response that is compared under a reading.
 Curve compared_curve(const Response& response, DominanceReading reading);
 
-/// Which chromosomes govern a genome's stiffness curve.
+/// The chromosomes that dominate a genome's stiffness curve.
 struct Dominance {
-    /// correlation[s][c]: of the whole genome's K with that of chromosome c of series s alone; NaN where the
-    /// chromosome has no height range or its K no variance.
+    /// correlation[s][c]: of the K of chromosome c of series s alone with the genome's K. NaN if the
+    /// chromosome is flat or its K does not vary.
     std::vector<std::vector<double>> correlation;
-    std::vector<std::vector<char>> dominant; ///< same shape; at least one is set
-    bool only_best = false;                  ///< none passed the threshold: the best correlated was kept
+    std::vector<std::vector<char>> dominant; ///< indices as for correlation; at least one is set
+    bool only_best = false;                  ///< no chromosome exceeds the threshold; the best is kept
 
-    /// Whether that chromosome, by its index in its series' list, is dominant.
+    /// Whether a chromosome is dominant, by its index in its series.
     bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
 };
 
-/// Responses of genomes and of each of their length scales alone, with a memory, as several operators and
-/// readings ask for the same genome. Safe to call from several threads.
-class LoneResponses {
+/// Algorithm 1 on genomes. It remembers the responses of each genome and of its length scales alone, for
+/// every reading. Safe to call from several threads.
+class DominanceRule {
   public:
-    /// Under a model; accuracy is its own for the whole genome, parts are solved throughout. An area's grid
-    /// is halved while it has more than 64 nodes a side: curves are correlated here, not scored.
-    explicit LoneResponses(Model model);
+    /// The model's accuracy applies to whole genomes only. An area's grid is halved while a side has more
+    /// than 64 nodes, because curves are only correlated here.
+    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
+                           double threshold = dominance_threshold);
 
-    /// A whole genome's, and each length scale's alone (length_scales); empty where that is flat.
-    struct Known {
-        Response whole;                             ///< of the genome
-        std::vector<std::optional<Response>> parts; ///< one a length scale
-    };
-    /// One contact curve a length scale, one for the whole.
-    std::shared_ptr<const Known> operator()(const Genome& genome) const;
-    /// Contact curves of all genomes that were asked for so far.
-    long curves() const;
+    /// Chromosomes of equal wavenumber, of any series, count as one.
+    Dominance operator()(const Genome& genome) const { return (*this)(genome, reading_); }
+    /// The result under another reading.
+    Dominance operator()(const Genome& genome, DominanceReading reading) const;
 
   private:
+    struct Known {
+        Response whole;
+        std::vector<std::optional<Response>> parts; ///< one per length scale; empty if it is flat
+    };
+    std::shared_ptr<const Known> responses_of(const Genome& genome) const;
+
     Model model_;
+    DominanceReading reading_;
+    double threshold_;
     mutable std::mutex guard_;
     mutable std::map<std::string, std::shared_ptr<const Known>> known_;
 };
 
-/// Algorithm 1 on genomes. Safe to call from several threads.
-class DominanceRule {
-  public:
-    /// Under a model, with a memory of its own.
-    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
-                           double threshold = dominance_threshold)
-        : DominanceRule(std::make_shared<LoneResponses>(std::move(model)), reading, threshold) {}
-    /// With a memory that other readings share.
-    DominanceRule(std::shared_ptr<const LoneResponses> responses, DominanceReading reading, double threshold)
-        : responses_(std::move(responses)), reading_(reading), threshold_(threshold) {}
-
-    /// Chromosomes of equal wave number, of any series, are one.
-    Dominance operator()(const Genome& genome) const;
-
-  private:
-    std::shared_ptr<const LoneResponses> responses_;
-    DominanceReading reading_;
-    double threshold_;
-};
-
-/// The genome's dominant chromosomes alone.
+/// The genome with only its dominant chromosomes.
 Genome reduced(const Genome& genome, const Dominance& dominance);
 
-/// The genome's length scales that by themselves follow a target: the curve of one alone, in the genome's own
-/// amplitude and loaded as far as the target goes, correlates with the target's at its points by more than
-/// the threshold (Pearson). The best correlated where none does, all where none has an answer. After Cinat,
-/// Paggi and Gnecco (2019), who keep such chromosomes for each of two targets.
+/// The genome with only the length scales whose curve alone follows a target (Cinat, Paggi and Gnecco 2019).
+/// Their correlation (Pearson) with the target at its points is above the threshold, in the genome's
+/// amplitude and loaded as far as the target. Otherwise the best correlated is kept, or all if none has a
+/// response.
 Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
                          double threshold = dominance_threshold);
 

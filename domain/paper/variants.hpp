@@ -1,45 +1,49 @@
 #pragma once
 
-#include "domain/paper/vocabulary.hpp"
+#include "domain/paper/dominance.hpp"
+#include "domain/problem/limits.hpp"
 #include "domain/problem/pipeline.hpp"
 
 namespace rough {
 
-/// The paper's problem: find the genome whose K(p), rescaled by Eq. 11 so that its last load step lies at
-/// `max_pressure` (p_max, MPa), is similar to the target. `threshold` is p_bar (MPa), which parts the
-/// objectives `low` on [0, p_bar] and `high` on [p_bar, p_max]; phases alone are genes.
+/// Parameters of the operators that roughness adds to the engine.
+struct Vocabulary {
+    std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1, for dominant phases and `reduce dominant`
+    PhaseReach reach = {};                     ///< range of every refined phase
+    /// Sets the amplitude of a sum if Eq. 11 does not; empty: it is kept.
+    std::function<Genome(const Genome&)> fitted = {};
+};
+
+/// The paper's problem: the genome whose K(p) is most similar to the target after Eq. 11 has rescaled its
+/// last load step to `max_pressure` (p_max, MPa). `threshold` is p_bar (MPa): the objective `low` is on [0,
+/// p_bar], `high` on [p_bar, p_max]. Only phases are genes.
 DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold,
                         PhaseReach reach = {});
 
-/// How GCMMA sees the similarity.
+/// The objective that is refined.
 enum class Form {
     paper,   ///< maximise s|s|: one point of the target at a time
     minimax, ///< minimise t with +-(y(xi_k)/y_k - 1) <= t: all points at once
 };
 
-/// The paper's three algorithms (Algorithms 3-5); scoring with Eq. 11 is the problem's. Stages as the paper's
-/// Figure 7 counts them: before the first `refine` GCMMA (0), after it (1), after the second (2); CCO has no
-/// second.
+// The paper's Algorithms 3-5. Figure 7 of the paper counts stages: GCMMA (0) before the first `refine`, (1)
+// after it, (2) after the second. CCO does not have a second.
 
 /// Similarity-optimised genomes: the three best of the database, refined.
 Pipeline sog(const Vocabulary& words, Form form = Form::paper);
-/// Genome cross-over: sums of genomes that are good at low with genomes that are good at high pressure,
-/// refined.
+/// Genome cross-over: sums of genomes that are good at low pressure and genomes that are good at high
+/// pressure, refined.
 Pipeline gco(const Vocabulary& words, Form form = Form::paper);
-/// Chromosome cross-over: the same with each parent reduced to its dominant chromosomes.
+/// Chromosome cross-over: GCO with each parent reduced to its dominant chromosomes.
 Pipeline cco(const Vocabulary& words, Form form = Form::paper);
 
-/// The same with Algorithm 1 on the children in place of the parents: another reading of Algorithm 5.
+/// CCO with Algorithm 1 on the children instead of the parents: another reading of Algorithm 5.
 Pipeline cco_of_sums(const Vocabulary& words);
 
-/// What text pipelines for the paper's problem are made of: the engine's words and roughness's.
+/// The operators of text pipelines for the paper's problem: those of the engine and of roughness.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 
-/// The pipeline of the variant called `name` among `variants`, made of paper_registry's words. Throws
-/// ga::UsageError on one that cannot be made.
-Pipeline paper_pipeline(const Vocabulary& words, const ga::Variants& variants, const std::string& name);
-
-/// sog, gco, cco and their minimax forms as text.
-ga::Variants paper_variants(const Vocabulary& words);
+/// sog, gco, cco and their minimax forms as texts.
+ga::Variants paper_variants();
 
 } // namespace rough

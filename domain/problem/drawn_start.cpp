@@ -1,6 +1,6 @@
 #include "domain/problem/drawn_start.hpp"
 
-#include "domain/problem/harmonics.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/problem/response.hpp"
 #include "domain/target/similarity.hpp"
 
@@ -15,43 +15,83 @@ namespace {
 
 double within(double value, double from, double to) { return std::clamp(value, from, std::max(from, to)); }
 
+/// Higher harmonics hardly change stiffness and cost genes.
+constexpr int max_harmonic = 32;
+
+double nearest_harmonic(double length, double wave) { return std::max(1.0, std::round(length / wave)); }
+
+bool is_harmonic(double length, double wave) {
+    const double k = length / wave;
+    return std::abs(k - nearest_harmonic(length, wave)) <= 1e-13 * k;
+}
+
 } // namespace
+
+void add_chromosomes(Series& series, double shortest, int ridges, ga::Stream& random) {
+    const int last = last_chromosome(series.lambda, series.gamma, shortest);
+    for (int n = 1; n <= last; ++n) {
+        series.chromosomes.push_back({n, {}});
+        for (int m = 0; m < ridges; ++m)
+            series.chromosomes.back().phases.push_back(random.uniform(0, 2 * std::numbers::pi));
+    }
+}
+
+std::vector<Series> harmonic_series(double length, double shortest, double H) {
+    std::vector<Series> all;
+    for (int k = 1; k <= max_harmonic && length / k >= shortest * (1 - 1e-12); k += 2)
+        all.push_back({1, H, 2, length / k, {}});
+    return all;
+}
+
+Genome in_harmonics(const Genome& genome, double length) {
+    Genome moved{genome.scale, {}};
+    for (const Series& series : genome.series) {
+        if (std::all_of(series.chromosomes.begin(), series.chromosomes.end(), [&](const Chromosome& one) {
+                return is_harmonic(length, wave_length(series, one.n));
+            })) {
+            moved.series.push_back(series);
+            continue;
+        }
+        for (const Chromosome& one : series.chromosomes) {
+            const double k = nearest_harmonic(length, wave_length(series, one.n));
+            Series single{1, series.H, 2, length / k, {{1, one.phases}}};
+            const std::size_t ridges = one.phases.size();
+            single.A = amplitude(series, one.n, ridges) / amplitude(single, 1, ridges);
+            moved.series.push_back(single);
+        }
+    }
+    return moved;
+}
 
 Series drawn_series(const DesignSetup& setup, double H, double gamma, double lambda) {
     const GeneBounds& b = setup.bounds;
-    Series series{1,
-                  within(H, b.H_from, b.H_to),
-                  within(gamma, b.gamma_from, b.gamma_to),
-                  within(lambda, std::max(b.lambda_from, setup.limits.shortest_wave), b.lambda_to),
-                  {}};
-    return series;
+    return {1,
+            within(H, b.H_from, b.H_to),
+            within(gamma, b.gamma_from, b.gamma_to),
+            within(lambda, std::max(b.lambda_from, setup.limits.shortest_wave), b.lambda_to),
+            {}};
 }
 
 Genome drawn_start(const DesignSetup& given, ga::Stream random) {
     const DesignSetup setup = completed(given);
     Genome genome{1, {}};
     const double shortest = setup.limits.shortest_wave;
-    const auto with_chromosomes = [&](Series series) {
-        for (int n = 1; n <= last_chromosome(series.lambda, series.gamma, shortest); ++n) {
-            Chromosome chromosome{n, {}};
-            for (int m = 0; m < setup.ridges; ++m)
-                chromosome.phases.push_back(random.uniform(0, 2 * std::numbers::pi));
-            series.chromosomes.push_back(std::move(chromosome));
-        }
+    const auto take = [&](Series series) {
+        add_chromosomes(series, shortest, setup.ridges, random);
         genome.series.push_back(std::move(series));
     };
     if (setup.model.grid.periodic && !setup.model.grid.is_2d()) {
         for (Series& series :
              harmonic_series(setup.model.grid.length, shortest,
                              within(random.uniform(0.5, 1.5), setup.bounds.H_from, setup.bounds.H_to)))
-            with_chromosomes(std::move(series));
+            take(std::move(series));
         return genome;
     }
     for (int s = 0; s < 2; ++s) {
         Series series = drawn_series(setup, random.uniform(0.5, 1.5), random.uniform(1.4, 2.0),
                                      setup.model.grid.length * (s == 0 ? 1 : random.uniform(0.6, 1.6)));
         series.A = s == 0 ? 1 : std::exp(random.uniform(-1.5, 1.5));
-        with_chromosomes(std::move(series));
+        take(std::move(series));
     }
     return genome;
 }
@@ -61,14 +101,13 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
         return genome;
     const Target& target = setup.targets.front();
     Model model = setup.model;
-    // A start need not be read so finely where a curve costs much.
+    // Curves of maps are expensive, and a start does not need finer load steps.
     const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
     model.loading = {steps, model.loading.reach};
     const Response response = respond(folded(genome), model);
-    const double own =
+    const double end =
         target.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];
-    // Misfit over the part of the target that this amplitude covers; what it does not counts as missed
-    // wholly.
+    // Points beyond the curve at this amplitude count as a misfit of 1.
     const auto misfit_at = [&](double scale) {
         const Curve curve = curve_of(target.quantity, scaled(response, scale));
         double worst = 0;
@@ -77,10 +116,10 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
                              target.x[k] > curve.to ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
         return worst;
     };
-    const double least = target.last() / own;
-    double best = least, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
+    const double lowest = target.last() / end;
+    double best = lowest, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
     for (int i = 0; i < 33; ++i) {
-        const double scale = least * std::pow(ratio, i);
+        const double scale = lowest * std::pow(ratio, i);
         if (const double here = misfit_at(scale); here < nearest)
             best = scale, nearest = here;
     }

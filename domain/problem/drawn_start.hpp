@@ -3,19 +3,32 @@
 #include "domain/problem/setup.hpp"
 #include "ga/base/random.hpp"
 
+#include <vector>
+
 namespace rough {
 
-/// A series of amplitude 1 without chromosomes, its law moved into the set-up's bounds; lambda in mm.
+/// Appends every chromosome down to the shortest wave (mm), with `ridges` phases uniform in [0, 2 pi).
+void add_chromosomes(Series& series, double shortest, int ridges, ga::Stream& random);
+
+/// Series of amplitude 1 without chromosomes, with one H: lambda = L/k for every odd k, gamma = 2. Together
+/// they have each harmonic L/k of a length L (mm) once, down to `shortest` (mm) or k = 32.
+std::vector<Series> harmonic_series(double length, double shortest, double H);
+
+/// The genome with every wave moved to the nearest harmonic L/k, k >= 1, of the length L (mm). It then
+/// repeats without a jump. Amplitudes and phases are kept, and series that consist of harmonics.
+Genome in_harmonics(const Genome& genome, double length);
+
+/// A series of amplitude 1 without chromosomes; its genes are moved into the set-up's bounds. lambda in mm.
 Series drawn_series(const DesignSetup& setup, double H, double gamma, double lambda);
 
-/// A genome drawn blindly: two series with H in 0.5-1.5, gamma in 1.4-2, lambda near L, within the set-up's
-/// bounds, as many ridges as the set-up has, phases and relative amplitude at random; on a line that is
-/// periodic the harmonics of its length under one H (an area moves wave vectors to its lattice).
+/// A random genome of two series: H in 0.5-1.5, gamma in 1.4-2, lambda near L, all within the set-up's
+/// bounds. Phases and relative amplitude are random; ridges are the set-up's. On a periodic line it has the
+/// harmonics of its length with one H. (A map moves wave vectors to its lattice.)
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
-/// The genome with the amplitude, at or above the least that carries the target's load within the whole
-/// approach, at which its curve meets the first target best: of 33 over 16 octaves, then narrowed. Where Eq.
-/// 11 applies the genome is returned as it is.
+/// The genome with the amplitude at which its curve meets the first target best. The best of 33 amplitudes
+/// over 16 octaves is narrowed; the lowest carries the target's load within the full approach. Under Eq. 11
+/// the genome is returned unchanged.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
 
 } // namespace rough

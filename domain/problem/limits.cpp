@@ -1,5 +1,7 @@
 #include "domain/problem/limits.hpp"
 
+#include "domain/mwm/waves.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,12 +10,12 @@ namespace rough {
 
 namespace {
 
-/// A point of the surface, mm, and a direction there, a unit vector.
+/// A point of the surface, mm, and the unit vector of a direction there.
 struct Place {
     double x = 0, y = 0, along_x = 1, along_y = 0;
 };
 
-/// A line's cosines run along x.
+/// The genome's waves; those of a line run along x.
 std::vector<PlaneWave> waves_on(const Grid& grid, const Genome& genome) {
     if (grid.is_2d())
         return plane_waves(genome, grid);
@@ -39,8 +41,8 @@ double derivative(const std::vector<PlaneWave>& waves, int order, const Place& a
     return value;
 }
 
-/// What the derivative of that order may exceed its values at nodes h apart by: h^2/8 times a bound on its
-/// own second derivative; on an area that along x and that along y, which a wave's k^2 is the sum of.
+/// The most by which a derivative of that order exceeds its values at nodes with spacing h: h^2/8 times a
+/// bound on its second derivative. On a map the bounds along x and y add up to k^2 for each wave.
 double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
     double bound = 0;
     for (const PlaneWave& w : waves)
@@ -48,18 +50,18 @@ double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
     return bound;
 }
 
-/// The grid that extremes are looked for on; of an area, whose nodes grow by the square, a coarser one.
-Grid looked_at(const Grid& grid) { return refined(grid, grid.is_2d() ? 4 : 8); }
+/// The grid on which extremes are searched; a coarser one for maps, which have the square of the nodes.
+Grid search_grid(const Grid& grid) { return refined(grid, grid.is_2d() ? 4 : 8); }
 
 struct Extremes {
-    double least, greatest;      ///< at the nodes
-    Place at_least, at_greatest; ///< where
-    double between;              ///< what a point between nodes may exceed them by
-    double largest() const { return std::max(-least, greatest) + between; }
-    double range() const { return greatest - least + 2 * between; }
+    double min, max;      ///< values at the nodes
+    Place at_min, at_max; ///< their places
+    double between;       ///< the most by which a point between nodes exceeds them
+    double largest() const { return std::max(-min, max) + between; }
+    double range() const { return max - min + 2 * between; }
 };
 
-/// Of an area: heights, the gradient's size, or the curvatures in their principal directions.
+/// Extremes on a map: of heights, the gradient's size, or the curvatures in their principal directions.
 Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine, int order) {
     const auto field = [&](int along_x) {
         std::vector<PlaneWave> each = waves;
@@ -75,10 +77,10 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
         const Place at{fine.from + fine.spacing() * static_cast<double>(node % fine.nodes),
                        fine.row_spacing() * static_cast<double>(node / fine.nodes), std::cos(angle),
                        std::sin(angle)};
-        if (value > result.greatest)
-            result.greatest = value, result.at_greatest = at;
-        if (value < result.least)
-            result.least = value, result.at_least = at;
+        if (value > result.max)
+            result.max = value, result.at_max = at;
+        if (value < result.min)
+            result.min = value, result.at_min = at;
     };
     for (Index i = 0; i < x.size(); ++i)
         if (order == 0) {
@@ -95,7 +97,7 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
 }
 
 Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
-    const Grid fine = looked_at(grid);
+    const Grid fine = search_grid(grid);
     if (grid.is_2d())
         return extremes_on_area(waves, fine, order);
     const double h = fine.spacing();
@@ -120,14 +122,14 @@ Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int ord
     }
     Index low = 0, high = 0;
     Extremes result{values.minCoeff(&low), values.maxCoeff(&high), {}, {}, between_nodes(waves, order, h)};
-    result.at_least.x = h * static_cast<double>(low);
-    result.at_greatest.x = h * static_cast<double>(high);
+    result.at_min.x = h * static_cast<double>(low);
+    result.at_max.x = h * static_cast<double>(high);
     return result;
 }
 
-/// One limit on shape as a functional of the surface: sum of weights times derivatives at places.
+/// A limit on shape as a functional of the surface: the sum of weights times derivatives at places.
 struct ShapeLimit {
-    double ratio; ///< value over limit; a radius as curvature
+    double ratio; ///< value over limit; for a radius, of the curvature
     int order;
     std::vector<std::pair<double, Place>> places; ///< weight (1/limit, signed)
 };
@@ -137,9 +139,8 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
     std::vector<ShapeLimit> result;
     const auto largest = [&](int order, double limit) {
         const Extremes e = extremes(all, grid, order);
-        const bool up = e.greatest >= -e.least;
-        result.push_back(
-            {e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.at_greatest : e.at_least}}});
+        const bool up = e.max >= -e.min;
+        result.push_back({e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.at_max : e.at_min}}});
     };
     if (limits.max_slope > 0)
         largest(1, limits.max_slope);
@@ -147,7 +148,7 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
         const Extremes e = extremes(all, grid, 0);
         result.push_back({e.range() / limits.max_height,
                           0,
-                          {{1 / limits.max_height, e.at_greatest}, {-1 / limits.max_height, e.at_least}}});
+                          {{1 / limits.max_height, e.at_max}, {-1 / limits.max_height, e.at_min}}});
     }
     if (limits.min_radius > 0)
         largest(2, 1 / limits.min_radius);
@@ -165,6 +166,27 @@ double value_at(const Genome& genome, const ShapeLimit& limit, const Grid& fine)
 
 } // namespace
 
+std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
+                                          const ChosenChromosomes& chosen) {
+    std::vector<ga::Variable> variables;
+    const auto places = gene_places(genome);
+    const auto values = genes(genome);
+    for (std::size_t g = 0; g < places.size(); ++g)
+        if (places[g].kind == GenePlace::Kind::phase &&
+            (!chosen || chosen(places[g].series, places[g].chromosome))) {
+            const double half = reach.relative * std::abs(values[g]) + reach.absolute;
+            variables.push_back({g, values[g] - half, values[g] + half});
+        }
+    return variables;
+}
+
+std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to, PhaseReach reach) {
+    return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
+        const double length = wave_length(genome.series[s], genome.series[s].chromosomes[c].n);
+        return length >= from && length < to;
+    });
+}
+
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
     const auto all = waves_on(grid, genome);
     return {{"shortest_wave_mm", limits.shortest_wave, shortest_wave(genome) * (1 + 1e-12), true},
@@ -173,11 +195,11 @@ std::vector<Margin> margins(const Genome& genome, const Grid& grid, const Making
             {"radius_mm", limits.min_radius, 1 / extremes(all, grid, 2).largest(), true}};
 }
 
-double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard) {
+double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
     double sum = 0;
     if (limits.any_shape())
         for (const ShapeLimit& limit : shape_limits(genome, grid, limits))
-            sum += std::max(0.0, limit.ratio - (1 - guard));
+            sum += std::max(0.0, limit.ratio - 1);
     return sum;
 }
 
@@ -185,7 +207,7 @@ LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits&
                      const Eigen::RowVectorXd& d_scale) {
     const auto all = shape_limits(genome, grid, limits);
     const std::vector<double> values = genes(genome);
-    const Grid fine = looked_at(grid);
+    const Grid fine = search_grid(grid);
     LimitRows rows{Eigen::VectorXd::Zero(static_cast<Index>(all.size())),
                    Eigen::MatrixXd::Zero(static_cast<Index>(all.size()), static_cast<Index>(values.size()))};
     for (std::size_t i = 0; i < all.size(); ++i) {

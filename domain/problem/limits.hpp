@@ -1,64 +1,81 @@
 #pragma once
 
 #include "domain/mwm/sampling.hpp"
+#include "ga/problem/problem.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace rough {
 
-/// Between which bounds a design may move its genes. Lengths in mm.
+/// The bounds within which a design may move its genes. Lengths in mm.
 struct GeneBounds {
-    double H_from = 0.05;     ///< least Hurst exponent
-    double H_to = 2.5;        ///< greatest Hurst exponent
-    double gamma_from = 1.05; ///< least ratio of neighbouring wave numbers, > 1
-    double gamma_to = 4;      ///< greatest ratio of neighbouring wave numbers
-    double lambda_from = 0;   ///< least length of a series' longest wave, mm; 0: L/4
-    double lambda_to = 0;     ///< greatest length of a series' longest wave, mm; 0: 4 L
+    double H_from = 0.05;     ///< lowest Hurst exponent
+    double H_to = 2.5;        ///< highest Hurst exponent
+    double gamma_from = 1.05; ///< lowest ratio of neighbouring wavenumbers, > 1
+    double gamma_to = 4;      ///< highest ratio of neighbouring wavenumbers
+    double lambda_from = 0;   ///< lowest value of a series' longest wavelength, mm; 0: L/4
+    double lambda_to = 0;     ///< highest value of a series' longest wavelength, mm; 0: 4 L
 };
 
-/// What can be made. 0: no limit.
+/// Half the range in which refinement may move a phase, about its value when the genome was first refined.
+struct PhaseReach {
+    double relative = 0.1; ///< share of the phase's value: the paper's +-10 %, which freezes phases near 0
+    double absolute = 0;   ///< rad, added to it
+};
+
+/// Chooses chromosomes by the indices of the series and of the chromosome in it.
+using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chromosome)>;
+
+/// A variable for each phase of the genome, or only of the chosen chromosomes.
+std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
+                                          const ChosenChromosomes& chosen = {});
+
+/// The phases of waves whose wavelength (mm) is at least `from` and below `to`.
+std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to,
+                                          PhaseReach reach = {});
+
+/// Limits of manufacturing. 0: no limit.
 struct MakingLimits {
     double shortest_wave = 0; ///< mm
-    double max_slope = 0;     ///< of the profile's own |dZ/dx|, an area's gradient
+    double max_slope = 0;     ///< |dZ/dx| of the profile, or the gradient of a map
     double max_height = 0;    ///< max Z - min Z, mm
-    /// of curvature, 1/|d2Z/dx2|, in whatever direction of an area, mm: no larger than the circle's own
-    double min_radius = 0;
+    double min_radius = 0;    ///< radius of curvature 1/|d2Z/dx2|, in any direction of a map, mm
 
-    /// Whether the sampled shape is limited, not the waves alone.
+    /// Whether the sampled shape is limited, not only the wavelengths.
     bool any_shape() const { return max_slope > 0 || max_height > 0 || min_radius > 0; }
 };
 
-/// One limit beside what a genome has.
+/// A limit and the genome's value.
 struct Margin {
     std::string name; ///< "shortest_wave_mm", "slope", "height_mm", "radius_mm"
     double limit;     ///< 0: none was set
-    double value;     ///< the genome's, on the safe side
-    bool is_least;    ///< the limit is a lower one
+    double value;     ///< the genome's value, on the safe side
+    bool is_least;    ///< whether the limit is a lower one
     /// Whether the value keeps the limit.
     bool holds() const { return limit == 0 || (is_least ? value >= limit : value <= limit); }
-    /// How far inside the limit, over it: negative outside; 1 where there is none.
+    /// The distance inside the limit, over the limit: negative outside, 1 without a limit.
     double margin() const { return limit == 0 ? 1 : (is_least ? 1 - limit / value : 1 - value / limit); }
 };
 
-/// A genome's shortest wave, largest slope, height and smallest radius of curvature over [0, length], by the
-/// derivatives of its cosines on a grid eight times finer than `grid`, an area's four times, with a bound for
-/// what lies between its nodes added (h^2/8 times the sum of G R k^(order + 2)): no finer grid shows a larger
-/// value.
+/// A genome's shortest wave, largest slope, height and smallest radius of curvature over [0, length]. They
+/// are found by the derivatives of its cosines on a grid eight times finer than `grid` (a map: four times). A
+/// bound for points between the nodes is added: h^2/8 times the sum of G R k^(order + 2). So no finer grid
+/// shows a larger value.
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// How far slope, height and curvature exceed the limits in all, relative to each limit; 0 within them.
-/// Aims `guard` inside.
-double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard = 0);
+/// The sum by which slope, height and curvature exceed their limits, relative to each limit; 0 within them.
+double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// One row a limit on shape: max(0, value/limit - (1 - guard)), and its derivatives in every gene (central
-/// differences of the profile at the place of the extreme). Where the genome's scale moves with its genes,
-/// `d_scale` has its derivatives; empty where it does not.
+/// One row per limit on shape.
 struct LimitRows {
-    Eigen::VectorXd residuals; ///< one a limit on shape; 0 where it is kept
-    Eigen::MatrixXd jacobian;  ///< rows x genes
+    Eigen::VectorXd residuals; ///< max(0, value/limit - (1 - guard)); 0 if the limit is kept
+    Eigen::MatrixXd jacobian;  ///< rows x genes: derivatives in every gene
 };
-/// The rows of a genome on a grid, each limit tightened by `guard` (a part of it).
+/// The rows of a genome on a grid, each limit tightened by the share `guard`. Derivatives are central
+/// differences of the profile at the place of the extreme. `d_scale` has the derivatives of the genome's
+/// scale if that depends on the genes; else it is empty.
 LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
                      const Eigen::RowVectorXd& d_scale = {});
 

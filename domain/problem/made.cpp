@@ -15,19 +15,19 @@ namespace rough {
 
 namespace {
 
-constexpr std::uint64_t draws = 96; ///< of noise that a search counts on
+constexpr std::uint64_t draws = 96; ///< fixed draws of noise
 
-/// Load steps that end where the search's do: with Eq. 11 at the pressure or displacement that it gives.
-Loadings loadings_of_made(const DesignSetup& asked, const DesignSetup& made, const Profile& surface) {
+/// Load steps that end at the pressure or displacement of the search's last step, under Eq. 11 as well.
+Loadings loadings_of_made(const DesignSetup& given, const DesignSetup& made, const Profile& surface) {
     Loadings loadings = loadings_of(made, made.model.loading);
-    if (!asked.max_pressure)
+    if (!given.max_pressure)
         return loadings;
-    double last = 0; // of the targets against pressure
-    for (const Target& target : asked.targets)
+    double last = 0; // the highest pressure of the targets
+    for (const Target& target : given.targets)
         last = std::max(last, target.against_pressure() ? target.last() : 0);
     for (Loading& loading : loadings.each)
         if (loading.to_pressure > 0)
-            loading.to_pressure *= std::max(1., *asked.max_pressure / last);
+            loading.to_pressure *= std::max(1., *given.max_pressure / last);
         else
             loading.to_displacement = std::max(
                 loading.to_displacement, loading.reach * displacement_range(surface, made.model.body.kernel));
@@ -113,13 +113,13 @@ double CommonErrors::similarity(const MadeSurface& made) const {
 }
 
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed) {
-    constexpr double cut = 12; // q l beyond which amplitudes are below 2e-8 of the largest
+    constexpr double cut = 12; // value of q l beyond which amplitudes are below 2e-8 of the largest
     const double period = grid.periodic ? 1 : 2, pi = std::numbers::pi;
     const auto elements = [&](Index nodes) {
         return grid.periodic ? nodes : 2 * std::max<Index>(1, nodes - 1);
     };
     const Extent shape{elements(grid.nodes), grid.is_2d() ? elements(grid.rows) : 1};
-    const double dq = 2 * pi * length / (period * grid.length), // of q l
+    const double dq = 2 * pi * length / (period * grid.length), // step of q l
         dq_y = grid.is_2d() ? 2 * pi * length / (period * grid.width) : 0;
     const auto last = static_cast<Index>(cut / dq),
                last_y = grid.is_2d() ? static_cast<Index>(cut / dq_y) : 0;

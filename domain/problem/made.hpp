@@ -11,11 +11,11 @@ namespace rough {
 /// Fourier series of period 2 L, or L if the grid is periodic.
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed);
 
-/// Heights of a plane that rises by 1 over the length and, of a map, of another that rises over the width.
+/// Heights of a plane that rises by 1 over the length; for a map also of one that rises by 1 over the width.
 std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 
-/// A surface that is made with errors in its heights. These stay as they are made: Eq. 11 does not rescale
-/// them, and displacement counts from the first touch. The surface is loaded as far as in the search.
+/// A surface that is made with errors in its heights. They are not rescaled by Eq. 11, and displacement
+/// counts from the first touch. The surface is loaded as far as in the search.
 class MadeSurface {
   public:
     /// The surface of a genome in final amplitude under a completed set-up.
@@ -26,7 +26,7 @@ class MadeSurface {
     /// ga::Stopped if ContactOptions::stop ends it.
     double similarity(const Eigen::VectorXd& errors) const;
     /// Misfits with these errors and their derivatives in the genes. `plain` are the rows of the genome
-    /// without errors: under Eq. 11 the amplitude changes with the genes. Throws what respond() throws.
+    /// without errors, because under Eq. 11 the amplitude depends on the genes. Throws what respond() throws.
     ga::Sensitivity misfits(const Eigen::VectorXd& errors, const Rows& plain) const;
 
   private:
@@ -36,14 +36,15 @@ class MadeSurface {
     Loadings loadings_;
 };
 
-/// The errors that a search counts on: fixed draws of the noise, the same for every genome, and each tilt in
+/// The errors with which a search scores: fixed draws of the noise, equal for every genome, and each tilt in
 /// both directions.
 struct CommonErrors {
-    explicit CommonErrors(const DesignSetup& setup); ///< of a completed set-up
+    explicit CommonErrors(const DesignSetup& setup); ///< for a completed set-up
     std::vector<Eigen::VectorXd> noise = {};         ///< heights, mm
     std::vector<Eigen::VectorXd> tilts = {};         ///< heights, mm
-    /// The lower of two similarities: the mean of the worst tenth of the draws of noise, which is near the
-    /// one that 95 % of them keep and changes smoothly, and the one that every tilt keeps. 1 without errors.
+    /// The lower of two similarities; 1 without errors. The first is the mean of the lowest tenth over the
+    /// draws of noise. It is near the similarity that 95 % of the draws keep, and changes smoothly. The
+    /// second is the lowest over the tilts.
     double similarity(const MadeSurface& made) const;
 };
 

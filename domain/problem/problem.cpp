@@ -5,10 +5,8 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/rows.hpp"
-#include "domain/problem/surface_descriptors.hpp"
 #include "domain/profile/profile.hpp"
 #include "domain/target/similarity.hpp"
-#include "domain/target/stiffness_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,28 +22,14 @@ constexpr double limit_guard = 2e-3;
 /// A limit's excess in units of misfit.
 constexpr double limit_weight = 30;
 
-/// A grid this coarse tells full contact's stiffness from above, and at once.
-constexpr Index full_contact_nodes = 128;
-
-double stiffest_of(Model model) {
-    if (!model.grid.is_2d())
-        model.grid.nodes = std::min(model.grid.nodes, full_contact_nodes);
-    return stiffness_limits(model).most;
-}
-
-/// That a solution was stopped says nothing about a genome.
-void throw_if_stopped(const ContactOptions& contact) {
-    if (is_stopped(contact))
-        throw ga::Stopped{"stop requested"};
-}
-
-/// The work's result, or Stopped where the set-up's stop ended it.
+/// The work's result. Throws Stopped if the set-up's stop ended it, which is not the genome's fault.
 template <class Work>
 auto unless_stopped(const ContactOptions& contact, Work work) {
     try {
         return work();
     } catch (const NotConverged&) {
-        throw_if_stopped(contact);
+        if (is_stopped(contact))
+            throw ga::Stopped{"stop requested"};
         throw;
     }
 }
@@ -58,11 +42,11 @@ double DesignOutcome::similarity() const { return least_similarity(misfits); }
 
 DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads)
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
-      stiffest_(stiffest_of(setup_->model)), descriptors_(surface_descriptors(setup_->model.grid)) {
+      descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     verifier_ = std::make_shared<Verifier>(as_reported(*setup_), threads);
     errors_ = std::make_shared<CommonErrors>(*setup_);
-    // Below every genome within the limits, by how far it is over them.
+    // A genome over the limits is ranked below every genome within them, by its excess.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
     };
@@ -105,12 +89,8 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
     if (memory_)
         if (auto known = memory_->find(key(genome)))
             return of_responses(genome, std::move(*known));
-    try {
-        return of_responses(genome, pressed(*setup_, genome, setup_->model));
-    } catch (const NotConverged&) {
-        throw_if_stopped(setup_->model.contact);
-        throw;
-    }
+    return unless_stopped(setup_->model.contact,
+                          [&] { return of_responses(genome, pressed(*setup_, genome, setup_->model)); });
 }
 
 DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Response> responses) const {
@@ -123,9 +103,7 @@ DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Resp
     return outcome;
 }
 
-std::string DesignProblem::key(const Genome& genome) const {
-    return shape_key(setup_->max_pressure ? genome : folded(genome));
-}
+std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }
 
 Genome DesignProblem::settled(Genome genome, const Outcome& outcome) const {
     if (setup_->max_pressure)
@@ -191,14 +169,14 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             to = values[g] + std::numbers::pi;
             break;
         }
-        // On a periodic body every wave stays a harmonic of its length.
+        // On a periodic grid every wave stays a harmonic of its length.
         const GenePlace::Kind kind = places[g].kind;
         const bool harmonic = setup_->model.grid.periodic &&
                               (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
-        // Of a single chromosome A does what H would; so does lambda what gamma would.
-        const bool doubled =
+        // In a single chromosome, H has the effect of A, and gamma that of lambda.
+        const bool redundant =
             series.chromosomes.size() == 1 && (kind == GenePlace::Kind::H || kind == GenePlace::Kind::gamma);
-        const bool fixed = harmonic || doubled;
+        const bool fixed = harmonic || redundant;
         if (!fixed && from <= values[g] && values[g] <= to)
             variables.push_back({g, from, to});
     }
@@ -219,11 +197,11 @@ std::vector<Index> DesignProblem::points_of(const std::string& objective, std::s
 
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    // As Verification has them: in four times the steps, too, then on the finer grid.
+    // In the order of Verification: in four times the steps as well, then on the finer grid.
     std::vector<Rows> all;
     const auto solve_stepped = [&](Index refine) {
-        auto [fine, own] = stepped_rows(*setup_, verifier_->finer(), shape, refine);
-        all.insert(all.end(), {std::move(own), std::move(fine)});
+        auto [fine, coarse] = stepped_rows(*setup_, verifier_->finer(), shape, refine);
+        all.insert(all.end(), {std::move(coarse), std::move(fine)});
     };
     if (objective == "verified" || objective == "more_steps")
         solve_stepped(1);

@@ -1,53 +1,85 @@
 #pragma once
 
 #include "domain/problem/made.hpp"
-#include "domain/problem/response_memory.hpp"
 #include "domain/problem/verification.hpp"
 #include "ga/base/random.hpp"
-#include "ga/niches/descriptors.hpp"
+#include "ga/problem/problem.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
+#include <map>
 #include <memory>
+#include <mutex>
 
 namespace rough {
 
+/// Responses by pressed(), for problems of one model that differ only in target or threshold and so request
+/// the same curves. Threads may share it. Responses are pure functions of the key, so it does not affect
+/// results.
+class ResponseMemory {
+  public:
+    /// The responses for a problem's key, or nothing.
+    std::optional<std::vector<Response>> find(const std::string& key) const {
+        const std::lock_guard lock(guard_);
+        const auto found = known_.find(key);
+        return found == known_.end() ? std::nullopt : std::optional(found->second);
+    }
+    /// Keeps the responses, unless the key has some.
+    void keep(const std::string& key, const std::vector<Response>& responses) {
+        const std::lock_guard lock(guard_);
+        known_.emplace(key, responses);
+    }
+
+  private:
+    mutable std::mutex guard_;
+    std::map<std::string, std::vector<Response>> known_;
+};
+
+/// Features in which surfaces of one response may differ, with exact derivatives at a fixed scale, of the
+/// profile on this grid. `height`: log10 of the root mean square height over the length. `slope`: log10 of
+/// the root mean square difference quotient of neighbouring nodes, on a map along both axes. `wavelength`:
+/// log10 of 2 pi rms height / rms slope over the length. `skewness` of the heights.
+std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid);
+
 /// A genome's answer to all targets.
 struct DesignOutcome {
-    double scale = 1;                     ///< by Eq. 11; 1 where it does not apply
-    std::vector<Eigen::VectorXd> misfits; ///< of each target at its points, weighted
-    double excess = 0;                    ///< over the limits on shape
+    double scale = 1;                     ///< the factor of Eq. 11; 1 without it
+    std::vector<Eigen::VectorXd> misfits; ///< weighted, one vector per target
+    double excess = 0;                    ///< the sum by which limits on shape are exceeded
     Genome genome;                        ///< as it was evaluated
 
     double similarity() const; ///< 1 - the largest |misfit| of all targets
 };
 
-/// Find the genome that answers as asked, within limits. Objectives: `similarity`; `verified`, the least of
-/// it and the same on a finer grid and in finer load steps (Verification::worst); `more_steps`, of it and the
-/// same in finer load steps; `made`, the least of it and what survives the set-up's errors (CommonErrors);
-/// `low` and `high`, on the first target's points up to and from the threshold; `goal1`, `goal2` and on, on
-/// each target alone. A genome over the limits is ranked below every one within them.
+/// Find the genome that answers all targets within limits. Objectives:
+/// - `similarity`: the lowest over all targets.
+/// - `verified`: the lowest of `similarity` and Verification::worst (finer grid, finer load steps).
+/// - `more_steps`: the lower of `similarity` and that in finer load steps.
+/// - `made`: the lower of `similarity` and that with the set-up's errors (CommonErrors).
+/// - `low`, `high`: on the first target's points up to and from the threshold.
+/// - `goal1`, `goal2`, ...: on one target.
+/// A genome over the limits is ranked below every genome within them.
 class DesignProblem {
   public:
-    using Genome = rough::Genome;  ///< what is designed
-    using Outcome = DesignOutcome; ///< what an evaluation yields
+    using Genome = rough::Genome;  ///< the designed surface
+    using Outcome = DesignOutcome; ///< the result of an evaluation
 
-    /// Throws InputError as validate() does, and on limits without sense. Problems whose set-ups differ in
-    /// targets under Eq. 11 or in the threshold alone may share a memory. An answer is verified on so many
-    /// threads.
+    /// Throws InputError as validate() does, and on limits without sense. Problems may share a memory if
+    /// their set-ups differ only in the threshold, or under Eq. 11 in the targets. Answers are verified on
+    /// `threads` threads.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
                            int threads = 1);
 
-    /// The genome's misfit to every target. Throws InputError or NotConverged where it has no answer,
-    /// ga::Stopped where the set-up's ContactOptions::stop ends it, as `verified` and `more_steps` do.
+    /// The genome's misfit to every target. Throws InputError or NotConverged if it has no response, and
+    /// ga::Stopped if ContactOptions::stop ends it. The objectives `verified` and `more_steps` throw alike.
     Outcome evaluate(const Genome& genome) const;
-    /// The outcome of a genome whose responses to each way of loading, as pressed() has them, these are.
+    /// The outcome of a genome with these responses by pressed().
     Outcome of_responses(const Genome& genome, std::vector<Response> responses) const;
-    /// Those named above.
+    /// The objectives above.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
-    /// The genome's bits as far as they decide its outcome: all, or under Eq. 11 all but the scale.
+    /// The bits of the genome that its outcome depends on (key_of).
     std::string key(const Genome& genome) const;
-    /// Under Eq. 11 the genome with its scale set.
+    /// The genome, under Eq. 11 with the scale of its outcome.
     Genome settled(Genome genome, const Outcome& outcome) const;
 
     /// Its genes in the order of gene_places(): mm, rad, dimensionless.
@@ -56,31 +88,31 @@ class DesignProblem {
     Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
         return rough::with_genes(genome, values);
     }
-    /// A genome drawn blindly (drawn_start), its amplitude fitted where it is free.
+    /// A random genome (drawn_start), with its amplitude fitted if that is free.
     Genome sample(ga::Stream& random) const;
-    /// Exchanges chromosomes at `cuts` places along their wave lengths.
+    /// Exchanges chromosomes at `cuts` places along their wavelengths.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const;
     /// Exchanges each chromosome with probability 1/2.
     void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const;
 
-    /// Every gene that may move: phases alone where the set-up says so, else phases by half a turn; A by a
-    /// factor of 10; H, gamma and lambda within the set-up's bounds, the latter two so that no wave becomes
-    /// shorter than allowed, both sharing the slack; these two stay where the grid is periodic.
+    /// Every gene that may move; only phases if the set-up demands it. Otherwise phases move by half a turn,
+    /// A by a factor of 10, and H, gamma and lambda within the set-up's bounds. Gamma and lambda share the
+    /// slack until a wave is shorter than allowed; on a periodic grid both are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
-    /// Misfits at the objective's points, then one row a limit on shape, with exact derivatives. Contact
-    /// fractions are the smooth ones (contact/smooth_area.hpp) here, as a count of nodes has no derivative.
+    /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
+    /// fractions are the smooth ones here (contact/smooth_area.hpp), because a count of nodes has no
+    /// derivative.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
-    /// What surfaces may differ in (surface_descriptors).
+    /// The features of surface_descriptors().
     const std::vector<ga::Descriptor<Genome>>& descriptors() const { return descriptors_; }
     /// How much the profiles of two genomes differ (difference); 0 to 2.
     double distance(const Genome& a, const Genome& b) const;
 
-    const DesignSetup& setup() const { return *setup_; }      ///< what is asked for
-    const Verifier& verifier() const { return *verifier_; }   ///< of the set-up as answers are reported
-    bool shares_memory() const { return memory_ != nullptr; } ///< with other problems
-    double stiffest() const { return stiffest_; }             ///< no tangent is above it, MPa/mm
-    /// Which points of a target an objective is over.
+    const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
+    const Verifier& verifier() const { return *verifier_; }   ///< for as_reported() of the set-up
+    bool shares_memory() const { return memory_ != nullptr; } ///< whether other problems may share it
+    /// The points of a target that an objective uses.
     std::vector<Index> points_of(const std::string& objective, std::size_t target) const;
 
   private:
@@ -88,7 +120,6 @@ class DesignProblem {
     std::shared_ptr<const Verifier> verifier_;
     std::shared_ptr<const CommonErrors> errors_;
     std::shared_ptr<ResponseMemory> memory_;
-    double stiffest_;
     std::vector<ga::Objective<Outcome>> objectives_;
     std::vector<ga::Descriptor<Genome>> descriptors_;
 };

@@ -17,11 +17,17 @@ Model pressed_by(Model model, const Loading& loading) {
     return model;
 }
 
-/// A curve ends at this share of the displacement of full contact if the profile cannot be pressed further.
+/// The share of the displacement of full contact at which a curve ends if it cannot be continued.
 constexpr double nearly_full = 0.999;
 
-/// An area's load is found to its solver's tolerance, and solved once more there: none ends below the target.
+/// A map's load is found to its solver's tolerance and solved again there. With this factor, no load ends
+/// below the target.
 double load_slack(const Model& model) { return model.grid.is_2d() ? 1 + 3 * model.contact.tolerance : 1; }
+
+/// Whether a profile may reach full contact before the load steps end: on an elastic periodic body.
+bool may_pass_full_contact(const Loading& loading, const Body& body) {
+    return body.relative_to_mean() && !body.yields() && loading.to_displacement + loading.to_pressure > 0;
+}
 
 } // namespace
 
@@ -50,7 +56,6 @@ std::vector<Model> loaded_models(const DesignSetup& setup) {
     std::vector<Model> models;
     for (const Loading& loading : loadings_of(setup, setup.model.loading).each)
         models.push_back(pressed_by(setup.model, loading));
-
     return models;
 }
 
@@ -60,13 +65,17 @@ Genome at_scale_one(Genome genome, const DesignSetup& setup) {
     return genome;
 }
 
+std::string key_of(const DesignSetup& setup, const Genome& genome) {
+    return shape_key(setup.max_pressure ? genome : folded(genome));
+}
+
 double eq_11(const DesignSetup& setup, const Response& response) {
     if (!setup.max_pressure)
         return 1;
     const double last = response.pressure[response.steps() - 1], factor = *setup.max_pressure / last;
     if (!std::isfinite(factor) || !(factor > 0))
-        refuse("max-pressure: ", *setup.max_pressure, " MPa for a profile that carries ", last,
-               " MPa, expected two whose ratio fits double precision");
+        refuse("max-pressure: ", *setup.max_pressure, " MPa over the ", last,
+               " MPa that the profile carries does not fit double precision; give another pressure");
     return factor;
 }
 
@@ -86,10 +95,6 @@ DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
     return result;
 }
 
-bool may_pass_full_contact(const Loading& loading, const Body& body) {
-    return body.relative_to_mean() && !body.yields() && loading.to_displacement + loading.to_pressure > 0;
-}
-
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model) {
     if (!may_pass_full_contact(loading, model.body))
         return loading;
@@ -105,7 +110,7 @@ Loading up_to_full_contact(Loading loading, const Profile& profile, const Model&
 void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
                                   CurveJacobian* jacobian) {
     const Body& body = setup.model.body;
-    constexpr double rounding = 1e-6; // of a load that is found by iteration
+    constexpr double rounding = 1e-6; // iteration finds a load to this share
     if (setup.max_pressure || !body.relative_to_mean() || body.yields() ||
         curve.to >= (1 - rounding) * target.last())
         return;
@@ -139,13 +144,6 @@ DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Mod
     return scored(setup, pressed(setup, genome, model));
 }
 
-DesignResponse respond(const DesignSetup& setup, const Profile& profile, const Model& model) {
-    std::vector<Response> responses;
-    for (const Loading& loading : loadings_of(setup, model.loading).each)
-        responses.push_back(respond(profile, pressed_by(model, up_to_full_contact(loading, profile, model))));
-    return scored(setup, std::move(responses));
-}
-
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response) {
     std::vector<Eigen::VectorXd> misfits;
     for (std::size_t t = 0; t < setup.targets.size(); ++t)
@@ -161,10 +159,10 @@ std::vector<double> similarities(const DesignSetup& setup, const DesignResponse&
 }
 
 double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
-    double least = similarity(misfits.front());
+    double lowest = similarity(misfits.front());
     for (const Eigen::VectorXd& each : misfits)
-        least = std::min(least, similarity(each));
-    return least;
+        lowest = std::min(lowest, similarity(each));
+    return lowest;
 }
 
 double similarity(const DesignSetup& setup, const DesignResponse& response) {

@@ -1,7 +1,7 @@
 #include "domain/problem/rows.hpp"
 
 #include "domain/mwm/sampling.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/similarity.hpp"
 
 namespace rough {
@@ -30,22 +30,23 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
     return result;
 }
 
-/// Each way of loading's response and its derivatives in genes.
+/// The response to each loading, and its derivatives in genes.
 struct Pressed {
     std::vector<Response> responses;
     std::vector<ResponseJacobian> jacobians;
 };
 
-template <class InGenes>
+using Pull = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
+
 Pressed pressed_with_jacobian(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
-                              const Model& model, InGenes pull) {
+                              const Model& model, const Pull& pull) {
     Pressed result;
-    for (std::size_t way = 0; way < loadings.each.size(); ++way) {
+    for (std::size_t l = 0; l < loadings.each.size(); ++l) {
         bool with_area = false;
         for (std::size_t t = 0; t < setup.targets.size(); ++t)
-            with_area |= loadings.of_target[t] == way && is_contact_fraction(setup.targets[t].quantity);
+            with_area |= loadings.of_target[t] == l && is_contact_fraction(setup.targets[t].quantity);
         auto [response, gradient, area] =
-            respond_with_gradient(profile, model.body, up_to_full_contact(loadings.each[way], profile, model),
+            respond_with_gradient(profile, model.body, up_to_full_contact(loadings.each[l], profile, model),
                                   model.contact, with_area);
         result.jacobians.push_back(in_genes(gradient, pull, area));
         if (with_area)
@@ -72,10 +73,10 @@ Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
     }
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         const Target& target = setup.targets[t];
-        const std::size_t way = loadings.of_target[t];
-        Curve curve = curve_of(target.quantity, responses[way]);
-        CurveJacobian jacobian = curve_jacobian(target.quantity, responses[way], jacobians[way]);
-        if (setup.max_pressure) { // the factor moves with the genes, too
+        const std::size_t l = loadings.of_target[t];
+        Curve curve = curve_of(target.quantity, responses[l]);
+        CurveJacobian jacobian = curve_jacobian(target.quantity, responses[l], jacobians[l]);
+        if (setup.max_pressure) { // the factor depends on the genes, too
             jacobian.x = result.factor * jacobian.x + curve.x * result.d_factor;
             curve = stretched(std::move(curve), result.factor);
         }
@@ -120,7 +121,7 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
 }
 
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
-                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes) {
+                 const Model& model, const Pull& in_genes) {
     return rows_of(setup, pressed_with_jacobian(setup, profile, loadings, model, in_genes));
 }
 

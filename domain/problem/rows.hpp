@@ -7,30 +7,30 @@
 
 namespace rough {
 
-/// All targets' misfits of a genome under a model with their derivatives, target after target. Those of
-/// contact fractions are of the smooth ones (contact/smooth_area.hpp), within one node an edge of contact.
+/// All targets' misfits under a model with their derivatives, target after target. Contact fractions are the
+/// smooth ones (contact/smooth_area.hpp), within one node for each edge of contact.
 struct Rows {
-    ga::Sensitivity misfits;     ///< one row a point
-    double factor = 1;           ///< of Eq. 11; 1 where it does not apply
-    Eigen::RowVectorXd d_factor; ///< in every gene; empty without Eq. 11
+    ga::Sensitivity misfits;     ///< one row per point
+    double factor = 1;           ///< the factor of Eq. 11; 1 without it
+    Eigen::RowVectorXd d_factor; ///< its derivatives in every gene; empty without Eq. 11
 };
 
-/// Of a genome at scale 1 where Eq. 11 applies. Throws what respond() throws.
+/// The rows of a genome, under Eq. 11 at scale 1. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
-/// The same of a profile and the loadings for the targets; `in_genes` turns derivatives in heights (rows x N)
+/// The rows of a profile under the targets' loadings. `in_genes` converts derivatives in heights (rows x N)
 /// into derivatives in genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
-/// The same of a genome in the load steps of `finer` on a grid `refine` times finer, then in every fourth of
-/// them, which are the set-up's own: one solution gives both (in_finer_steps).
+/// The rows of a genome on a grid `refine` times finer. The first are in the load steps of `finer`
+/// (in_finer_steps), the second in every fourth of them, which are the set-up's. One solution gives both.
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine);
 
-/// The last of every `part` load steps: the response in so many times fewer. Steps are even, so these are
-/// the same displacements to the bit.
+/// The response in `part` times fewer load steps: the last of every `part`. Steps are even, so these are the
+/// same displacements to the bit.
 Response every(Index part, Response response);
 
-/// One's rows above the other's.
+/// The rows of both, one above the other.
 ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below);
 
 } // namespace rough

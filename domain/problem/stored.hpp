@@ -3,23 +3,8 @@
 #include "domain/mwm/stored.hpp"
 #include "domain/problem/problem.hpp"
 
-/// What checkpoints hold of a design, without loss: outcomes, and the set-up that a run belongs to. Its
-/// ContactOptions::stop is left out.
-
-namespace rough {
-
-///@{
-/// Vectors as checkpoints hold them, without loss.
-inline std::vector<double> numbers_of(const Eigen::VectorXd& vector) {
-    return {vector.begin(), vector.end()};
-}
-inline Eigen::VectorXd vector_from(const nlohmann::json& j) {
-    const auto numbers = j.get<std::vector<double>>();
-    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
-}
-///@}
-
-} // namespace rough
+/// @file
+/// Outcomes and set-ups as checkpoints hold them, without loss, except ContactOptions::stop.
 
 /// @cond
 template <class T>
@@ -31,8 +16,13 @@ struct nlohmann::adl_serializer<std::optional<T>> {
 };
 template <>
 struct nlohmann::adl_serializer<Eigen::VectorXd> {
-    static void to_json(json& j, const Eigen::VectorXd& vector) { j = rough::numbers_of(vector); }
-    static void from_json(const json& j, Eigen::VectorXd& vector) { vector = rough::vector_from(j); }
+    static void to_json(json& j, const Eigen::VectorXd& vector) {
+        j = std::vector<double>(vector.begin(), vector.end());
+    }
+    static void from_json(const json& j, Eigen::VectorXd& vector) {
+        const auto numbers = j.get<std::vector<double>>();
+        vector = Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+    }
 };
 
 namespace rough {
@@ -55,7 +45,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignSetup, model, targets, max_pressure, th
                                    limits, like, required_similarity, ridges, errors)
 /// @endcond
 
-/// Everything of a set-up that decides a result.
+/// A set-up without the names and records of its targets, which do not affect a result.
 inline nlohmann::json description(DesignSetup setup) {
     for (Target& target : setup.targets) {
         target.name.clear();

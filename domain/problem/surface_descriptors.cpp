@@ -1,6 +1,5 @@
-#include "domain/problem/surface_descriptors.hpp"
-
 #include "domain/mwm/sampling.hpp"
+#include "domain/problem/problem.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -22,7 +21,7 @@ Feature height(const Profile& profile, double length) {
             z / (z.squaredNorm() * std::numbers::ln10)};
 }
 
-/// Of an area: log10 of the root mean square gradient.
+/// log10 of the root mean square gradient of a map.
 Feature gradient(const Profile& map) {
     const auto [columns, rows] = map.shape();
     const auto z = map.heights.reshaped(columns, rows);

@@ -16,11 +16,11 @@ namespace rough {
 
 namespace {
 
-/// Of a secant in finer load steps, relative: what reading between steps may change.
+/// The largest error of an interpolated load step, relative to a secant in finer load steps.
 constexpr double reading_accuracy = 2e-3;
 
-/// Steps that are not solved: P by the cubic through pressures and tangents of the solved ones beside them,
-/// the rest by straight lines.
+/// Fills in the steps that are not solved. The pressure is a cubic through pressures and tangents of the
+/// solved steps next to them; all other columns are linear.
 Response read_between(Response response, const std::vector<char>& solved) {
     for (Index j = 0; j < response.steps(); ++j) {
         if (solved[static_cast<std::size_t>(j)])
@@ -40,8 +40,8 @@ Response read_between(Response response, const std::vector<char>& solved) {
     return response;
 }
 
-/// Which finer load steps are to be solved, as a solution of all of them on a coarser grid tells: every
-/// fourth, and those between two of these where reading would not do.
+/// The finer load steps to solve on a finer grid, given a solution of all of them on this one. These are
+/// every fourth step, and the steps between if interpolation is not accurate there.
 std::vector<char> steps_to_solve(const Response& all) {
     const Index count = all.steps();
     std::vector<char> solved(static_cast<std::size_t>(count), 1);
@@ -49,10 +49,10 @@ std::vector<char> steps_to_solve(const Response& all) {
         solved[static_cast<std::size_t>(j)] = (j + 1) % verified_refinement == 0;
     const Response read = read_between(all, solved);
     for (Index a = verified_refinement - 1; a + verified_refinement < count; a += verified_refinement) {
-        const double off =
+        const double error =
             (read.pressure - all.pressure).segment(a + 1, verified_refinement).cwiseAbs().maxCoeff();
         const double step = (all.pressure[a + verified_refinement] - all.pressure[a]) / verified_refinement;
-        if (2 * off > reading_accuracy * step)
+        if (2 * error > reading_accuracy * step)
             std::fill_n(solved.begin() + a + 1, verified_refinement, char{1});
     }
     return solved;
@@ -64,9 +64,9 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     setup.model.loading.steps *= times;
     if (!setup.like)
         return setup;
-    const Response own = respond(*setup.like, exactly(setup.model));
+    const Response response = respond(*setup.like, exactly(setup.model));
     for (Target& target : setup.targets) {
-        const Curve curve = curve_of(target.quantity, own);
+        const Curve curve = curve_of(target.quantity, response);
         for (Index k = 0; k < target.points(); ++k) {
             const double y = curve.at(std::min(target.x[k], curve.to)), moved = y / target.y[k];
             target.y[k] = y;
@@ -83,7 +83,7 @@ double Verification::worst() const {
 }
 
 const DesignSetup& Verifier::finer() const {
-    std::call_once(asked_, [&] { finer_ = in_finer_steps(setup_); });
+    std::call_once(finer_made_, [&] { finer_ = in_finer_steps(setup_); });
     return finer_;
 }
 
@@ -102,7 +102,7 @@ std::vector<Response> Verifier::on_fine_area(const Genome& genome,
             if (to_solve[responses.size()][j])
                 solved.push_back(j);
         }
-        // In runs of their own, however many threads there are: where one begins does not show in the digits.
+        // The number of runs does not depend on the number of threads, so the results do not either.
         constexpr std::size_t runs = 2;
         ga::parallel_for(runs, threads_, [&](std::size_t run) {
             const std::size_t from = run * solved.size() / runs, to = (run + 1) * solved.size() / runs;
@@ -121,9 +121,9 @@ std::vector<Response> Verifier::on_fine_area(const Genome& genome,
     return responses;
 }
 
-void Verifier::verifier(const Genome& genome, Verification& result) const {
+void Verifier::verify(const Genome& genome, Verification& result) const {
     const bool area = setup_.model.grid.is_2d();
-    // The misfits in all steps, then in every fourth, which are the set-up's own.
+    // The misfits in all steps, then in every fourth, which are the set-up's.
     const auto misfits_in = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
         std::vector<Response> own;
         for (const Response& response : fine)
@@ -140,10 +140,11 @@ void Verifier::verifier(const Genome& genome, Verification& result) const {
             to_solve.push_back(steps_to_solve(response));
             read.push_back(read_between(response, to_solve.back()));
         }
-        const auto off = misfits_of(finer(), scored(finer(), std::move(read))),
+        const auto by_reading = misfits_of(finer(), scored(finer(), std::move(read))),
                    exact = misfits_of(finer(), scored(finer(), fine));
-        for (std::size_t t = 0; t < off.size(); ++t)
-            result.reading_error = std::max(result.reading_error, (off[t] - exact[t]).cwiseAbs().maxCoeff());
+        for (std::size_t t = 0; t < exact.size(); ++t)
+            result.reading_error =
+                std::max(result.reading_error, (by_reading[t] - exact[t]).cwiseAbs().maxCoeff());
     }
     result.on_own = misfits_in(std::move(fine), 0, 2);
     result.on_finer = misfits_in(area ? on_fine_area(genome, to_solve)
@@ -152,7 +153,7 @@ void Verifier::verifier(const Genome& genome, Verification& result) const {
 }
 
 std::optional<Verification> Verifier::known(const Genome& genome) const {
-    const std::string key = shape_key(setup_.max_pressure ? genome : folded(genome));
+    const std::string key = key_of(setup_, genome);
     const std::lock_guard lock(guard_);
     for (const auto& [other, verification] : known_)
         if (other == key)
@@ -161,15 +162,15 @@ std::optional<Verification> Verifier::known(const Genome& genome) const {
 }
 
 Verification Verifier::remembered(const Genome& genome) const {
-    constexpr std::size_t most = 32;
+    constexpr std::size_t max_known = 32;
     if (auto before = known(genome))
         return *before;
     Verification found = of(genome);
     if (std::isnan(found.worst()))
         return found;
     const std::lock_guard lock(guard_);
-    known_.emplace_back(shape_key(setup_.max_pressure ? genome : folded(genome)), found);
-    if (known_.size() > most)
+    known_.emplace_back(key_of(setup_, genome), found);
+    if (known_.size() > max_known)
         known_.pop_front();
     return found;
 }
@@ -178,7 +179,7 @@ Verification Verifier::of(const Genome& genome) const {
     const ga::Stopwatch clock;
     Verification result;
     try {
-        verifier(genome, result);
+        verify(genome, result);
     } catch (const NotConverged&) {
         if (!is_stopped(setup_.model.contact))
             throw;

@@ -8,65 +8,65 @@
 
 namespace rough {
 
-/// How many times the nodes and the load steps an answer has to survive.
+/// Factor on the nodes and on the load steps with which an answer is verified.
 constexpr int verified_refinement = 4;
 
-/// The set-up with `times` the load steps on both sides: a target that is a measured profile's own response
-/// (DesignSetup::like) is taken from its finer steps, others stand as they were given.
+/// The set-up with `times` the load steps on both sides. Targets that are a measured profile's response
+/// (DesignSetup::like) are taken from its finer steps; other targets stay.
 DesignSetup in_finer_steps(DesignSetup setup, int times = verified_refinement);
 
-/// A genome's similarity as it is asked for, and under finer grids and load steps; Eq. 11 anew each time
-/// where it applies. NaN: not verified, as the verifier was stopped before.
+/// A genome's similarity under the set-up, and under finer grids and load steps. Eq. 11 is applied each time.
+/// NaN: not verified, because the verifier was stopped before.
 struct Verification {
-    double similarity = 0; ///< on the set-up's grid, in its load steps
-    double refined = 0;    ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N), along both axes of an area
-    double stepped = 0;    ///< in four times the load steps, on both sides
-    double both = 0;       ///< on that grid in those steps
-    /// Of an area `both` is less than what it was read as by so much (Verifier::of).
-    double reading_error = 0;
-    std::vector<Response> on_own;   ///< as pressed() has them, on the set-up's grid in its load steps
-    std::vector<Response> on_finer; ///< the same on the finer grid
-    double seconds = 0;             ///< of wall time that verifying took
-    /// Each target's, of the four in the order above.
+    double similarity = 0;    ///< on the set-up's grid, in its load steps
+    double refined = 0;       ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N), along both axes of a map
+    double stepped = 0;       ///< in four times the load steps, on both sides
+    double both = 0;          ///< on that grid in those steps
+    double reading_error = 0; ///< error of interpolated load steps, already subtracted from `both`
+    std::vector<Response> on_own;   ///< responses on the set-up's grid in its load steps
+    std::vector<Response> on_finer; ///< responses on the finer grid in the set-up's load steps
+    double seconds = 0;             ///< wall time of the verification
+    /// Misfits of each target, in the order of the four similarities.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
 
-    /// The least of the four, NaN where not all are known.
+    /// The lowest of the four; NaN unless all are known.
     double worst() const;
 };
 
 /// Verifies the genomes of one set-up.
 class Verifier {
   public:
-    /// A fine area's load steps are solved by up to so many threads.
+    /// A fine map's load steps are solved on up to `threads` threads.
     explicit Verifier(DesignSetup setup, int threads = 1) : setup_(std::move(setup)), threads_(threads) {}
 
-    /// Of two curves in finer steps every fourth load step is one of the set-up's own: two solutions give all
-    /// four. On a fine area every fourth of the finer steps is solved, and those between where on the
-    /// set-up's own grid, which solves all, a cubic through the pressures and tangents beside them is off by
-    /// more than 2e-3 of a secant; the others are read off such cubics. What this changes on the own grid is
-    /// taken off `both`. Where the set-up's ContactOptions::stop ends it, what was not verified by then is
-    /// left at NaN, its misfits and responses empty. Otherwise throws what respond() throws.
+    /// Two solutions in finer load steps give all four similarities, because every fourth step is one of the
+    /// set-up's. On a fine map, only every fourth step is solved, and the steps between are interpolated by
+    /// cubics through the pressures and tangents next to them. All steps are solved on the set-up's grid.
+    /// Steps with an interpolation error above 2e-3 of a secant there are solved on the fine map, too. The
+    /// effect of the interpolation on the set-up's grid is subtracted from `both`. If ContactOptions::stop
+    /// ends the verification, the remaining similarities are NaN, and their misfits and responses empty.
+    /// Otherwise throws what respond() throws.
     Verification of(const Genome& genome) const;
-    /// The same, remembered: the last 32 that were complete are kept.
+    /// of(), which keeps the last 32 complete verifications.
     Verification remembered(const Genome& genome) const;
-    /// What is remembered of a genome.
+    /// A genome's kept verification, or nothing.
     std::optional<Verification> known(const Genome& genome) const;
     const DesignSetup& setup() const { return setup_; } ///< as it was given
-    /// The set-up in four times the load steps. Where the targets are a measured surface's, its finer
-    /// response is solved when it is first asked for: most problems never verifier.
+    /// The set-up in four times the load steps. A measured surface's finer response is solved on the first
+    /// call, because most problems never verify.
     const DesignSetup& finer() const;
 
   private:
-    void verifier(const Genome& genome, Verification& result) const;
+    void verify(const Genome& genome, Verification& result) const;
     std::vector<Response> on_fine_area(const Genome& genome,
                                        const std::vector<std::vector<char>>& to_solve) const;
 
     DesignSetup setup_;
     int threads_;
-    mutable std::once_flag asked_;
+    mutable std::once_flag finer_made_;
     mutable DesignSetup finer_;
     mutable std::mutex guard_;
-    mutable std::deque<std::pair<std::string, Verification>> known_; ///< by what decides their curves
+    mutable std::deque<std::pair<std::string, Verification>> known_; ///< under key_of()
 };
 
 } // namespace rough

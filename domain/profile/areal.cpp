@@ -1,6 +1,5 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
-#include "domain/profile/derivatives.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
 
@@ -12,10 +11,10 @@ namespace rough {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int directions = 180; ///< a degree apart
+constexpr int directions = 180; ///< one degree apart
 constexpr double decayed = 0.2; ///< ISO 25178-3's default
 
-/// Autocorrelation at lags from 0 to half of either side; along y of both signs.
+/// Autocorrelation at lags from 0 to half of each side, along y also at negative lags.
 class Autocorrelation {
   public:
     Autocorrelation(const Profile& map, bool periodic)
@@ -49,7 +48,7 @@ class Autocorrelation {
                                         (real[0] * overlap(columns, i) * overlap(rows, std::abs(j)));
     }
 
-    /// In nodes, |x| and |y| up to half of the sides; linear in between.
+    /// Value at a lag in nodes, |x| and |y| up to half of the sides; linear in between.
     double at(double x, double y) const {
         if (x < 0)
             x = -x, y = -y;
@@ -61,8 +60,7 @@ class Autocorrelation {
                u * ((1 - v) * values_(i + 1, j) + v * values_(i + 1, j + 1));
     }
 
-    /// How far from no lag, mm, it has decayed in a direction; negative where it has not by the edge, so far
-    /// away.
+    /// Lag in mm at which it has decayed in a direction; the negative lag of the edge if it has not by there.
     double decay_length(double angle, double dx, double dy) const {
         const double x = std::cos(angle) / dx, y = std::sin(angle) / dy; // nodes a mm
         const double edge = std::min(static_cast<double>(columns_) / std::max(std::abs(x), 1e-300),
@@ -83,7 +81,7 @@ class Autocorrelation {
     Eigen::ArrayXXd values_;
 };
 
-/// The angular spectrum's highest degree, as a lay: each wave spread over the angle of its own width.
+/// The lay in degrees: the maximum of the angular spectrum. Each wave is spread over the angle of its width.
 double lay(const Profile& map, bool periodic) {
     const Eigen::ArrayXXd powers = wave_powers(map, periodic);
     const auto [columns, rows] = map.shape();
@@ -132,16 +130,16 @@ Texture texture(const Profile& map, bool periodic) {
 }
 
 ArealParameters areal_parameters(const Profile& map, bool periodic) {
-    constexpr Index fewest = 10;
+    constexpr Index min_nodes = 10;
     const auto [columns, rows] = map.shape();
-    if (!map.is_2d() || columns < fewest || rows < fewest)
-        refuse("areal parameters: a map of ", columns, " x ", rows, " nodes, expected at least 10 x 10");
+    if (!map.is_2d() || columns < min_nodes || rows < min_nodes)
+        refuse("areal parameters: a map of ", columns, " x ", rows, " nodes; use at least 10 x 10");
     Profile about = map;
     about.heights.array() -= map.heights.mean();
     const Eigen::ArrayXd z = about.heights.array();
     const double Sq = std::sqrt(z.square().mean()), Sp = z.maxCoeff(), Sv = -z.minCoeff();
     if (!(Sq > 1e-14 * map.heights.cwiseAbs().maxCoeff()))
-        refuse("areal parameters: the map is constant, expected a rough one");
+        refuse("areal parameters: the map is constant; use a rough one");
     const Derivatives slopes = derivatives(about, periodic);
     const Eigen::ArrayXXd squares = slopes.x.square() + slopes.y.square();
     const CoreHeights core = core_heights(about.heights);

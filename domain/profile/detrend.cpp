@@ -10,14 +10,14 @@
 namespace rough {
 namespace {
 
-/// The circle through (0, c), there at angle theta and of curvature kappa: its height w over c holds
-/// kappa (x^2 + w^2)/2 + x sin(theta) - w cos(theta) = 0, which is a line for kappa = 0.
+/// The height w over c of the circle through (0, c) with angle theta and curvature kappa there. It solves
+/// kappa (x^2 + w^2)/2 + x sin(theta) - w cos(theta) = 0, a line for kappa = 0.
 double arc_height(double x, double theta, double kappa) {
     const double part = kappa * x * x / 2 + x * std::sin(theta), cosine = std::cos(theta);
     return 2 * part / (cosine + std::sqrt(cosine * cosine - 2 * kappa * part));
 }
 
-/// Gauss-Newton in c, theta and kappa, from the parabola's.
+/// Heights minus their arc, by Gauss-Newton in c, theta and kappa from 0.
 Eigen::VectorXd without_arc(const Profile& profile) {
     const Index nodes = profile.nodes();
     const double half = profile.spacing * static_cast<double>(nodes - 1) / 2;
@@ -25,8 +25,8 @@ Eigen::VectorXd without_arc(const Profile& profile) {
     Eigen::Vector3d of = Eigen::Vector3d::Zero(); // c, theta, kappa
     Eigen::MatrixXd slopes(nodes, 3);
     Eigen::VectorXd rest = profile.heights;
-    constexpr int most_steps = 50;
-    for (int step = 0; step < most_steps; ++step) {
+    constexpr int max_steps = 50;
+    for (int step = 0; step < max_steps; ++step) {
         for (Index i = 0; i < nodes; ++i) {
             const double w = arc_height(x[i], of[1], of[2]);
             const double by_w = of[2] * w - std::cos(of[1]);
@@ -35,7 +35,7 @@ Eigen::VectorXd without_arc(const Profile& profile) {
                 -(x[i] * x[i] + w * w) / 2 / by_w;
         }
         if (!rest.allFinite())
-            refuse("detrend: no arc of a circle fits the heights, expected parabola or another form");
+            refuse("detrend: no arc of a circle fits the heights; use parabola or another form");
         const Eigen::Vector3d scale(1, half, half * half);
         const Eigen::Vector3d change =
             (slopes * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(rest);
@@ -75,7 +75,7 @@ Detrend detrend_named(std::string_view name, const std::string& where) {
     const auto& names = detrend_names();
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        refuse(where, ": '", name, "', expected none, mean, line, parabola, cubic, quartic or arc");
+        refuse(where, ": '", name, "' is unknown; use none, mean, line, parabola, cubic, quartic or arc");
     return static_cast<Detrend>(found - names.begin());
 }
 
@@ -83,7 +83,7 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
     if (form == Detrend::none)
         return profile.heights;
     if (form == Detrend::arc && profile.is_2d())
-        refuse("detrend: arc given with an area, expected none, mean, line, parabola, cubic or quartic");
+        refuse("detrend: an arc does not fit a map; use none, mean, line, parabola, cubic or quartic");
     if (form == Detrend::arc)
         return without_arc(profile);
     // Products of polynomials along x and y are orthogonal on a grid.

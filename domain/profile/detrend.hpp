@@ -8,20 +8,20 @@
 
 namespace rough {
 
-/// What is taken off a measured surface's heights as its form, by least squares of the ordinates over its
-/// even nodes: polynomials of degree 0 to 4 (of an area in x and y, all terms up to that degree: `line` is
-/// its plane, `parabola` its quadratic form), or of a profile the arc of a circle.
+/// The form to remove from a measured surface's heights, by least squares of the ordinates over its even
+/// nodes. It is a polynomial of degree 0 to 4 or, for a profile, the arc of a circle. On a map the
+/// polynomial has all terms in x and y up to its degree: `line` is a plane, `parabola` a quadratic form.
 enum class Detrend { none, mean, line, parabola, cubic, quartic, arc };
 
-/// The words for them, in their order.
+/// The names of the forms, in the order of Detrend.
 const std::vector<std::string>& detrend_names();
-/// The word for one.
+/// The name of a form.
 const std::string& name_of(Detrend form);
-/// One of detrend_names(); anything else throws InputError naming `where`.
+/// The form of that name. Throws InputError with `where` on a name that is not in detrend_names().
 Detrend detrend_named(std::string_view name, const std::string& where);
 
-/// Heights less their form; unchanged for Detrend::none. Throws InputError where no arc fits, and on an
-/// arc of an area.
+/// Heights minus their form; unchanged for Detrend::none. Throws InputError if no arc fits, and on an arc
+/// for a map.
 Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 
 } // namespace rough

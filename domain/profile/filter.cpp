@@ -6,38 +6,39 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 namespace rough {
 namespace {
 
+using Bins = std::vector<std::complex<double>>;
+
 /// A sequence's transform, padded with zeros.
-std::vector<std::complex<double>> transformed(const Eigen::VectorXd& values, Index length) {
+Bins transformed(const Eigen::VectorXd& values, Index length) {
     AlignedBuffer<double> real(length);
     AlignedBuffer<fftw_complex> bins(length / 2 + 1);
     std::fill(std::copy(values.begin(), values.end(), real.data()), real.data() + length, 0.0);
-    fftw_execute_dft_r2c(fourier_plan(length).forward, real.data(), bins.data());
-    std::vector<std::complex<double>> result;
+    fftw_execute_dft_r2c(fourier_plan({length}).forward, real.data(), bins.data());
+    Bins result;
     for (Index k = 0; k <= length / 2; ++k)
         result.emplace_back(bins[k][0], bins[k][1]);
     return result;
 }
 
-/// sum_t weight_t z_(i+t) for every node i, t = -reach .. reach; both sequences transformed, the weights
-/// reversed.
-Eigen::VectorXd correlated(const std::vector<std::complex<double>>& heights,
-                           const std::vector<std::complex<double>>& bins, Index reach, Index nodes,
-                           Index length) {
+/// sum_t weight_t z_(i+t) for each node i, t = -reach .. reach, from the transforms of the heights and of the
+/// reversed weights.
+Eigen::VectorXd correlated(const Bins& heights, const Bins& weights, Index reach, Index nodes, Index length) {
     AlignedBuffer<double> real(length);
     AlignedBuffer<fftw_complex> product(length / 2 + 1);
-    for (std::size_t k = 0; k < bins.size(); ++k) {
-        const std::complex<double> one = heights[k] * bins[k];
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+        const std::complex<double> one = heights[k] * weights[k];
         product[static_cast<Index>(k)][0] = one.real(), product[static_cast<Index>(k)][1] = one.imag();
     }
-    fftw_execute_dft_c2r(fourier_plan(length).backward, product.data(), real.data());
+    fftw_execute_dft_c2r(fourier_plan({length}).backward, product.data(), real.data());
     return Eigen::Map<const Eigen::VectorXd>(real.data() + reach, nodes) / static_cast<double>(length);
 }
 
-/// The filter of a line of so many nodes, to be used on many.
+/// The filter for lines of one length.
 class LineFilter {
   public:
     LineFilter(Index nodes, double spacing, double cut_off) : nodes_(nodes) {
@@ -49,10 +50,8 @@ class LineFilter {
         const Eigen::ArrayXd weight = (-std::pow(M_PI * share, 2) / std::log(2.0) * t.square()).exp();
         // Moments of the weights inside the line, by running sums over t.
         const auto running = [](const Eigen::ArrayXd& values) {
-            Eigen::ArrayXd sums(values.size() + 1);
-            sums[0] = 0;
-            for (Index i = 0; i < values.size(); ++i)
-                sums[i + 1] = sums[i] + values[i];
+            Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(values.size() + 1);
+            std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
             return sums;
         };
         s0_ = running(weight), s1_ = running(weight * t), s2_ = running(weight * t.square());
@@ -82,14 +81,14 @@ class LineFilter {
   private:
     Index nodes_, reach_, length_ = 0;
     Eigen::ArrayXd s0_, s1_, s2_;
-    std::vector<std::complex<double>> weight_, moment_;
+    Bins weight_, moment_;
 };
 
 } // namespace
 
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
     if (!(cut_off > 0))
-        refuse("filter: a cut-off of ", cut_off, " mm, expected one above 0");
+        refuse("filter: the cut-off ", cut_off, " mm is not above 0");
     const auto [columns, rows] = profile.shape();
     Eigen::MatrixXd z = profile.heights.reshaped(columns, rows);
     const LineFilter along_x(columns, profile.spacing, cut_off);

@@ -9,11 +9,11 @@
 namespace rough {
 namespace {
 
-constexpr Index fewest = 16, around = 12;
+constexpr Index min_profile_nodes = 16, around = 12;
 constexpr std::size_t side = 7; ///< nodes that predict, on either side
-constexpr Index fewest_aside = 3;
-/// Usual steps by which a particle stands out, and by which its flanks do.
-constexpr double of_particle = 6, of_flank = 3;
+constexpr Index min_aside = 3;
+/// Median steps by which a particle stands out, and by which its flanks do.
+constexpr double particle_steps = 6, flank_steps = 3;
 
 template <class Iterator>
 double middle(Iterator first, Iterator end) {
@@ -22,12 +22,12 @@ double middle(Iterator first, Iterator end) {
     return *half;
 }
 
-/// The heights that the nodes on one side predict for a node: by their median and by their line of median
-/// slope.
+/// A node's height as the nodes on one side predict it: their median, and their line of median slope.
 struct Predicted {
     double median, line;
 };
-/// Nothing if fewer than three of them are no outliers. `step` is -1 for the left, 1 for the right.
+/// Predicts a node's height from its left (`step` -1) or right (1); nothing with fewer than three nodes that
+/// are not outliers.
 std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, Index step,
                                    const std::vector<bool>& is_outlier) {
     std::array<double, side> z, line, distance;
@@ -42,7 +42,7 @@ std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, I
             *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
         ++count;
     }
-    if (count < static_cast<std::size_t>(fewest_aside))
+    if (count < static_cast<std::size_t>(min_aside))
         return std::nullopt;
     const double steepness = middle(slopes.begin(), slope);
     for (std::size_t i = 0; i < count; ++i)
@@ -51,11 +51,10 @@ std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, I
     return Predicted{middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
 }
 
-/// The median step between neighbours around a node.
-double usual_step(const std::vector<double>& steps, Index node) {
-    const Index count = static_cast<Index>(steps.size());
-    const Index first = std::max<Index>(0, std::min(node - around, count - 2 * around));
-    std::vector<double> near(steps.begin() + first, steps.begin() + std::min(first + 2 * around, count));
+/// The median step between neighbours near this node.
+double usual_step(const Eigen::VectorXd& steps, Index node) {
+    const Index first = std::max<Index>(0, std::min(node - around, steps.size() - 2 * around));
+    Eigen::VectorXd near = steps.segment(first, std::min(2 * around, steps.size() - first));
     return middle(near.begin(), near.end());
 }
 
@@ -63,12 +62,10 @@ double usual_step(const std::vector<double>& steps, Index node) {
 
 std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     const Index nodes = heights.size();
-    if (nodes < fewest)
+    if (nodes < min_profile_nodes)
         return {};
-    std::vector<double> steps(static_cast<std::size_t>(nodes - 1));
-    for (Index i = 1; i < nodes; ++i)
-        steps[static_cast<std::size_t>(i - 1)] = std::abs(heights[i] - heights[i - 1]);
-    std::vector<double> in_order = steps;
+    const Eigen::VectorXd steps = (heights.tail(nodes - 1) - heights.head(nodes - 1)).cwiseAbs();
+    Eigen::VectorXd in_order = steps;
     const double usual = middle(in_order.begin(), in_order.end()),
                  range = heights.maxCoeff() - heights.minCoeff();
     double resolved = range;
@@ -77,8 +74,8 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
             resolved = std::min(resolved, step);
 
     std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
-    // 1: the node stands out above the others, -1: below them, 0: not. Flanks stand out of the lines alone,
-    // which medians on a slope would hide.
+    // 1 if the node stands out above its neighbours, -1 below, else 0. Flanks are compared only with the
+    // lines, because medians on a slope would hide them.
     const auto stands_out = [&](Index i, bool is_flank) {
         const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
         if (!left || !right)
@@ -87,22 +84,21 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
         if (!is_flank)
             std::tie(lowest, highest) = std::minmax({lowest, highest, left->median, right->median});
         const double beyond = std::max(heights[i] - highest, lowest - heights[i]),
-                     times = is_flank ? of_flank : of_particle;
+                     times = is_flank ? flank_steps : particle_steps;
         if (beyond > times * usual && beyond > 3 * resolved && beyond > times * usual_step(steps, i))
             return heights[i] > highest ? 1 : -1;
         return 0;
     };
     std::vector<std::pair<Index, int>> inner;
-    for (Index i = fewest_aside; i < nodes - fewest_aside; ++i)
+    for (Index i = min_aside; i < nodes - min_aside; ++i)
         if (const int side = stands_out(i, false))
             inner.emplace_back(i, side);
-    // The outer nodes and the flanks of a particle look like a step until its inner nodes no longer predict
-    // their heights.
+    // A particle's outer nodes and flanks look like a step as long as its inner nodes predict their heights.
     for (const auto& [node, side] : inner)
         is_outlier[static_cast<std::size_t>(node)] = true;
     for (const auto& [node, side] : inner)
         for (const Index step : {-1, 1})
-            for (Index i = node + step; i >= fewest_aside && i < nodes - fewest_aside; i += step)
+            for (Index i = node + step; i >= min_aside && i < nodes - min_aside; i += step)
                 if (!is_outlier[static_cast<std::size_t>(i)]) {
                     if (stands_out(i, true) != side)
                         break;
@@ -117,7 +113,7 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
 
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes) {
     for (std::size_t at = 0; at < nodes.size();) {
-        std::size_t end = at + 1; // of a run
+        std::size_t end = at + 1; // after a run of nodes
         while (end < nodes.size() && nodes[end] == nodes[end - 1] + 1)
             ++end;
         const Index left = nodes[at] - 1, right = nodes[end - 1] + 1;

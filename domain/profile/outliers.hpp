@@ -4,18 +4,20 @@
 
 namespace rough {
 
-/// Nodes of a measured profile that stand out as spikes do, in order. A node is an outlier if its height lies
-/// outside all that the seven nodes on its left and the seven on its right predict, each side by its median
-/// (Hampel 1974) and by its line of median slope (Theil 1950, Sen 1968), by more than six times the median
-/// step between neighbours, of the whole profile and of the 24 steps around, and by three of the steps in
-/// which heights are resolved. A wedge, a saw tooth, a step and a smooth peak are predicted from one side at
-/// least. Nodes beside an outlier are verified again by the nodes that are none, and are part of it if they
-/// stand out on the same side by half as much, so that a particle is found whole, up to where its flanks
-/// return to the surface. Particles of up to four nodes are found; much wider ones are taken for the surface.
-/// The first and the last three nodes, and profiles of fewer than 16, are not verified.
+/// Outlying nodes of a measured profile, in order. A node is an outlier if its height is outside the range
+/// that the seven nodes on each side predict. Each side predicts by its median (Hampel 1974) and by its
+/// line of median slope (Theil 1950, Sen 1968). The node must be outside by more than six times the median
+/// step between neighbours, of the whole profile and of the 24 steps around it. It must also be outside by
+/// three of the steps in which heights are resolved. A wedge, a saw tooth, a step and a smooth peak are
+/// predicted from at least one side.
+///
+/// Neighbours of an outlier are tested again without the outliers found so far. They belong to it if they
+/// stand out on the same side by half as much. So a particle is found whole, up to where its flanks return
+/// to the surface. Particles of up to four nodes are found; much wider ones count as surface. The first
+/// and the last three nodes are not tested, nor profiles of fewer than 16 nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
-/// The heights with those of these nodes (increasing) put on the straight line between their neighbours.
+/// The heights, with those of these nodes (increasing) replaced linearly between their neighbours.
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes);
 
 } // namespace rough

@@ -7,8 +7,8 @@
 
 namespace rough {
 
-/// A sampled surface: a line's heights Z_i at x_i = i * spacing, i = 0..N-1, or an area's, row after row, at
-/// y_j = j * row_spacing. Lengths in mm.
+/// A sampled surface. A line has heights Z_i at x_i = i * spacing, i = 0..N-1. A map has its heights row
+/// after row, at y_j = j * row_spacing. Lengths in mm.
 struct Profile {
     Eigen::VectorXd heights; ///< N heights, mm
     double spacing = 0;      ///< delta, mm; L/(N-1) on an open interval, L/N on a periodic one
@@ -20,19 +20,19 @@ struct Profile {
     Extent shape() const { return {heights.size() / rows, rows}; } ///< N_x, N_y
 };
 
-/// The profile of these heights, `spacing` apart; mm.
+/// The profile of these heights at nodes `spacing` apart; mm.
 inline Profile profile_of(const std::vector<double>& heights, double spacing) {
     return {Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Index>(heights.size())), spacing};
 }
 
-/// How much two profiles differ: 1 less the correlation coefficient of their heights, the better one of as
-/// they are and one of them mirrored end to end. 0 to 2; two designs count as different from 0.05 on.
+/// Difference of two profiles: 1 minus the correlation coefficient of their heights. It takes the higher
+/// coefficient of the two profiles as they are and with one mirrored end to end. 0 to 2.
 inline double difference(const Profile& left, const Profile& right) {
     const Eigen::VectorXd a = left.heights.array() - left.heights.mean(),
                           b = right.heights.array() - right.heights.mean();
     const double both = a.norm() * b.norm();
     return both > 0 ? 1 - std::max(a.dot(b), a.dot(b.reverse())) / both : 0;
 }
-constexpr double different = 0.05; ///< the least difference() of two designs that count as different
+constexpr double different = 0.05; ///< lowest difference() of two designs that count as different
 
 } // namespace rough

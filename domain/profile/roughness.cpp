@@ -2,16 +2,34 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/profile/derivatives.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace rough {
 namespace {
 
-constexpr Index fewest_nodes = 10;
+constexpr Index min_nodes = 10;
+
+constexpr Index reach = 3;
+constexpr std::array<double, 7> first{-1, 9, -45, 0, 45, -9, 1};        // divided by 60 delta
+constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // divided by 180 delta^2
+
+/// The surface; a periodic one is continued by three nodes on every side.
+Eigen::ArrayXXd continued(const Profile& surface, bool periodic) {
+    const auto [columns, rows] = surface.shape();
+    const Eigen::Map<const Eigen::ArrayXXd> z(surface.heights.data(), columns, rows);
+    if (!periodic)
+        return z;
+    const Index across = surface.is_2d() ? reach : 0;
+    Eigen::ArrayXXd all(columns + 2 * reach, rows + 2 * across);
+    for (Index j = 0; j < all.cols(); ++j)
+        for (Index i = 0; i < all.rows(); ++i)
+            all(i, j) = z((i + columns - reach) % columns, (j + rows - across) % rows);
+    return all;
+}
 
 /// The nodes of the evaluation length, about their mean line, and its sections.
 Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
@@ -19,10 +37,11 @@ Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
     r.section_length = section_length > 0 ? section_length : length;
     const double sections = std::floor(length / r.section_length * (1 + 1e-9));
     if (!(sections >= 1))
-        refuse("roughness: a profile of ", length, " mm, expected one section length of ", section_length,
-               " mm at least");
+        refuse("roughness: a profile of ", length, " mm is shorter than the section length, ", section_length,
+               " mm");
     if (!(2 * sections <= static_cast<double>(profile.nodes())))
-        refuse("roughness: sections of ", section_length, " mm, expected two nodes or more in each");
+        refuse("roughness: sections of ", section_length,
+               " mm have fewer than two nodes each; use longer sections");
     r.sections = static_cast<Index>(sections);
     const Index nodes =
         std::min<Index>(profile.nodes(), std::lround(sections * r.section_length / profile.spacing) + 1);
@@ -31,18 +50,18 @@ Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
     return part;
 }
 
-/// A stretch that is a hill or a dale: where it begins on the mean line, in spacings, and its extreme height.
+/// A hill or a dale: its start on the mean line, in spacings, and its extreme height.
 struct Stretch {
     double start;
     double extreme;
 };
 
-/// From left to right: a hill or dale begins where the mean line was crossed last before it counts.
+/// Hills and dales from left to right. Each starts at the last crossing of the mean line before it counts.
 std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
     const double hill = z.maxCoeff() / 10, dale = z.minCoeff() / 10;
     std::vector<Stretch> found;
     double crossed = 0;
-    int side = 0; // of the last stretch
+    int side = 0; // 1 after a hill, -1 after a dale
     for (Index i = 0; i < z.size(); ++i) {
         if (i > 0 && (z[i] > 0) != (z[i - 1] > 0))
             crossed = static_cast<double>(i - 1) + z[i - 1] / (z[i - 1] - z[i]);
@@ -59,6 +78,29 @@ std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
 
 } // namespace
 
+Derivatives derivatives(const Profile& surface, bool periodic) {
+    const auto [columns, rows] = surface.shape();
+    const bool is_2d = surface.is_2d();
+    if (columns < 2 * reach + 1 || (is_2d && rows < 2 * reach + 1))
+        refuse("derivatives: ", columns, " x ", rows, " nodes; use at least 7 along each side");
+    const Eigen::ArrayXXd z = continued(surface, periodic);
+    const Index across = is_2d ? reach : 0, inner = z.rows() - 2 * reach, inner_rows = z.cols() - 2 * across;
+    const auto along = [&](const std::array<double, 7>& weights, double divisor, bool y) {
+        Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(inner, inner_rows);
+        for (Index k = 0; k <= 2 * reach; ++k)
+            sum += weights[static_cast<std::size_t>(k)] / divisor *
+                   (y ? z.block(reach, k, inner, inner_rows) : z.block(k, across, inner, inner_rows));
+        return sum;
+    };
+    const double dx = surface.spacing, dy = surface.row_spacing;
+    Derivatives of{along(first, 60 * dx, false), {}, along(second, 180 * dx * dx, false), {}};
+    if (is_2d) {
+        of.y = along(first, 60 * dy, true);
+        of.yy = along(second, 180 * dy * dy, true);
+    }
+    return of;
+}
+
 std::string SurfaceParameter::key() const {
     std::string key = name;
     std::replace(key.begin(), key.end(), ' ', '_');
@@ -74,7 +116,7 @@ const SurfaceParameter& SurfaceParameters::row(std::string_view name) const {
     const auto found =
         std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
     if (found == rows.end())
-        refuse("surface parameter: ", name, " is not known; use one of those given");
+        refuse("surface parameter: ", name, " is not known; use a name of this table");
     return *found;
 }
 
@@ -83,7 +125,7 @@ ProfileElements profile_elements(const Profile& profile) {
     double count = 0;
     for (const bool backwards : {false, true}) {
         const auto found = stretches(backwards ? profile.heights.reverse().eval() : profile.heights);
-        // The first may have begun before the profile does, the last may go on after it.
+        // The first may start before the profile, the last may end after it.
         for (std::size_t i = 1; i + 2 < found.size(); i += 2) {
             all.RSm += (found[i + 2].start - found[i].start) * profile.spacing;
             all.Rc += std::abs(found[i].extreme - found[i + 1].extreme);
@@ -114,7 +156,7 @@ double material_height(const Eigen::VectorXd& heights, double ratio) {
 CoreHeights core_heights(const Eigen::VectorXd& heights) {
     const Index n = heights.size();
     if (n < 5)
-        refuse("material ratio curve: ", n, " nodes, expected 5 or more");
+        refuse("material ratio curve: ", n, " nodes; use 5 or more");
     Eigen::VectorXd z = heights; // node i of the curve stands at (i + 1/2)/n
     std::sort(z.begin(), z.end(), std::greater<>());
     const double count = static_cast<double>(n);
@@ -133,7 +175,7 @@ CoreHeights core_heights(const Eigen::VectorXd& heights) {
 
     CoreHeights result;
     result.Rk = upper - lower;
-    // Where the curve, straight between its nodes, crosses a level; areas beyond it, to the same accuracy.
+    // Share of material at which the curve, straight between its nodes, crosses a level.
     const auto crossing = [&](double level) {
         const Index above = std::lower_bound(z.begin(), z.end(), level, std::greater<>()) - z.begin();
         if (above == 0 || above == n)
@@ -150,17 +192,17 @@ CoreHeights core_heights(const Eigen::VectorXd& heights) {
 }
 
 Roughness roughness(const Profile& profile, double section_length) {
-    if (profile.nodes() < fewest_nodes)
-        refuse("roughness: a profile of ", profile.nodes(), " nodes, expected at least ", fewest_nodes);
+    if (profile.nodes() < min_nodes)
+        refuse("roughness: a profile of ", profile.nodes(), " nodes; use at least ", min_nodes);
     Roughness r;
     const Profile part = evaluated(profile, section_length, r);
-    if (part.nodes() < fewest_nodes)
-        refuse("roughness: ", part.nodes(), " nodes in whole sections, expected at least ", fewest_nodes);
+    if (part.nodes() < min_nodes)
+        refuse("roughness: ", part.nodes(), " nodes in whole sections; use at least ", min_nodes);
     const Eigen::VectorXd& heights = part.heights;
     const Eigen::ArrayXd z = heights.array();
     const double m0 = z.square().mean(), Rq = std::sqrt(m0);
     if (!(Rq > 1e-14 * profile.heights.cwiseAbs().maxCoeff()))
-        throw InputError("roughness: the profile is constant, expected a rough one");
+        throw InputError("roughness: the profile is constant; use a rough one");
     double Rp = 0, Rv = 0;
     for (Index s = 0; s < r.sections; ++s) {
         const Index from = heights.size() * s / r.sections, to = heights.size() * (s + 1) / r.sections;
@@ -175,8 +217,7 @@ Roughness roughness(const Profile& profile, double section_length) {
     const double Rsk = z.cube().mean() / (Rq * m0), Rku = z.square().square().mean() / (m0 * m0);
     if (!std::isfinite(Rsk + Rku + m2 + m4 + bandwidth))
         throw InputError(
-            "roughness: its parameters do not fit double precision, expected heights and a length "
-            "nearer to 1 mm");
+            "roughness: its parameters do not fit double precision; use heights and a length nearer to 1 mm");
     const std::string of = r.sections > 1 ? ", mean of " + std::to_string(r.sections) + " sections" : "";
     r.rows = {{"Ra", "mm", "arithmetic mean height", z.abs().mean()},
               {"Rq", "mm", "root mean square height", Rq},

@@ -10,6 +10,18 @@
 /// means over the nodes.
 namespace rough {
 
+/// First and second derivatives of a surface by the seven-point formulas of ISO 21920-2 (exact for
+/// polynomials up to degree 6), columns x rows. They are given at nodes three or more from every end, and at
+/// all nodes of a periodic surface. A line has only those along x.
+struct Derivatives {
+    Eigen::ArrayXXd x;  ///< dz/dx
+    Eigen::ArrayXXd y;  ///< dz/dy; empty for a line
+    Eigen::ArrayXXd xx; ///< d2z/dx2, 1/mm
+    Eigen::ArrayXXd yy; ///< d2z/dy2, 1/mm; empty for a line
+};
+/// Throws InputError on fewer than seven nodes along x or y.
+Derivatives derivatives(const Profile& surface, bool periodic = false);
+
 /// One parameter of a surface.
 struct SurfaceParameter {
     std::string name;    ///< "Ra", "Sdq"
@@ -25,71 +37,72 @@ struct SurfaceParameter {
 struct SurfaceParameters {
     std::vector<SurfaceParameter> rows; ///< one per parameter
 
-    /// The row of that name. Throws InputError if there is none.
+    /// The row of that name. Throws InputError if it does not exist.
     const SurfaceParameter& row(std::string_view name) const;
-    /// The value of that name. Throws InputError if there is none.
+    /// The value of that name. Throws InputError if it does not exist.
     double operator[](std::string_view name) const { return row(name).value; }
 };
 
 /// Parameters of a sampled profile about its mean line: Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm, Rdq, Rmr,
-/// Rk, Rpk, Rvk, Rmrk1, Rmrk2, or with P in place of R if the whole profile is one section, for then no
-/// wavelengths over lambda_c were removed. Slopes and curvatures by the seven-point formula. Then rms
-/// curvature, the spectral moments m0, m2 and m4 (mean squares of height, slope and second derivative; Nayak
-/// 1971) and the bandwidth alpha = m0 m4/m2^2, at least 1.
+/// Rk, Rpk, Rvk, Rmrk1, Rmrk2. If the whole profile is one section, P replaces R, because no wavelengths over
+/// lambda_c were removed. Slopes and curvatures are by the seven-point formula.
+///
+/// Then follow the rms curvature and the spectral moments m0, m2 and m4 (mean squares of height, slope and
+/// second derivative; Nayak 1971). The last is the bandwidth alpha = m0 m4/m2^2, at least 1.
 struct Roughness : SurfaceParameters {
     double section_length = 0; ///< mm
     Index sections = 1;        ///< whole section lengths, which together are the evaluation length
 };
-/// Of as many whole section lengths (mm: lambda_c of a roughness profile) as the profile has, in its middle;
-/// 0: the whole profile is one section. Throws InputError on fewer than ten nodes, fewer than two per
-/// section, a section longer than the profile, or a constant profile.
+/// Evaluates as many whole section lengths as the profile has, in its middle. `section_length` in mm
+/// (lambda_c of a roughness profile); 0: the whole profile is one section. Throws InputError on fewer than
+/// ten nodes, fewer than two per section, a section longer than the profile, or a constant profile.
 Roughness roughness(const Profile& profile, double section_length = 0);
 
 /// Rmr(c): the share of the length on which the profile, straight between its nodes, is higher than `level`
-/// (mm, from where the heights are counted). Smr(c) of an area: the share of its nodes.
+/// (mm, from the zero of the heights). For a map, Smr(c): the share of its nodes.
 double material_ratio(const Profile& profile, double level);
 
-/// Smc(mr) of an area (ISO 25178-2): the height (mm, from where the heights are counted) that a share `ratio`
-/// of the nodes, 0 to 1, exceeds, straight between them: the inverse of Smr(c).
+/// Smc(mr) of a map (ISO 25178-2): the height that a share `ratio` (0 to 1) of the nodes exceeds. It is in mm
+/// from the zero of the heights, linear between nodes, and the inverse of Smr(c).
 double material_height(const Eigen::VectorXd& heights, double ratio);
 
-/// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2): the line of least squares through the
-/// flattest 40 % of the curve parts peaks, core and valleys. Of several equally flat regions the first.
+/// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2). The line of least squares through the
+/// flattest 40 % of the curve separates peaks, core and valleys. Among equally flat regions the first counts.
 struct CoreHeights {
     double Rk = 0;  ///< core height, mm
-    double Rpk = 0; ///< reduced peak height, mm: of a triangle as large as the peaks above the core
+    double Rpk = 0; ///< reduced peak height, mm: that of a triangle as large as the peaks above the core
     double Rvk = 0; ///< reduced valley depth, mm
     double Mr1 = 0; ///< share of material at the core's upper limit, 0 to 1
-    double Mr2 = 0; ///< at its lower limit
+    double Mr2 = 0; ///< share of material at its lower limit
 };
-/// From the heights at even nodes, five or more.
+/// Takes heights at even nodes, five or more.
 CoreHeights core_heights(const Eigen::VectorXd& heights);
 
-/// Profile elements: a hill that rises above a tenth of the largest height and a dale that falls under a
-/// tenth of the largest depth, one after the other, from one crossing of the mean line to the next but one
-/// (ISO 21920-2: crossing-the-line segmentation, gone through from both ends).
+/// Profile elements: a hill above a tenth of the largest height, then a dale below a tenth of the largest
+/// depth. An element runs from one crossing of the mean line to the next but one (ISO 21920-2:
+/// crossing-the-line segmentation, done from both ends).
 struct ProfileElements {
-    double RSm = 0; ///< mean width, mm; NaN if there is no whole element
+    double RSm = 0; ///< mean width, mm; NaN without a whole element
     double Rc = 0;  ///< mean height, hill to dale, mm
 };
-/// Of a profile about its mean line: heights (mm) whose mean is 0.
+/// Takes a profile about its mean line: heights (mm) whose mean is 0.
 ProfileElements profile_elements(const Profile& profile);
 
-/// How the waves of an area lie (ISO 25178-2).
+/// Directions of a map's waves (ISO 25178-2).
 struct Texture {
-    /// autocorrelation length, mm: how far away, in the direction of fastest decay, the autocorrelation has
-    /// fallen to 0.2; NaN if it does so nowhere within half of the area
+    /// autocorrelation length, mm: the distance at which the autocorrelation has fallen to 0.2, in the
+    /// direction of fastest decay; NaN if it does not within half of the map
     double Sal = 0;
-    /// aspect ratio, 0 to 1: Sal over the same length in the direction of slowest decay. Near 0 one direction
-    /// carries the roughness, near 1 all are alike.
+    /// aspect ratio, 0 to 1: Sal over that length in the direction of slowest decay. Near 0 the roughness has
+    /// one direction, near 1 all directions are alike.
     double Str = 0;
-    /// whether the slowest decay reaches beyond half of the area, so that Str is at most what is given
+    /// whether the slowest decay goes beyond half of the map, so that Str is an upper bound
     bool Str_is_bound = false;
     double Std = 0; ///< direction of the lay, degrees from x towards y, 0 to 179: grooves run along it
 };
-/// Of a levelled map. `periodic`: it repeats; otherwise lags are averaged over the nodes that overlap, and
-/// the spectrum is taken under a Hann window. Directions are told apart by one degree. Throws InputError on
-/// fewer than four nodes along a side.
+/// The texture of a levelled map. Unless the map is `periodic`, lags are averaged over the nodes that overlap
+/// and the spectrum is taken under a Hann window. Directions differ by one degree. Throws InputError on fewer
+/// than four nodes along a side.
 Texture texture(const Profile& map, bool periodic = false);
 
 /// Parameters of a map about its mean plane: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq and Sdr (by the seven-point
@@ -98,7 +111,8 @@ Texture texture(const Profile& map, bool periodic = false);
 struct ArealParameters : SurfaceParameters {
     bool Str_is_bound = false; ///< as in Texture
 };
-/// Of a map whose form is removed. Throws InputError on fewer than ten nodes along a side and on a flat map.
+/// Takes a map whose form is removed. Throws InputError on fewer than ten nodes along a side and on a flat
+/// map.
 ArealParameters areal_parameters(const Profile& map, bool periodic = false);
 
 } // namespace rough

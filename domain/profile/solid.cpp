@@ -15,67 +15,56 @@ namespace {
 
 using Vertex = Eigen::Vector3f;
 
-void expect_positive(double value, const char* what) {
-    if (!(value > 0) || !std::isfinite(value))
-        refuse("solid: ", what, " ", value, ", expected a number above 0");
-}
-
-void expect_normal(double length, const char* what) {
-    if (!std::isnormal(static_cast<float>(length)))
-        refuse("solid: a ", what, " of ", length,
-               " mm, expected one that single precision holds, 1.2e-38 to 3.4e38 mm");
-}
-
-/// Numbers of single precision that a relief spans, at least; one part of 2^24 is lost beside a whole.
-constexpr double fewest_levels = 256, levels = 16777216;
+/// Lowest number of single-precision levels in a relief, and their number in a whole (2^24).
+constexpr double min_levels = 256, levels = 16777216;
 
 } // namespace
 
 Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, map_rows] = surface.shape();
-    const bool is_area = surface.is_2d();
-    const Index rows = is_area ? map_rows : 2; // a profile's ridges have two ends
-    if (is_area && (extrusion.width != 0 || columns < 2 || rows < 2))
+    const bool is_2d = surface.is_2d();
+    const Index rows = is_2d ? map_rows : 2; // the ends of a profile's ridges
+    if (is_2d && (extrusion.width != 0 || columns < 2 || rows < 2))
         refuse("solid: a map of ", columns, " x ", rows, " heights",
                extrusion.width != 0 ? " and a width" : "",
-               ", expected 2 x 2 or more, which are as wide as they are");
+               "; give 2 x 2 or more without a width: maps are as wide as they are");
     const double lowest = surface.heights.minCoeff(), range = surface.heights.maxCoeff() - lowest;
     const double length = surface.spacing * static_cast<double>(columns - 1);
-    const double width = is_area                ? surface.row_spacing * static_cast<double>(rows - 1)
+    const double width = is_2d                  ? surface.row_spacing * static_cast<double>(rows - 1)
                          : extrusion.width != 0 ? extrusion.width
                                                 : length / 4;
-    const double thickest = range * levels / fewest_levels;
+    const double thickest = range * levels / min_levels;
     const double base =
         extrusion.base != 0 ? extrusion.base : std::max(range, std::min(length / 10, thickest / 4));
-    expect_positive(extrusion.magnify, "magnification");
-    expect_positive(width, "width");
-    expect_positive(base, "base");
-
     const double m = extrusion.magnify;
-    expect_normal(m * length, "length");
-    expect_normal(m * width, "width");
-    expect_normal(m * (base + range), "height");
+    for (const auto& [name, value] : {std::pair("magnification", m), {"width", width}, {"base", base}})
+        if (!(value > 0) || !std::isfinite(value))
+            refuse("solid: ", name, " ", value, " is not a number above 0");
+    for (const auto& [name, value] :
+         {std::pair("length", m * length), {"width", m * width}, {"height", m * (base + range)}})
+        if (!std::isnormal(static_cast<float>(value)))
+            refuse("solid: a ", name, " of ", value,
+                   " mm is beyond single precision; use 1.2e-38 to 3.4e38 mm");
     if (base > thickest)
-        refuse("solid: base ", base, " mm, expected at most ", thickest,
-               " mm: beside a thicker one single precision loses the heights, ", range, " mm");
+        refuse("solid: base ", base, " mm is above ", thickest,
+               " mm, where single precision loses the heights of ", range, " mm");
 
     Mesh mesh;
     mesh.vertices.reserve(static_cast<std::size_t>(2 * columns * rows));
     using Corner = std::uint32_t;
-    // A node's vertices, low and high, row after row, then those of the next x.
+    // Vertices: low and high for each node, row after row at one x, then the next x.
     const auto low = [&](Index i, Index j) { return static_cast<Corner>(2 * (i * rows + j)); };
     const auto high = [&](Index i, Index j) { return low(i, j) + 1; };
     for (Index i = 0; i < columns; ++i)
         for (Index j = 0; j < rows; ++j) {
-            const double height = surface.heights[is_area ? j * columns + i : i];
+            const double height = surface.heights[is_2d ? j * columns + i : i];
             const auto x = static_cast<float>(m * surface.spacing * static_cast<double>(i)),
                        y = static_cast<float>(m * width * static_cast<double>(j) /
                                               static_cast<double>(rows - 1)),
                        top = static_cast<float>(m * (base + height - lowest));
             if ((j > 0 && !(y > mesh.vertices.back().y())) ||
                 (j == 0 && i > 0 && !(x > mesh.vertices.back().x())))
-                throw InputError("solid: " + std::to_string(surface.nodes()) +
-                                 " nodes, more than single precision tells apart");
+                refuse("solid: ", surface.nodes(), " nodes are more than single precision resolves");
             mesh.vertices.emplace_back(x, y, 0);
             mesh.vertices.emplace_back(x, y, top);
         }
@@ -108,7 +97,7 @@ std::string binary_stl(const Profile& surface, const Extrusion& extrusion) {
         for (int i = 0; i < 3; ++i)
             append_little_endian(bytes, vertex[i]);
     };
-    for (const auto& [a, b, c] : mesh.facets) { // its normal, three corners, an empty attribute
+    for (const auto& [a, b, c] : mesh.facets) { // normal, three corners, an empty attribute
         const auto corner = [&](std::uint32_t i) { return mesh.vertices[i]; };
         const Eigen::Vector3d u = (corner(b) - corner(a)).cast<double>(),
                               v = (corner(c) - corner(a)).cast<double>();

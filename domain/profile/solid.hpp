@@ -11,26 +11,27 @@ namespace rough {
 
 /// A surface as a solid that can be printed or meshed.
 struct Extrusion {
-    double width = 0;   ///< along a profile's ridges, mm; 0: a quarter of its length
-    double base = 0;    ///< below the lowest node, mm; 0: the larger of the height range and a tenth of the
-                        ///< length, unless single precision would lose the heights beside that
-    double magnify = 1; ///< of all lengths, > 0
+    double width = 0; ///< along a profile's ridges, mm; 0: a quarter of its length
+    double base = 0;  ///< thickness below the lowest node, mm; 0: the larger of the height range and a tenth
+                      ///< of the length, or less so that single precision resolves the heights
+    double magnify = 1; ///< factor on all lengths, > 0
 };
 
 /// A closed surface of triangles.
 struct Mesh {
     std::vector<Eigen::Vector3f> vertices;            ///< mm
-    std::vector<std::array<std::uint32_t, 3>> facets; ///< its corners, turning left seen from outside
+    std::vector<std::array<std::uint32_t, 3>> facets; ///< indices of the corners, anticlockwise from outside
 };
 
-/// The solid under a profile drawn out along its ridges, or under a map: x along the profile, y along the
-/// ridges, z up from the flat underside; mm. Closed, consistently oriented outwards; of N_x x N_y heights, a
-/// profile's being two rows, 2 N_x N_y vertices and 4 (N_x N_y - 1) facets. Throws InputError on lengths that
-/// are not above 0 or beyond single precision, on nodes or heights that it cannot tell apart, and on a width
-/// for a map.
+/// The solid under a profile extended along its ridges, or under a map. x is along the profile, y along
+/// the ridges, z up from the flat underside; mm. It is closed, with facets oriented outwards. N_x x N_y
+/// heights (a profile has two rows) give 2 N_x N_y vertices and 4 (N_x N_y - 1) facets.
+///
+/// Throws InputError on lengths that are not above 0, on a width for a map, and on lengths, nodes or
+/// heights beyond single precision.
 Mesh solid(const Profile& surface, const Extrusion& extrusion = {});
 
-/// The solid as a binary STL file's bytes, which name no unit; throws as solid().
+/// The solid as a binary STL file's bytes, which have no unit; throws as solid().
 std::string binary_stl(const Profile& surface, const Extrusion& extrusion = {});
 
 /// The solid as a 3MF file's bytes (3MF Core 1.3), which say that lengths are millimetres; throws as

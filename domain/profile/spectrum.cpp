@@ -24,7 +24,7 @@ Eigen::ArrayXd window(Index nodes, bool periodic) {
 Eigen::ArrayXXd wave_powers(const Profile& surface, bool periodic) {
     const auto [columns, rows] = surface.shape();
     if (columns < 4 || (rows < 4 && surface.is_2d()))
-        refuse("spectrum: a surface of ", columns, " x ", rows, " nodes, expected at least 4");
+        refuse("spectrum: a surface of ", columns, " x ", rows, " nodes; use at least 4 along each side");
     const Index half = columns / 2 + 1;
     AlignedBuffer<double> windowed(surface.nodes());
     AlignedBuffer<fftw_complex> transform(half * rows);
@@ -41,7 +41,7 @@ Eigen::ArrayXXd wave_powers(const Profile& surface, bool periodic) {
     for (Index j = 0; j < rows; ++j)
         for (Index i = 0; i < half; ++i) {
             const auto& value = transform[j * half + i];
-            const bool stands_alone = i == 0 || 2 * i == columns; // not for the wave of -q too
+            const bool stands_alone = i == 0 || 2 * i == columns; // no wave of -q is added to it
             power(i, j) = (stands_alone ? 1 : 2) * scale * (value[0] * value[0] + value[1] * value[1]);
         }
     return power;
@@ -66,7 +66,8 @@ Spectrum continuous_spectrum(const Profile& surface, bool periodic) {
         for (Index i = 0; i < powers.rows(); ++i) {
             const double q =
                 std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(std::min(j, rows - j)));
-            const Index k = std::max<Index>(ring(q), 0); // waves along the longer side, under the first ring
+            const Index k =
+                std::max<Index>(ring(q), 0); // the first ring takes longer waves along the longer side
             if (q == 0)
                 continue;
             power[k] += powers(i, j);

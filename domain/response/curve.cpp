@@ -3,8 +3,34 @@
 #include "domain/errors.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace rough {
+
+namespace {
+
+Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    const Index n = x.size();
+    Curve curve{Eigen::VectorXd(n + 1), Eigen::VectorXd(n + 1), 0, x[n - 1]};
+    curve.x << 0, x;
+    curve.y << 0, y;
+    return curve;
+}
+
+/// Rounding error of 1 - K/K_full.
+constexpr double rounding = 1e-12;
+
+/// K/K_i = 1 - K/K_full, or 0 if it is only rounding.
+double interface_share(double stiffness, double full_stiffness) {
+    if (std::isnan(full_stiffness))
+        throw std::logic_error("interface stiffness of a response without its full contact's stiffness");
+    const double share = 1 - stiffness / full_stiffness;
+    return share > rounding ? share : 0;
+}
+
+} // namespace
 
 Segment segment_at(const Curve& curve, double position) {
     const double* begin = curve.x.data();
@@ -17,12 +43,10 @@ Segment segment_at(const Curve& curve, double position) {
 double Curve::at(double position) const {
     const double guard = 1e-9 * (to - from);
     if (!(position >= from - guard && position <= to + guard))
-        refuse("curve: value asked at ", position, ", expected between ", from, " and ", to);
+        refuse("curve: ", position, " is out of range (", from, " to ", to, ")");
     const Segment s = segment_at(*this, position);
     return (1 - s.weight) * y[s.left] + s.weight * y[s.left + 1];
 }
-
-double Curve::held_at(double position) const { return at(std::clamp(position, x[0], x[x.size() - 1])); }
 
 Curve secant_stiffness(const Response& response) {
     const Index n = response.steps();
@@ -38,17 +62,25 @@ Curve secant_stiffness(const Response& response) {
     return curve;
 }
 
-namespace {
-
-Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-    const Index n = x.size();
-    Curve curve{Eigen::VectorXd(n + 1), Eigen::VectorXd(n + 1), 0, x[n - 1]};
-    curve.x << 0, x;
-    curve.y << 0, y;
-    return curve;
+CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian) {
+    const Index steps = response.steps(), genes = jacobian.pressure.cols();
+    CurveJacobian result{Eigen::MatrixXd(steps, genes), Eigen::MatrixXd(steps, genes)};
+    Eigen::RowVectorXd last = Eigen::RowVectorXd::Zero(genes);
+    double last_pressure = 0, last_displacement = 0;
+    for (Index j = 0; j < steps; ++j) {
+        const double step = response.displacement[j] - last_displacement;
+        const double K = (response.pressure[j] - last_pressure) / step;
+        result.x.row(j) = 0.5 * (jacobian.pressure.row(j) + last);
+        // All steps are equal parts of the last displacement: dK = (dP_j - dP_{j-1} - K d step)/step.
+        result.y.row(j) =
+            (jacobian.pressure.row(j) - last - K / static_cast<double>(steps) * jacobian.last_displacement) /
+            step;
+        last = jacobian.pressure.row(j);
+        last_pressure = response.pressure[j];
+        last_displacement = response.displacement[j];
+    }
+    return result;
 }
-
-} // namespace
 
 Curve area_against_pressure(const Response& response) {
     return from_origin(response.pressure, response.contact_fraction);
@@ -78,6 +110,36 @@ Curve stretched(Curve curve, double factor) {
     curve.x *= factor;
     curve.from *= factor;
     curve.to *= factor;
+    return curve;
+}
+
+Eigen::VectorXd interface_stiffness(const Response& response) {
+    Eigen::VectorXd result(response.steps());
+    for (Index j = 0; j < response.steps(); ++j) {
+        const double K = response.tangent_stiffness[j], share = interface_share(K, response.full_stiffness);
+        const bool full = response.contact_fraction[j] == 1 && response.held_nodes == 0;
+        result[j] = K == 0 ? 0 : full || share == 0 ? std::numeric_limits<double>::infinity() : K / share;
+    }
+    return result;
+}
+
+double interface_of(double stiffness, double full_stiffness) {
+    return stiffness / std::max(interface_share(stiffness, full_stiffness), rounding);
+}
+
+CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness) {
+    for (Index j = 0; j < stiffness.y.size(); ++j) {
+        // dK_i = (K_i/K)^2 dK, as d(1/K_i) = d(1/K)
+        const double share = interface_share(stiffness.y[j], full_stiffness);
+        jacobian.y.row(j) *= share > 0 ? 1 / (share * share) : 0;
+    }
+    return jacobian;
+}
+
+Curve interface_secants(const Response& response) {
+    Curve curve = secant_stiffness(response);
+    for (double& K : curve.y)
+        K = interface_of(K, response.full_stiffness);
     return curve;
 }
 

@@ -4,32 +4,29 @@
 
 namespace rough {
 
-/// A piecewise linear curve y(x): linear between its points, continued with the end segments' slopes over
-/// [from, to]. At least two points, x increasing.
+/// A curve y(x), linear between its points and continued with its end slopes over [from, to]. It has at least
+/// two points.
 struct Curve {
     Eigen::VectorXd x; ///< increasing
-    Eigen::VectorXd y; ///< one at each x
-    double from = 0;   ///< the curve may be read from here
-    double to = 0;     ///< to here
+    Eigen::VectorXd y; ///< one per x
+    double from = 0;   ///< smallest x that may be read
+    double to = 0;     ///< largest x that may be read
 
-    /// y at x. Throws InputError outside [from, to] (with a guard of 1e-9 of its length).
+    /// y at a position. Throws InputError outside [from, to] (with a margin of 1e-9 of its length).
     double at(double position) const;
-
-    /// y at x, the end points' values held beyond them.
-    double held_at(double position) const;
 };
 
-/// Which segment of a curve serves a position, and the weights of its two points.
+/// A segment of a curve and the weight of its right point at a position.
 struct Segment {
-    Index left;    ///< points left and left + 1
-    double weight; ///< of the right point; outside [0, 1] on a continued segment
+    Index left;    ///< between points left and left + 1
+    double weight; ///< outside [0, 1] if the segment is continued
 };
-/// The segment about `position`, or the end segment nearest to it.
+/// The segment that contains `position`, or the nearest end segment.
 Segment segment_at(const Curve& curve, double position);
 
-/// K(p) as it is scored: secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}) at pi_j = (P_j + P_{j-1})/2,
-/// to be read over [0, P_nt]. Secants, since at a fixed contact set the tangent does not depend on heights.
-/// x in MPa, y in MPa/mm.
+/// K(p) for similarities: secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}) (MPa/mm) at pi_j = (P_j +
+/// P_{j-1})/2 (MPa), over [0, P_nt]. A tangent would not do, because it does not depend on the heights at a
+/// fixed contact set.
 Curve secant_stiffness(const Response& response);
 
 /// Contact fraction against mean pressure (MPa), from (0, 0).
@@ -41,10 +38,53 @@ Curve area_against_displacement(const Response& response);
 /// Mean pressure (MPa) against displacement (mm), from (0, 0).
 Curve load_against_displacement(const Response& response);
 
-/// The same curve with a point at the end of what may be read, for drawing.
+/// The curve with a point at `to`, for drawing.
 Curve to_its_end(Curve curve);
 
-/// The curve with its x multiplied by `factor`: Eq. 11 takes p_max / P_nt.
+/// The curve with x multiplied by `factor`, in Eq. 11 by p_max / P_nt.
 Curve stretched(Curve curve, double factor);
+
+/// Derivatives of a response with respect to genes: rows of ResponseGradient pulled back.
+struct ResponseJacobian {
+    Eigen::MatrixXd pressure;             ///< dP_j/dgene, steps x genes
+    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dgene
+    Eigen::MatrixXd contact_fraction; ///< d fraction_j/dgene (smooth), steps x genes; empty if not requested
+};
+
+/// The derivatives with respect to genes; `pull` converts rows x N to rows x genes.
+template <class Pull>
+ResponseJacobian in_genes(const ResponseGradient& gradient, Pull pull, const AreaGradient& area = {}) {
+    const Index steps = gradient.pressure.rows();
+    Eigen::MatrixXd rows(steps + 1 + area.by_heights.rows(), gradient.pressure.cols());
+    rows.topRows(steps) = gradient.pressure;
+    rows.row(steps) = gradient.last_displacement;
+    if (area.by_heights.size() > 0)
+        rows.bottomRows(area.by_heights.rows()) = area.by_heights;
+    const Eigen::MatrixXd pulled = pull(rows);
+    return {pulled.topRows(steps), pulled.row(steps), pulled.bottomRows(area.by_heights.rows())};
+}
+
+/// A curve with the derivatives of both its coordinates.
+struct CurveJacobian {
+    Eigen::MatrixXd x; ///< of x, points x genes
+    Eigen::MatrixXd y; ///< of y, points x genes
+};
+
+/// d(pi_j, K_j)/dgene of secant_stiffness(response).
+CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
+
+/// Interface stiffness K_i of the tangent at each load step, MPa/mm; infinite at full contact. 1/K_i = 1/K -
+/// 1/K_full (Barber 2003) removes the half-plane in series with the contact. In plane strain K_i does not
+/// depend on the datum, because another datum adds the same constant to 1/K for every contact set. This holds
+/// for secants too. On a periodic half-plane K_i = K.
+Eigen::VectorXd interface_stiffness(const Response& response);
+
+/// K_i of one stiffness K, both MPa/mm. If K is within a relative 1e-12 of K_full, K_i is 1e12 K.
+double interface_of(double stiffness, double full_stiffness);
+/// The derivatives of K_i from those of `stiffness`; zero if K_i is 1e12 K.
+CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness);
+
+/// K_i against mean pressure for similarities: of the secants of secant_stiffness().
+Curve interface_secants(const Response& response);
 
 } // namespace rough

@@ -3,21 +3,25 @@
 #include "domain/numerics/grid.hpp"
 #include "domain/response/response.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace rough {
 
-/// A model set-up: what turns a surface into a response. Target and kernel, datum and grid belong together.
+/// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.
 struct Model {
-    Grid grid;              ///< where profiles are sampled
-    Body body;              ///< what they are pressed on
-    Loading loading;        ///< how far and in how many steps
-    ContactOptions contact; ///< by which solver
-    /// Largest relative error that a genome's response may have against this very set-up solved throughout
+    Grid grid;              ///< of the profiles
+    Body body;              ///< elastic body
+    Loading loading;        ///< load steps
+    ContactOptions contact; ///< solver
+    /// Largest relative error of a genome's response against this model without approximations
     /// (domain/accuracy); 0: none.
     double accuracy = 0;
 };
 
-/// The set-up with what was left at 0 filled in: the body for the grid's length, the reach for the kernel;
-/// the grid is periodic for the periodic kernel and for no other.
+/// The model with default values for the members at 0: the body's for the grid's length, the reach for the
+/// kernel. The grid becomes periodic if the kernel is, and only then.
 inline Model completed(Model model) {
     model.grid.periodic = model.body.kernel == Kernel::periodic;
     model.body = completed(model.body, model.grid.length);
@@ -25,29 +29,39 @@ inline Model completed(Model model) {
     return model;
 }
 
-/// Throws InputError on a completed set-up whose body or load steps have no solution on its grid.
+/// Throws InputError if a completed model's body or load steps have no solution on its grid.
 inline void validate(const Model& model) {
     validate(model.body, model.grid.nodes, model.grid.spacing());
     validate(model.loading, model.body.kernel);
 }
 
-/// A profile's response as the set-up asks, by its own body, load steps and solver; what was left at 0 is
-/// filled in for the grid's length.
+/// The response of a profile under the model. Members of the body at 0 get their default for the grid's
+/// length.
 inline Response respond(const Profile& profile, const Model& model) {
     return respond(profile, completed(model.body, model.grid.length), model.loading, model.contact);
 }
 
-/// The same set-up solved throughout, whatever accuracy it allows.
+/// The model without approximations.
 inline Model exactly(Model model) {
     model.accuracy = 0;
     return model;
 }
 
-/// The same set-up on a grid of `refine` elements for each of this one.
+/// The model on a grid with `refine` elements for each element of its grid.
 inline Model refined(Model model, Index refine) {
     model = completed(model);
     model.grid = refined(model.grid, refine);
     return model;
 }
+
+/// Pairs of name with unit and value, in a fixed order.
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+/// A number with 17 digits, which reads back exactly.
+std::string field_text(double value);
+
+/// A completed model as fields. Solver and tolerance are left out, because solvers agree to the tolerance of
+/// their certificate.
+Fields fields(const Model& model);
 
 } // namespace rough

@@ -8,10 +8,10 @@ namespace rough {
 
 PartialSlip partial_slip(const Response& response, double friction) {
     if (!(friction > 0) || !std::isfinite(friction))
-        refuse("friction coefficient ", friction, " was given, a positive finite one is expected");
+        refuse("friction coefficient ", friction, " is out of range (above 0, finite)");
     if (response.held_nodes > 0)
-        refuse("partial slip of a response with ", response.held_nodes,
-               " nodes at the hardness was asked for, none is expected: it rests on elastic contact");
+        refuse("partial slip: ", response.held_nodes,
+               " nodes are at the hardness; use a profile in elastic contact");
     const Index n = response.steps();
     const auto backwards = [n](const Eigen::VectorXd& values) {
         Eigen::VectorXd rows(n + 1);
@@ -23,20 +23,6 @@ PartialSlip partial_slip(const Response& response, double friction) {
     };
     return {slipped(response.displacement), slipped(response.pressure), backwards(response.tangent_stiffness),
             backwards(response.contact_fraction) / response.contact_fraction[n - 1]};
-}
-
-PartialSlipJacobian partial_slip_jacobian(const ResponseJacobian& jacobian, double friction) {
-    const Index n = jacobian.pressure.rows(), genes = jacobian.pressure.cols();
-    PartialSlipJacobian result{Eigen::MatrixXd(n + 1, genes), Eigen::MatrixXd(n + 1, genes)};
-    for (Index k = 0; k <= n; ++k) {
-        // d Delta_n - d Delta_(n-k) = (k/n) d Delta_n
-        const double part = static_cast<double>(k) / static_cast<double>(n);
-        result.displacement.row(k) = friction * part * jacobian.last_displacement;
-        result.traction.row(k) = friction * jacobian.pressure.row(n - 1);
-        if (k < n)
-            result.traction.row(k) -= friction * jacobian.pressure.row(n - 1 - k);
-    }
-    return result;
 }
 
 } // namespace rough

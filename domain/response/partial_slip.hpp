@@ -1,39 +1,30 @@
 #pragma once
 
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/response.hpp"
 
 namespace rough {
 
-/// Partial slip after Ciavarella (1998) and Jaeger (1998): under a constant normal load P a growing
-/// tangential one Q lets nodes slip from the edges of contact inwards, those stick that touch at a lesser
-/// normal load P*,
+/// Partial slip (Ciavarella 1998, Jaeger 1998). Under a constant normal load P and a growing tangential load
+/// Q, nodes slip from the edges of contact inwards. The nodes that stick would touch under a smaller normal
+/// load P*, and
 ///
-///     Q = f [P - P*],   tangential displacement = f [Delta - Delta*],
+///     Q = f [P - P*],   tangential displacement = f [Delta - Delta*]
 ///
-/// so that the whole curve is the normal one read backwards, exact at its load steps. Assumed: Coulomb
-/// friction with one coefficient f; plane strain; bodies that do not couple (equal ones, or Dundurs' beta =
-/// 0; a rigid profile on an elastic body at nu = 0.5 only); no hardness. Displacements share the normal one's
-/// datum.
+/// So the curve follows from the normal curve, exactly at its load steps. Assumptions: plane strain, Coulomb
+/// friction with one coefficient f, elastic contact. The bodies do not couple: they are equal, or Dundurs'
+/// beta is 0 (a rigid profile: nu = 0.5). Displacements have the datum of the normal ones.
 
-/// A tangential load-displacement curve, from stick (Q = 0) to full slip (Q = f P): one row more than there
-/// are load steps; row k has P* = P_(n-k), the last one P* = 0.
+/// A tangential load-displacement curve, from stick (Q = 0) to full slip (Q = f P). It has one row more than
+/// the load steps; row k has P* = P_(n-k), the last row P* = 0.
 struct PartialSlip {
     Eigen::VectorXd displacement;   ///< tangential, mm
     Eigen::VectorXd traction;       ///< Q as a mean over the length, MPa
     Eigen::VectorXd stiffness;      ///< dQ/d displacement, MPa/mm; 0 at full slip
-    Eigen::VectorXd stick_fraction; ///< of the nodes that touch, how many stick
+    Eigen::VectorXd stick_fraction; ///< share of the touching nodes that stick
 };
 
-/// Under the response's last normal load. Throws InputError on a friction coefficient that is not positive
-/// and finite, or nodes held at a hardness.
+/// The curve under the response's last normal load. Throws InputError if the friction coefficient is not
+/// positive and finite, or nodes are at the hardness.
 PartialSlip partial_slip(const Response& response, double friction);
-
-/// Derivatives of a PartialSlip's coordinates with respect to genes, a row each.
-struct PartialSlipJacobian {
-    Eigen::MatrixXd displacement; ///< rows x genes, mm a gene
-    Eigen::MatrixXd traction;     ///< rows x genes, MPa a gene
-};
-/// From the normal curve's, whose load steps are equal parts of the last displacement.
-PartialSlipJacobian partial_slip_jacobian(const ResponseJacobian& jacobian, double friction);
 
 } // namespace rough

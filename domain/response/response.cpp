@@ -12,34 +12,33 @@
 namespace rough {
 
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range, double full_stiffness) {
-    const auto count = static_cast<Index>(steps.size());
-    Response response{
-        range, {}, {}, {}, {}, {}, solver, full_stiffness, steps.empty() ? 0 : steps.back().held_nodes};
-    for (auto* column : {&response.displacement, &response.pressure, &response.contact_fraction,
-                         &response.tangent_stiffness, &response.kkt_residual})
-        column->resize(count);
-    for (Index j = 0; j < count; ++j) {
-        const LoadStep& step = steps[static_cast<std::size_t>(j)];
-        response.displacement[j] = step.displacement;
-        response.pressure[j] = step.pressure;
-        response.contact_fraction[j] = step.contact_fraction;
-        response.tangent_stiffness[j] = step.tangent_stiffness;
-        response.kkt_residual[j] = step.kkt_residual;
-    }
-    return response;
+    const auto column = [&](double LoadStep::*member) {
+        Eigen::VectorXd values(static_cast<Index>(steps.size()));
+        for (Index j = 0; j < values.size(); ++j)
+            values[j] = steps[static_cast<std::size_t>(j)].*member;
+        return values;
+    };
+    return {range,
+            column(&LoadStep::displacement),
+            column(&LoadStep::pressure),
+            column(&LoadStep::contact_fraction),
+            column(&LoadStep::tangent_stiffness),
+            column(&LoadStep::kkt_residual),
+            solver,
+            full_stiffness,
+            steps.empty() ? 0 : steps.back().held_nodes};
 }
 
 double displacement_range(const Profile& profile, Kernel kernel) {
     if (profile.nodes() < 2)
-        throw InputError("profile: " + std::to_string(profile.nodes()) + " nodes given, expected at least 2");
+        throw InputError("profile: it has " + std::to_string(profile.nodes()) + " nodes; use at least 2");
     if (!profile.heights.allFinite())
-        throw InputError("profile: a height is not finite, expected finite heights in mm");
+        throw InputError("profile: a height is not finite; use finite heights in mm");
     const double highest = profile.heights.maxCoeff();
     const double range =
         highest - (kernel == Kernel::periodic ? profile.heights.mean() : profile.heights.minCoeff());
     if (!(range > 0))
-        throw InputError(
-            "profile: all heights are equal at its nodes, expected a height range greater than 0");
+        throw InputError("profile: all heights are equal at its nodes; use heights that differ");
     return range;
 }
 
@@ -62,12 +61,12 @@ Loading completed(Loading loading, Kernel kernel) {
 
 void validate(const Loading& loading, Kernel kernel) {
     if (loading.steps < 2)
-        refuse_value("steps", loading.steps, " given, expected at least 2");
+        refuse_value("steps", loading.steps, " is out of range (at least 2)");
     const bool periodic = kernel == Kernel::periodic;
     if (!(loading.reach > 0) || loading.reach > 1 || (periodic && loading.reach == 1))
-        refuse_value("reach", loading.reach, " given, expected more than 0 and ",
-                     periodic ? "less than 1: the periodic half-plane has no solution beyond full contact"
-                              : "at most 1");
+        refuse_value("reach", loading.reach, " is out of range (above 0, ",
+                     periodic ? "less than 1: the periodic half-plane has no solution beyond full contact)"
+                              : "at most 1)");
 }
 
 std::vector<double> load_displacements(double range, const Loading& given, Kernel kernel) {
@@ -111,11 +110,10 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                                            ContactOptions options, bool with_area) {
     const Loading loading = completed(given, body.kernel);
     if (!loading.pressures.empty())
-        refuse("pressures: given, expected load steps of equal displacements: these have no gradient");
+        refuse("pressures: load steps at given pressures have no gradient; use steps of equal displacement");
     if (with_area && body.yields())
-        refuse("hardness: ", body.hardness,
-               " MPa given, expected none: a contact fraction with held nodes has "
-               "no gradient");
+        refuse("hardness: the contact fraction has no gradient with a hardness, ", body.hardness,
+               " MPa; use a body without");
     const double range = displacement_range(profile, body.kernel);
     options.states = true;
     const ContactCurve curve = press(profile, body, loading, options);
@@ -124,7 +122,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
     profile.heights.maxCoeff(&highest);
     profile.heights.minCoeff(&lowest);
 
-    // The functional Delta_last. By pressure: 0 = w.dZ - sum(w) dZ_max + sum(w) dDelta at the last step. By
+    // Derivatives of Delta_last. By pressure: 0 = w.dZ - sum(w) dZ_max + sum(w) dDelta at the last step. By
     // reach: +reach at the first highest node, -reach at the first lowest (periodic: -reach/N everywhere).
     Eigen::RowVectorXd d_last = Eigen::RowVectorXd::Zero(nodes);
     if (!(loading.to_displacement > 0)) {
@@ -171,14 +169,14 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
 
 Response scaled(Response response, double factor) {
     if (response.held_nodes > 0)
-        refuse("amplitude: a response with ", response.held_nodes, " nodes at the hardness multiplied by ",
-               factor, ", expected none: the hardness does not scale");
+        refuse("amplitude: ", response.held_nodes, " nodes are at the hardness, which does not scale by ",
+               factor, "; use a response in elastic contact");
     response.range *= factor;
     response.displacement *= factor;
     response.pressure *= factor;
     if (!response.displacement.allFinite() || !response.pressure.allFinite())
-        refuse("amplitude: a profile and its response multiplied by ", factor,
-               ", expected a factor whose pressures and displacements fit double precision");
+        refuse("amplitude: pressures or displacements times ", factor,
+               " exceed double precision; use another factor");
     return response;
 }
 

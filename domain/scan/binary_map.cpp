@@ -12,48 +12,45 @@
 namespace rough {
 namespace {
 
-double stored(std::string_view bytes, std::size_t at, int type) {
-    switch (type) {
-    case 0:
-        return little_endian<std::uint8_t>(bytes, at);
-    case 1:
-        return little_endian<std::uint16_t>(bytes, at);
-    case 2:
-        return little_endian<std::uint32_t>(bytes, at);
-    case 3:
-        return static_cast<double>(little_endian<float>(bytes, at));
-    case 4:
-        return little_endian<std::int8_t>(bytes, at);
-    case 5:
-        return little_endian<std::int16_t>(bytes, at);
-    case 6:
-        return little_endian<std::int32_t>(bytes, at);
-    default:
-        return little_endian<double>(bytes, at);
-    }
-}
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The numbers that stand row after row from a place of some bytes on.
+/// A type of numbers: its size in bytes, its reader, and its mark of a missing value.
+struct NumberType {
+    std::int64_t size;
+    double (*load)(std::string_view bytes, std::size_t at);
+    double missing;
+};
+template <class T>
+constexpr NumberType number_type(double missing = none) {
+    return {sizeof(T),
+            [](std::string_view bytes, std::size_t at) -> double { return little_endian<T>(bytes, at); },
+            missing};
+}
+constexpr NumberType number_types[] = {number_type<std::uint8_t>(),
+                                       number_type<std::uint16_t>(65535),
+                                       number_type<std::uint32_t>(4294967295),
+                                       number_type<float>(),
+                                       number_type<std::int8_t>(),
+                                       number_type<std::int16_t>(-32768),
+                                       number_type<std::int32_t>(-2147483648.),
+                                       number_type<double>()};
+
+/// Reads the heights, row after row, that start at a byte.
 void take_heights(HeightMap& map, std::string_view bytes, std::size_t at, std::int64_t columns, int type,
                   double missing, const std::string& file) {
     expect_points(columns, map.rows, file);
-    StoredNumbers numbers(columns * map.rows, type, missing, file);
-    const auto there = static_cast<std::int64_t>(bytes.size()) - static_cast<std::int64_t>(at);
-    if (there < numbers.bytes())
-        refuse(file, ": ends early, expected ", numbers.bytes(), " bytes of heights, ", there < 0 ? 0 : there,
-               " are there");
-    numbers.take(bytes.substr(at));
-    map.heights = numbers.numbers();
+    map.heights =
+        stored_numbers(bytes.substr(std::min(at, bytes.size())), columns * map.rows, type, missing, file);
 }
 
 void expect_spacing(double spacing, const std::string& what, const std::string& file) {
     if (!(spacing > 0) || !std::isfinite(spacing))
-        refuse(file, ": ", what, " ", spacing, ", expected a number above 0");
+        refuse(file, ": ", what, " ", spacing, " is not a number above 0");
 }
 
 void expect_header(const std::string& bytes, std::size_t size, const std::string& file) {
     if (bytes.size() < size)
-        refuse(file, ": ", bytes.size(), " bytes, expected a header of ", size);
+        refuse(file, ": ", bytes.size(), " bytes, fewer than the header of ", size, "; export it again");
 }
 
 /// ISO 25178-71, binary: 81 bytes of header, lengths in metres.
@@ -72,13 +69,13 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
     if (map.rows > 1)
         expect_spacing(map.row_spacing, "Yscale", file);
     if (bytes[78] != 0)
-        refuse(file, ": compressed, expected a file without compression");
+        refuse(file, ": the heights are compressed; save it without compression");
     const int type = static_cast<unsigned char>(bytes[79]);
     take_heights(map, bytes, header, columns, type, missing_mark(type), file);
     return map;
 }
 
-/// A unit's field of 16 bytes, Latin-1, its µ a byte of its own.
+/// A unit in a field of 16 bytes of Latin-1, where µ is one byte.
 LengthUnit unit_field(const std::string& bytes, std::size_t at, const std::string& file) {
     std::string word = bytes.substr(at, 16);
     word.resize(std::min(word.find('\0'), word.size()));
@@ -94,13 +91,14 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
     const auto half = [&](std::size_t at) { return little_endian<std::int16_t>(bytes, at); };
     const auto whole = [&](std::size_t at) { return little_endian<std::int32_t>(bytes, at); };
     if (bytes.starts_with("DSCOMPRESSED"))
-        refuse(file, ": a compressed Digital Surf file, expected one saved without compression");
+        refuse(file, ": a compressed Digital Surf file; save it without compression");
     if (half(12) != 0)
-        refuse(file, ": a Digital Surf file of format ", half(12), ", expected 0, lowest byte first");
+        refuse(file, ": a Digital Surf file of format ", half(12),
+               "; save it in format 0, lowest byte first");
     if (half(18) != 1 && half(18) != 2)
-        refuse(file, ": a Digital Surf object of type ", half(18), ", expected a profile (1) or surface (2)");
+        refuse(file, ": a Digital Surf object of type ", half(18), "; save a profile (1) or a surface (2)");
     if (half(98) != 16 && half(98) != 32)
-        refuse(file, ": heights of ", half(98), " bits, expected 16 or 32");
+        refuse(file, ": heights of ", half(98), " bits; save them with 16 or 32 bits");
     HeightMap map{half(18) == 1 ? "Digital Surf (PRO)" : "Digital Surf (SUR)"};
     const std::int64_t columns = whole(108);
     map.rows = whole(112);
@@ -113,7 +111,7 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
         map.row_spacing = little_endian<float>(bytes, 124) * unit_field(bytes, 196, file).in_mm;
         expect_spacing(map.row_spacing, "spacing of rows", file);
     }
-    const double missing = half(86) != 0 ? whole(100) - 2. : std::nan(""); // two below the least
+    const double missing = half(86) != 0 ? whole(100) - 2. : none; // two below the lowest height
     const std::size_t data =
         header + little_endian<std::uint16_t>(bytes, 334) + little_endian<std::uint16_t>(bytes, 336);
     take_heights(map, bytes, data, columns, half(98) == 16 ? 5 : 6, missing, file);
@@ -124,10 +122,12 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
 HeightMap simple_field(const std::string& bytes, const std::string& file) {
     const std::size_t end = bytes.find('\0');
     if (end == std::string::npos || end > 1'000'000)
-        refuse(file, ": a Gwyddion simple field without an end of its header");
+        refuse(file, ": a Gwyddion simple field whose header has no end; export it again");
     HeightMap map{"Gwyddion simple field"};
     map.height_unit = {"m", 1e3};
     double columns = 0, rows = 0, width = 0, height = 0, unit = 1e3;
+    const std::pair<std::string_view, double*> numbers[] = {
+        {"xres", &columns}, {"yres", &rows}, {"xreal", &width}, {"yreal", &height}};
     std::string_view rest(bytes.data(), end);
     while (!rest.empty()) {
         const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -137,21 +137,14 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
             continue;
         const std::string key = lower(trim(line.substr(0, mark)));
         const std::string_view value = trim(line.substr(mark + 1));
-        const auto take = [&](double& of) {
-            const auto read = number(value, Dialect{});
-            if (!read || !(read->value > 0))
-                refuse(file, ": ", key, " is '", value.substr(0, 60), "', expected a number above 0");
-            of = read->value;
-        };
-        if (key == "xres")
-            take(columns);
-        else if (key == "yres")
-            take(rows);
-        else if (key == "xreal")
-            take(width);
-        else if (key == "yreal")
-            take(height);
-        else if (key == "xyunits")
+        for (const auto& [name, target] : numbers)
+            if (key == name) {
+                const auto read = number(value, Dialect{});
+                if (!read || !(read->value > 0))
+                    refuse(file, ": ", key, " '", value.substr(0, 60), "' is not a number above 0");
+                *target = read->value;
+            }
+        if (key == "xyunits")
             unit = length_unit_named(value, file).in_mm;
         else if (key == "zunits")
             map.height_unit = length_unit_named(value, file);
@@ -159,67 +152,13 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
     constexpr double max_points = 1e9;
     if (!(columns >= 1 && rows >= 1 && columns < max_points && rows < max_points) ||
         columns != std::floor(columns) || rows != std::floor(rows))
-        refuse(file, ": ", columns, " x ", rows, " points, expected XRes and YRes");
+        refuse(file, ": ", columns, " x ", rows, " points; set XRes and YRes to whole numbers from 1");
     map.rows = static_cast<Index>(rows);
     map.spacing = (width > 0 ? width : columns) / columns * unit;
     map.row_spacing = (height > 0 ? height : rows) / rows * unit;
-    take_heights(map, bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), 3, std::nan(""), file);
+    take_heights(map, bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), 3, none, file);
     return map;
 }
-
-} // namespace
-
-void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file) {
-    const std::int64_t max_points = rows == 1 ? 10'000'000 : 20'000'000;
-    if (columns < 1 || rows < 1 || columns > max_points / rows)
-        refuse(file, ": ", rows, " rows of ", columns, " heights, expected 1 to ", max_points, " in all");
-}
-
-double missing_mark(int type) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    constexpr std::array<double, 8> marks{none, 65535, 4294967295, none, none, -32768, -2147483648., none};
-    return type < 0 || type > 7 ? none : marks[static_cast<std::size_t>(type)];
-}
-
-StoredNumbers::StoredNumbers(std::int64_t count, int type, double missing, const std::string& file)
-    : count_(count), type_(type), missing_(missing), file_(file) {
-    constexpr std::array<std::int64_t, 8> sizes{1, 2, 4, 4, 1, 2, 4, 8};
-    if (type < 0 || type > 7)
-        refuse(file, ": numbers of type ", type, ", expected 0 to 7");
-    size_ = sizes[static_cast<std::size_t>(type)];
-}
-
-void StoredNumbers::take(std::string_view piece) {
-    if (numbers_.size() == 0)
-        numbers_.resize(count_);
-    const auto size = static_cast<std::size_t>(size_);
-    const auto add = [&](std::string_view bytes, std::size_t at) {
-        const double number = stored(bytes, at, type_);
-        // The largest float marks what was not measured, too.
-        const bool measured = number != missing_ && std::abs(number) < std::numeric_limits<float>::max();
-        numbers_[taken_++] = measured ? number : std::nan("");
-    };
-    while (!part_.empty() && !piece.empty() && taken_ < count_) {
-        part_ += piece.front();
-        piece.remove_prefix(1);
-        if (part_.size() == size)
-            add(part_, 0), part_.clear();
-    }
-    std::size_t at = 0;
-    for (; taken_ < count_ && at + size <= piece.size(); at += size)
-        add(piece, at);
-    if (taken_ < count_)
-        part_ += piece.substr(at);
-}
-
-Eigen::VectorXd StoredNumbers::numbers() {
-    if (taken_ < count_)
-        refuse(file_, ": ends early, expected ", bytes(), " bytes of heights, ",
-               taken_ * size_ + static_cast<std::int64_t>(part_.size()), " are there");
-    return std::move(numbers_);
-}
-
-namespace {
 
 /// The first bytes of a format, and its reader.
 struct Format {
@@ -234,6 +173,32 @@ const Format formats[] = {{"bISO-", surface_data_file},
                           {"PK\x03\x04", read_x3p}};
 
 } // namespace
+
+void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file) {
+    const std::int64_t max_points = rows == 1 ? 10'000'000 : 20'000'000;
+    if (columns < 1 || rows < 1 || columns > max_points / rows)
+        refuse(file, ": ", rows, " rows of ", columns, " heights; the total must be 1 to ", max_points);
+}
+
+double missing_mark(int type) { return type < 0 || type > 7 ? none : number_types[type].missing; }
+
+Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int type, double missing,
+                               const std::string& file) {
+    if (type < 0 || type > 7)
+        refuse(file, ": numbers of type ", type, "; use a type from 0 to 7");
+    const NumberType& of = number_types[type];
+    if (static_cast<std::int64_t>(bytes.size()) < of.size * count)
+        refuse(file, ": ends early, with ", bytes.size(), " of ", of.size * count,
+               " bytes of heights; export it again");
+    Eigen::VectorXd numbers(count);
+    for (Index i = 0; i < count; ++i) {
+        const double number = of.load(bytes, static_cast<std::size_t>(of.size * i));
+        // The largest float marks missing values, too.
+        const bool measured = number != missing && std::abs(number) < std::numeric_limits<float>::max();
+        numbers[i] = measured ? number : none;
+    }
+    return numbers;
+}
 
 bool is_binary_map(std::string_view head) {
     return std::any_of(std::begin(formats), std::end(formats),

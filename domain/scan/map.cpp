@@ -13,47 +13,48 @@
 namespace rough {
 namespace {
 
-/// Two spacings are the same within a thousandth.
+/// Refuses a given spacing that differs from the file's by more than a thousandth.
 void agree(double of_file, double given, const char* axis, const std::string& file) {
     if (given > 0 && std::abs(given - of_file) > 1e-3 * of_file)
-        refuse(file, ": its own spacing along ", axis, " is ", of_file, " mm, but ", given, " mm is given");
+        refuse(file, ": its own spacing along ", axis, " is ", of_file, " mm, but the given one is ", given,
+               " mm; omit it");
 }
 
 void expect_size(Extent shape, const std::string& file) {
     if (shape.columns < 2 || shape.rows < 2)
         refuse(file, ": ", shape.rows, " rows of ", shape.columns,
-               " heights, expected a matrix of 2 x 2 or more");
+               " heights; give a matrix of 2 x 2 or more");
 }
 
-/// A height is missing: where, and what was expected.
-[[noreturn]] void miss(const std::string& place, Index column, Index columns) {
-    throw InputError(place + ": no height in column " + std::to_string(column + 1) + ", expected " +
-                     std::to_string(columns) + " numbers a row");
+[[noreturn]] void refuse_missing(const std::string& place, Index column, Index columns) {
+    refuse(place, ": no height in column ", column + 1, "; give ", columns, " numbers in each row");
 }
 
 Map map_of(HeightMap read, const MapLayout& layout, double unit, const std::string& file) {
     const Extent shape{read.columns(), read.rows};
     expect_size(shape, file);
     if (!layout.unit.empty() && unit != read.height_unit.in_mm)
-        refuse(file, ": its heights are in ", read.height_unit.name, ", but the unit given is ", layout.unit);
+        refuse(file, ": its heights are in ", read.height_unit.name, ", but the given unit is ", layout.unit,
+               "; omit it");
     agree(read.spacing, unit * layout.spacing, "x", file);
     agree(read.row_spacing, unit * layout.row_spacing, "y", file);
     for (Index k = 0; k < shape.nodes(); ++k) {
         double& height = read.heights[k];
         if (!std::isfinite(height))
-            miss(file + ": row " + std::to_string(k / shape.columns + 1), k % shape.columns, shape.columns);
+            refuse_missing(line_of(file, ": row ", k / shape.columns + 1), k % shape.columns, shape.columns);
         height = height * read.height_factor * read.height_unit.in_mm;
     }
     return {{std::move(read.heights), read.spacing, shape.rows, read.row_spacing},
             read.format + ", heights in " + read.height_unit.name};
 }
 
-/// Columns x, y and height: of a whole grid, in any order.
+/// The map of columns x, y and height: a whole grid in any order.
 Map map_of_points(const Table& table, double unit, const std::string& file) {
     const auto value = [&](std::size_t column, std::size_t row) { return table.at(row, column).value; };
-    const auto refuse_points = [&](const std::string& why) {
-        throw InputError(file + ": " + why + "; or, of a matrix of three columns, its spacing with it",
-                         "spacing");
+    const auto refuse_points = [&](const auto&... why) {
+        throw InputError(
+            line_of(file, ": ", why..., "; give a whole grid, or the spacing of a matrix of three columns"),
+            "spacing");
     };
     const auto axis = [&](std::size_t column) {
         std::vector<double> places;
@@ -69,14 +70,13 @@ Map map_of_points(const Table& table, double unit, const std::string& file) {
         const double mean = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
         for (std::size_t k = 1; k < places.size(); ++k)
             if (!(std::abs(places[k] - places[k - 1] - mean) < 1e-3 * mean))
-                refuse_points(line_of(name, " goes from ", places[k - 1], " to ", places[k],
-                                      ", expected even steps of ", mean));
+                refuse_points(name, " goes from ", places[k - 1], " to ", places[k],
+                              ", not in even steps of ", mean);
         return unit * mean;
     };
     expect_size(shape, file);
-    if (shape.columns > (2 * static_cast<Index>(table.rows()) + 2) / shape.rows) // before room is made for it
-        refuse_points(line_of(table.rows(), " points at ", shape.columns, " x and ", shape.rows,
-                              " y, expected a whole grid"));
+    if (shape.columns > (2 * static_cast<Index>(table.rows()) + 2) / shape.rows) // before memory is allocated
+        refuse_points(table.rows(), " points at ", shape.columns, " x and ", shape.rows, " y");
     Map map{{Eigen::VectorXd::Constant(shape.nodes(), std::nan("")), step(x, "x"), shape.rows, step(y, "y")},
             "points x, y and height"};
     const auto place = [](const std::vector<double>& places, double at) {
@@ -85,14 +85,13 @@ Map map_of_points(const Table& table, double unit, const std::string& file) {
     for (std::size_t k = 0; k < table.rows(); ++k) {
         double& height = map.heights.heights[place(y, value(1, k)) * shape.columns + place(x, value(0, k))];
         if (!std::isnan(height) || !std::isfinite(value(2, k)))
-            refuse(at(file, table.line[k]), ": expected one height at each point");
+            refuse(at(file, table.line[k]), ": the height is missing, or the point's second; give one");
         height = unit * value(2, k);
     }
     for (Index k = 0; k < shape.nodes(); ++k)
         if (std::isnan(map.heights.heights[k]))
-            refuse_points(line_of("no height at x = ", x[static_cast<std::size_t>(k % shape.columns)],
-                                  ", y = ", y[static_cast<std::size_t>(k / shape.columns)],
-                                  ", expected a whole grid"));
+            refuse_points("no height at x = ", x[static_cast<std::size_t>(k % shape.columns)],
+                          ", y = ", y[static_cast<std::size_t>(k / shape.columns)]);
     return map;
 }
 
@@ -100,19 +99,17 @@ Map map_of_matrix(const Table& table, const MapLayout& layout, double unit, cons
     const Extent shape{static_cast<Index>(table.columns), static_cast<Index>(table.rows())};
     expect_size(shape, file);
     if (!(layout.spacing > 0) || !(layout.row_spacing > 0))
-        throw InputError(file +
-                             ": a matrix of heights, expected the distance of its nodes with it, DX or DXxDY",
+        throw InputError(file + ": a matrix of heights; give the distance of its nodes, DX or DXxDY",
                          "spacing");
     Map map{{Eigen::VectorXd(shape.nodes()), unit * layout.spacing, shape.rows, unit * layout.row_spacing},
             "a matrix"};
-    for (Index j = 0; j < shape.rows; ++j)
-        for (Index i = 0; i < shape.columns; ++i) {
-            const double height =
-                unit * table.at(static_cast<std::size_t>(j), static_cast<std::size_t>(i)).value;
-            if (!std::isfinite(height))
-                miss(at(file, table.line[static_cast<std::size_t>(j)]), i, shape.columns);
-            map.heights.heights[j * shape.columns + i] = height;
-        }
+    for (Index k = 0; k < shape.nodes(); ++k) {
+        const double height = unit * table.cells[static_cast<std::size_t>(k)].value;
+        if (!std::isfinite(height))
+            refuse_missing(at(file, table.line[static_cast<std::size_t>(k / shape.columns)]),
+                           k % shape.columns, shape.columns);
+        map.heights.heights[k] = height;
+    }
     return map;
 }
 
@@ -136,10 +133,9 @@ Map read_map(const std::filesystem::path& path, const MapLayout& layout) {
 std::string vtk(const Profile& map) {
     const auto [columns, rows] = map.shape();
     const std::string count = std::to_string(map.nodes());
-    std::string bytes = "# vtk DataFile Version 3.0\nrugosa: a rough surface, mm\nBINARY\n"
-                        "DATASET STRUCTURED_GRID\nDIMENSIONS " +
-                        std::to_string(columns) + " " + std::to_string(rows) + " 1\nPOINTS " + count +
-                        " double\n";
+    std::string bytes = line_of("# vtk DataFile Version 3.0\nrugosa: a rough surface, mm\nBINARY\n"
+                                "DATASET STRUCTURED_GRID\nDIMENSIONS ",
+                                columns, " ", rows, " 1\nPOINTS ", count, " double\n");
     const auto append = [&](double value) { // the highest byte first
         std::string word;
         append_little_endian(word, value);

@@ -1,7 +1,6 @@
 #include "domain/scan/scan.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/profile/detrend.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/profile/outliers.hpp"
 #include "domain/scan/height_map.hpp"
@@ -11,34 +10,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace rough {
 namespace {
 
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// A scan's points as the file gives them; NaN if a value is missing.
 struct Points {
-    double spacing = 0;    ///< mm; above 0: point i lies at i times that, and x and last_digit are empty
+    double spacing = 0;    ///< mm; if above 0, point i is at i times this, and x and last_digit are empty
     std::vector<double> x; ///< mm
     std::vector<double> last_digit; ///< one unit in x's last written digit, mm
     std::vector<double> heights;    ///< mm
-    std::vector<int> line;          ///< of the file; empty for a binary one
+    std::vector<int> line;          ///< in the file; empty for a binary one
 
-    std::size_t size() const { return heights.size(); } ///< points, missing ones too
-    double at(std::size_t i) const {
-        return spacing > 0 ? static_cast<double>(i) * spacing : x[i];
-    }                                                                       ///< x, mm
+    std::size_t size() const { return heights.size(); } ///< missing points included
+    double at(std::size_t i) const { return spacing > 0 ? static_cast<double>(i) * spacing : x[i]; } ///< mm
     int line_of(std::size_t i) const { return line.empty() ? 0 : line[i]; } ///< 0: none
+    bool is_whole(std::size_t i) const { return !std::isnan(at(i)) && !std::isnan(heights[i]); }
 };
 
 void refuse_missing(const Points& points, const std::string& file) {
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (const bool has_x = !std::isnan(points.at(i)); !has_x || std::isnan(points.heights[i]))
-            throw InputError(at(file, points.line_of(i)) + ": a missing value, expected " +
-                                 (has_x ? "a height" : "an x") + ", or to fill it by interpolation",
+        if (!points.is_whole(i))
+            throw InputError(line_of(at(file, points.line_of(i)), ": a missing value; give ",
+                                     std::isnan(points.at(i)) ? "an x" : "a height",
+                                     ", or fill it by interpolation"),
                              "fill");
 }
 
@@ -59,22 +58,17 @@ void keep_only(Points& points, Keep keep) {
     in_each_list([&](auto& list) { list.resize(std::min(list.size(), kept)); });
 }
 
-/// Fills heights that are missing between two others, and removes points without x and those without height
-/// at either end. Gives how many were filled.
+/// Fills missing heights between two others. Removes points without x, and points without height at either
+/// end. Returns the number of filled heights.
 std::size_t fill(Points& points) {
-    const auto whole = [&](std::size_t i) {
-        return !std::isnan(points.at(i)) && !std::isnan(points.heights[i]);
-    };
-    std::size_t first = 0, end = points.size();
-    while (first < end && !whole(first))
+    std::size_t first = 0, end = points.size(), filled = 0;
+    while (first < end && !points.is_whole(first))
         ++first;
-    while (end > first && !whole(end - 1))
+    while (end > first && !points.is_whole(end - 1))
         --end;
     keep_only(points, [&](std::size_t i) { return first <= i && i < end && !std::isnan(points.at(i)); });
-    std::size_t filled = 0;
-    const auto measured = [&](std::size_t i) { return !std::isnan(points.heights[i]); };
     for (std::size_t left = 0, right = 1; right < points.size(); left = right++) {
-        while (!measured(right))
+        while (std::isnan(points.heights[right]))
             ++right;
         const double run = points.at(right) - points.at(left);
         for (std::size_t i = left + 1; i < right; ++i, ++filled) {
@@ -85,27 +79,22 @@ std::size_t fill(Points& points) {
     return filled;
 }
 
-/// How far points lie from even spacing, and the even spacing nearest to them.
+/// The even spacing nearest to the points, and their distance from it.
 struct Evenness {
-    double first = 0;     ///< where the fitted even nodes start, in the unit of x
-    double spacing = 0;   ///< least-squares spacing, > 0
-    double deviation = 0; ///< largest distance of a point from its even node, in the unit of x
-    bool even = false; ///< every point is within 1e-3 spacings, or within its last written digit, of its node
+    double first = 0;     ///< x of the first even node, mm
+    double spacing = 0;   ///< least-squares spacing, mm, > 0
+    double deviation = 0; ///< largest distance of a point from its even node, mm
+    bool even = false;    ///< each point is within 1e-3 spacings, or its last written digit, of its node
 };
 
-/// Whether the points are multiples of a spacing to the last bit, as those of a column of heights are: then
-/// it is the spacing that was given, which a fit finds but for rounding.
-bool are_multiples(const std::vector<double>& x) {
-    for (std::size_t i = 0; i < x.size(); ++i)
-        if (x[i] != static_cast<double>(i) * x[1])
-            return false;
-    return x[1] > 0;
-}
-
-/// Fits even nodes to x (increasing, two points or more) by least squares over the index. last_digit: the
-/// value of one unit in each point's last written digit, 0 if unknown.
+/// Fits even nodes to x (increasing, two points or more) by least squares over the index. `last_digit` is one
+/// unit in each point's last written digit, 0 if unknown.
 Evenness evenness(const std::vector<double>& x, const std::vector<double>& last_digit) {
-    if (are_multiples(x))
+    // A fit would find a spacing whose multiples these are only up to rounding.
+    std::size_t multiples = 0;
+    while (multiples < x.size() && x[multiples] == static_cast<double>(multiples) * x[1])
+        ++multiples;
+    if (multiples == x.size() && x[1] > 0)
         return {0, x[1], 0, true};
     const double n = static_cast<double>(x.size());
     const double middle = (n - 1) / 2;
@@ -120,8 +109,7 @@ Evenness evenness(const std::vector<double>& x, const std::vector<double>& last_
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double error = std::abs(x[i] - (fit.first + slope * static_cast<double>(i)));
         fit.deviation = std::max(fit.deviation, error);
-        // Rounding moves a point by half its last digit; the fit itself is moved by less than half as much
-        // again.
+        // Rounding moves a point by half its last digit, and the fit by less than half of that.
         fit.even = fit.even && error <= std::max(0.75 * last_digit[i], 1e-3 * slope);
     }
     return fit;
@@ -142,21 +130,20 @@ Profile resampled(const std::vector<double>& x, const std::vector<double>& heigh
     return profile;
 }
 
-/// What was read and done, told in one line.
+/// One line on what was read and done; numbers to six digits.
 struct Account {
-    std::string text;
-    void say(const std::string& part) { text += (text.empty() ? "" : "; ") + part; }
+    PlainStream text;
+    template <class... Parts>
+    void say(const Parts&... parts) {
+        if (text.tellp() > 0)
+            text << "; ";
+        (text << ... << parts);
+    }
 };
 
 /// "1 point", "2 points".
 std::string counted(std::size_t count, const std::string& of) {
     return std::to_string(count) + " " + of + (count == 1 ? "" : "s");
-}
-
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
 }
 
 /// Whether the first column counts the rows.
@@ -168,9 +155,9 @@ bool has_running_index(const Table& table) {
     return table.rows() > 1;
 }
 
-/// Which columns hold what.
+/// The columns of x, heights and validity.
 struct Layout {
-    std::size_t x = no_column, height = 0, validity = no_column; ///< columns
+    std::size_t x = no_column, height = 0, validity = no_column;
 };
 
 Layout layout_of(const Table& table, const Header& header, bool spacing_given, const std::string& file) {
@@ -187,21 +174,20 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
     if (table.columns == 2 && has_running_index(table))
         return {no_column, 1};
     if (table.columns == 2)
-        throw InputError(file + ": two columns, x and height; a spacing is for one column of heights");
+        refuse(file, ": two columns, x and height; omit the spacing, or give one column of heights");
     if (table.columns == 3 && header.validity_column && only_0_and_1(2))
         return {0, 1, 2};
     if (table.columns == 3 && has_running_index(table))
         return {1, 2};
+    const bool commas = table.dialect.separator == Dialect::Separator::comma;
     throw InputError(
-        at(file, table.line[0]) + ": " + std::to_string(table.columns) +
-            " columns, expected a line scan: heights, or x and height; or, of an areal matrix, the row to "
-            "take" +
-            (table.dialect.separator == Dialect::Separator::comma ? " (decimal commas need another separator)"
-                                                                  : ""),
+        line_of(at(file, table.line[0]), ": ", table.columns,
+                " columns; give heights, or x and height, or for an areal matrix the row to take",
+                commas ? " (decimal commas need another separator)" : ""),
         "row");
 }
 
-/// A row of many heights as one column: the only one, or the one that is requested (1 the first).
+/// Makes one column of a row of many heights: the only row, or the requested one (from 1).
 void take_row(Table& table, Index requested, const std::string& file, Account& account) {
     if (requested == 0 && !(table.columns > 3 && table.rows() == 1))
         return;
@@ -210,9 +196,8 @@ void take_row(Table& table, Index requested, const std::string& file, Account& a
         const std::string size = line_of(table.rows(), " rows of ", table.columns, " heights");
         if (table.columns < 3 || row >= table.rows())
             throw InputError(
-                line_of(file, ": row ", requested, " given of ", size, ", expected one of an areal matrix"),
-                "row");
-        account.say(line_of("row ", requested, " of ", size));
+                line_of(file, ": row ", requested, " of ", size, " is not a row of an areal matrix"), "row");
+        account.say("row ", requested, " of ", size);
     }
     const auto first = table.cells.begin() + static_cast<std::ptrdiff_t>(row * table.columns);
     table.cells = {first, first + static_cast<std::ptrdiff_t>(table.columns)};
@@ -220,12 +205,11 @@ void take_row(Table& table, Index requested, const std::string& file, Account& a
     table.columns = 1;
 }
 
-/// The unit of each column: its header's, else the one given, else mm.
 struct Units {
     LengthUnit x, height;
 };
 
-/// The unit or the two that were given; nothing where none was.
+/// The given unit or units; nothing if none is given.
 std::optional<Units> given_units(const ScanOptions& options) {
     if (options.unit.empty())
         return std::nullopt;
@@ -237,44 +221,39 @@ std::optional<Units> given_units(const ScanOptions& options) {
 
 void agree(const LengthUnit& named, const LengthUnit& given, const char* what, const std::string& file) {
     if (named.in_mm != given.in_mm)
-        throw InputError(file + ": its header gives " + what + " in " + named.name +
-                         ", but the unit given is " + given.name);
+        refuse(file, ": its header gives ", what, " in ", named.name, ", but the given unit is ", given.name,
+               "; omit the unit");
 }
 
+/// The unit of each column: from its header, else the given one, else mm.
 Units units_of(const Header& header, const Layout& layout, const ScanOptions& options,
                const std::string& file, Account& account) {
-    const auto named = [&](std::size_t column, const std::optional<LengthUnit>& by_key) {
-        return column != no_column && column < header.units.size() && header.units[column]
-                   ? header.units[column]
-                   : by_key;
-    };
-    const bool has_x = layout.x != no_column;
-    const auto x = named(layout.x, header.x_unit), height = named(layout.height, header.height_unit);
     const std::optional<Units> given = given_units(options);
+    const bool has_x = layout.x != no_column;
+    const auto named = [&](std::size_t column, const std::optional<LengthUnit>& by_key) {
+        const bool has_name = column < header.units.size();
+        const auto unit = has_name && header.units[column] ? header.units[column] : by_key;
+        if (!given && !unit && has_name && !header.unknown_units[column].empty())
+            throw InputError(file + ": a column in '" + header.unknown_units[column] +
+                                 "', which is not a known length unit; correct it, or give one",
+                             "unit");
+        return unit;
+    };
+    const auto x = named(layout.x, header.x_unit), height = named(layout.height, header.height_unit);
     if (given && height && (!has_x || x)) {
         if (has_x)
             agree(*x, given->x, "x", file);
         agree(*height, given->height, "heights", file);
     }
-    const auto expect_known = [&](std::size_t column, bool is_known) {
-        if (!given && !is_known && column < header.unknown_units.size() &&
-            !header.unknown_units[column].empty())
-            throw InputError(file + ": a column in '" + header.unknown_units[column] +
-                                 "', expected a known length unit there, or one given",
-                             "unit");
-    };
-    expect_known(layout.x, x.has_value());
-    expect_known(layout.height, height.has_value());
     const Units rest = given.value_or(Units{{"mm", 1}, {"mm", 1}});
     const std::string source = given ? " (given)" : " (assumed)";
     const Units units{x.value_or(rest.x), height.value_or(rest.height)};
-    std::string said = has_x ? "x in " + units.x.name + (x ? "" : source) + ", " : "";
-    said += "heights in " + units.height.name + (height ? "" : source);
-    account.say(said);
+    account.say(has_x ? "x in " + units.x.name + (x ? "" : source) + ", " : "", "heights in ",
+                units.height.name, height ? "" : source);
     return units;
 }
 
-/// mm; 0: none
+/// The given spacing in mm; 0: none.
 double spacing_given(const ScanOptions& options) {
     const auto units = given_units(options);
     return options.spacing * (units ? units->x.in_mm : 1);
@@ -282,8 +261,8 @@ double spacing_given(const ScanOptions& options) {
 
 void agree(double from_header, double given, const std::string& file) {
     if (given > 0 && from_header > 0 && std::abs(given - from_header) > 1e-3 * from_header)
-        throw InputError(file + ": its header gives a spacing of " + short_number(from_header) +
-                         " mm, but the spacing given is " + short_number(given) + " mm");
+        refuse(file, ": its header gives a spacing of ", from_header, " mm, but the given spacing is ", given,
+               " mm; omit it");
 }
 
 /// The spacing of a one-column file in mm, from the caller or the header.
@@ -296,36 +275,11 @@ double spacing_of(const Header& header, const ScanOptions& options, std::size_t 
     const double given = spacing_given(options);
     agree(from_header, given, file);
     if (!(given > 0) && !(from_header > 0))
-        throw InputError(file + ": one column of heights, expected a spacing with it", "spacing");
+        throw InputError(file + ": one column of heights without a spacing; give the spacing", "spacing");
     return from_header > 0 ? from_header : given;
 }
 
-Points points_in_mm(const Table& table, const Header& header, const Layout& layout, const Units& units,
-                    double spacing) {
-    Points points;
-    points.line = table.line;
-    const bool even = layout.x == no_column;
-    points.spacing = even ? spacing : 0;
-    for (auto* list : {&points.heights, &points.x, &points.last_digit})
-        list->reserve(even && list != &points.heights ? 0 : table.rows());
-    for (std::size_t i = 0; i < table.rows(); ++i) {
-        const double height = table.at(i, layout.height).value;
-        const bool valid = layout.validity == no_column || table.at(i, layout.validity).value == 1;
-        points.heights.push_back(valid ? height * header.height_factor * units.height.in_mm : std::nan(""));
-        if (even)
-            continue;
-        points.x.push_back(table.at(i, layout.x).value * units.x.in_mm);
-        points.last_digit.push_back(table.at(i, layout.x).last_digit * units.x.in_mm);
-    }
-    return points;
-}
-
-void say_announced(long announced, std::size_t found, Account& account) {
-    if (announced >= 0 && announced != static_cast<long>(found))
-        account.say(line_of("the file announces ", announced, " points"));
-}
-
-/// The row of a map that is asked for, or its only one.
+/// The points of a map: its only row, or the requested one.
 Points points_of(const HeightMap& map, const ScanOptions& options, const std::string& file,
                  Account& account) {
     if (const auto units = given_units(options))
@@ -333,12 +287,12 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     agree(map.spacing, spacing_given(options), file);
     const std::string size = line_of(map.rows, " rows of ", map.columns(), " heights");
     if (map.rows == 1 && options.row > 0)
-        throw InputError(file + ": a row given, expected none: " + map.format + " holds one profile", "row");
+        throw InputError(file + ": " + map.format + " contains one profile; omit the row", "row");
     if (map.rows > 1 && (options.row < 1 || options.row > map.rows))
-        throw InputError(
-            line_of(file, ": an areal map of ", size, ", expected the row to take, 1 to ", map.rows), "row");
-    account.say(map.format + ", heights in " + map.height_unit.name +
-                (map.rows > 1 ? "; row " + std::to_string(options.row) + " of " + size : ""));
+        throw InputError(line_of(file, ": an areal map of ", size, "; give the row to take, 1 to ", map.rows),
+                         "row");
+    account.say(map.format, ", heights in ", map.height_unit.name,
+                map.rows > 1 ? line_of("; row ", options.row, " of ", size) : "");
     const Index first = map.columns() * std::max<Index>(options.row - 1, 0);
     Points points;
     points.spacing = map.spacing;
@@ -346,7 +300,8 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
         points.heights.push_back(map.heights[i] * map.height_factor * map.height_unit.in_mm);
     if (!map.line.empty())
         points.line.assign(map.line.begin() + first, map.line.begin() + first + map.columns());
-    say_announced(map.announced, points.size(), account);
+    if (map.announced >= 0 && map.announced != map.columns())
+        account.say("the file announces ", map.announced, " points");
     return points;
 }
 
@@ -358,13 +313,27 @@ Points points_of(const std::vector<std::string_view>& lines, const ScanOptions& 
     take_row(table, options.row, file, account);
     const Layout layout = layout_of(table, header, options.spacing > 0, file);
     const Units units = units_of(header, layout, options, file, account);
-    const double spacing = layout.x == no_column ? spacing_of(header, options, table.rows(),
-                                                              header.x_unit.value_or(units.height), file)
-                                                 : 0;
-    Points points = points_in_mm(table, header, layout, units, spacing);
-    say_announced(table.announced, points.size(), account);
-    if (table.announced == static_cast<long>(points.size()) && table.columns == 1)
+    const bool has_x = layout.x != no_column;
+    Points points;
+    if (!has_x)
+        points.spacing =
+            spacing_of(header, options, table.rows(), header.x_unit.value_or(units.height), file);
+    for (auto* list : {&points.heights, &points.x, &points.last_digit})
+        list->reserve(has_x || list == &points.heights ? table.rows() : 0);
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        const double height = table.at(i, layout.height).value;
+        const bool valid = layout.validity == no_column || table.at(i, layout.validity).value == 1;
+        points.heights.push_back(valid ? height * header.height_factor * units.height.in_mm : missing);
+        if (has_x) {
+            points.x.push_back(table.at(i, layout.x).value * units.x.in_mm);
+            points.last_digit.push_back(table.at(i, layout.x).last_digit * units.x.in_mm);
+        }
+    }
+    if (table.announced >= 0 && table.announced != static_cast<long>(points.size()))
+        account.say("the file announces ", table.announced, " points");
+    else if (table.announced >= 0 && table.columns == 1)
         account.say("the first line is read as the number of points");
+    points.line = std::move(table.line);
     return points;
 }
 
@@ -374,11 +343,11 @@ Points in_order(Points points, bool fills, const std::string& file, Account& acc
         refuse_missing(points, file);
     const std::size_t all = points.size();
     if (const std::size_t filled = fill(points))
-        account.say(counted(filled, "missing height") + " filled linearly");
-    if (const std::size_t left_out = all - points.size())
-        account.say(counted(left_out, "incomplete point") + " left out");
+        account.say(counted(filled, "missing height"), " filled linearly");
+    if (const std::size_t removed = all - points.size())
+        account.say(counted(removed, "incomplete point"), " left out");
     if (points.size() < 2)
-        throw InputError(file + ": " + counted(points.size(), "point") + ", expected 2 or more");
+        refuse(file, ": ", counted(points.size(), "point"), "; give 2 or more");
     if (points.at(0) <= points.at(points.size() - 1))
         return points;
     account.say("x runs backwards, reversed");
@@ -393,7 +362,7 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
     const Index all = static_cast<Index>(points.size());
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)
-            account.say("spacing even within " + short_number(fit.deviation) +
+            account.say("spacing even within ", fit.deviation,
                         " mm of rounding, read as evenly spaced; heights are unchanged");
         return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
     }
@@ -404,27 +373,27 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
             x[i] = fit.first + fit.spacing * static_cast<double>(i);
     for (std::size_t i = 1; i < x.size(); ++i)
         if (!(x[i] > x[i - 1]))
-            throw InputError(at(file, points.line_of(i)) + ": x does not grow (" + short_number(x[i]) +
-                             " mm after " + short_number(x[i - 1]) + " mm), expected x in order");
+            refuse(at(file, points.line_of(i)), ": x does not grow (", x[i], " mm after ", x[i - 1],
+                   " mm); put the points in order of x");
     if (!fit.even) {
         std::vector<double> steps(x.size());
         std::adjacent_difference(x.begin(), x.end(), steps.begin());
         const auto [shortest, longest] = std::minmax_element(steps.begin() + 1, steps.end());
-        account.say("spacing uneven (" + short_number(*shortest) + " to " + short_number(*longest) + " mm)");
+        account.say("spacing uneven (", *shortest, " to ", *longest, " mm)");
     }
     const Index count = nodes == 0 ? all : nodes;
-    account.say("resampled linearly to " + std::to_string(count) + " even nodes");
+    account.say("resampled linearly to ", count, " even nodes");
     return resampled(x, points.heights, count);
 }
 
-/// Finds what stands out, says so, and removes it if `remove` is set. Gives the nodes that are kept.
+/// Finds outliers and, if `remove` is set, replaces them. Returns the ones that are kept.
 std::vector<Index> take_outliers(Profile& profile, bool remove, Account& account) {
     std::vector<Index> found = outliers(profile.heights);
     if (found.empty())
         return found;
-    account.say(counted(found.size(), "outlier") +
-                " (at x = " + short_number(profile.spacing * static_cast<double>(found.front())) +
-                (found.size() == 1 ? " mm" : " mm and on") + ") " + (remove ? "replaced linearly" : "kept"));
+    account.say(counted(found.size(), "outlier"), " (", found.size() == 1 ? "at" : "from",
+                " x = ", profile.spacing * static_cast<double>(found.front()), " mm) ",
+                remove ? "replaced linearly" : "kept");
     if (!remove)
         return found;
     profile.heights = interpolated(profile.heights, found);
@@ -436,14 +405,14 @@ void check(const ScanOptions& options) {
          {std::pair(options.spacing, "spacing"), std::pair(options.lambda_s, "lambda-s"),
           std::pair(options.lambda_c, "lambda-c")})
         if (!(length >= 0) || !std::isfinite(length))
-            refuse_value(name, length, ", expected a length above 0");
+            refuse_value(name, length, " is not a length above 0");
     if (options.lambda_c > 0 && options.lambda_s >= options.lambda_c)
-        refuse_value("lambda-s", options.lambda_s, " mm, expected less than lambda-c, ", options.lambda_c,
+        refuse_value("lambda-s", options.lambda_s, " mm is not less than lambda-c, ", options.lambda_c,
                      " mm");
     if (options.row < 0)
-        refuse("row: ", options.row, ", expected 1 or more");
+        refuse("row: ", options.row, " is out of range (1 or more)");
     if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))
-        refuse("nodes: ", options.nodes, ", expected 2 to 1e7");
+        refuse("nodes: ", options.nodes, " is out of range (2 to 1e7)");
 }
 
 } // namespace
@@ -471,29 +440,28 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     const double size = profile.heights.cwiseAbs().maxCoeff();
     const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
     if (!std::isfinite(size * size) || !std::isfinite(length))
-        throw InputError(file + ": heights up to " + short_number(size) + " mm over " + short_number(length) +
-                         " mm, expected lengths whose squares fit double precision");
+        refuse(file, ": heights up to ", size, " mm over ", length,
+               " mm, too large for double precision; check the unit");
     std::vector<Index> kept = take_outliers(profile, options.remove_outliers, account);
     profile.heights = detrended(profile, options.detrend);
-    const std::string removed =
-        (options.detrend == Detrend::none ? "nothing" : std::string(name_of(options.detrend))) + " removed";
-    account.say(removed);
+    const std::string removed = options.detrend == Detrend::none ? "nothing" : name_of(options.detrend);
+    account.say(removed, " removed");
     if (options.lambda_s > 0) {
         profile.heights = low_passed(profile, options.lambda_s);
-        account.say("waves under lambda_s = " + short_number(options.lambda_s) + " mm taken off");
+        account.say("waves under lambda_s = ", options.lambda_s, " mm removed");
     }
     if (options.lambda_c > 0) {
         profile.heights -= low_passed(profile, options.lambda_c);
-        account.say("waves over lambda_c = " + short_number(options.lambda_c) + " mm taken off");
+        account.say("waves over lambda_c = ", options.lambda_c, " mm removed");
     }
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
     if (!(range > 1e-12 * size))
-        throw InputError(file + ": the heights are constant (" + removed + "), expected a rough profile");
+        refuse(file, ": the heights are constant (", removed, " removed); give a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
-    return {std::move(profile),
-            file + ": " + counted(read, "point") + ", length " + short_number(length) + " mm, height range " +
-                short_number(range) + " mm, rms " + short_number(rms) + " mm; " + account.text,
-            std::move(kept)};
+    PlainStream said;
+    said << file << ": " << counted(read, "point") << ", length " << length << " mm, height range " << range
+         << " mm, rms " << rms << " mm; " << account.text.str();
+    return {std::move(profile), said.str(), std::move(kept)};
 }
 
 } // namespace rough

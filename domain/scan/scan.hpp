@@ -8,33 +8,34 @@
 
 namespace rough {
 
-/// How a file is to be read.
+/// Options for reading a scan.
 struct ScanOptions {
-    /// unit of the columns whose header names none, e.g. "um", or one for x and one for heights, "mm,um";
-    /// empty: none given, mm is assumed
+    /// unit of columns whose header does not name one, e.g. "um", or one for x and one for heights, "mm,um";
+    /// empty: not given, so mm is assumed
     std::string unit = {};
-    double spacing = 0; ///< distance of a one-column file's points, in x's `unit` (mm without); 0: none given
-    Detrend detrend = Detrend::line; ///< what is taken off the heights
+    double spacing = 0; ///< distance of a one-column file's points, in x's `unit` (else mm); 0: not given
+    Detrend detrend = Detrend::line; ///< form to remove from the heights
     bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
-    Index row = 0;     ///< of an areal map, the row to take, 1 the first; 0: the file is no map
-    Index nodes = 0;   ///< resample to that many even nodes, >= 2; 0: as many as the file has points
-    bool remove_outliers = false; ///< put what the nodes around foretell in the place of outliers
-    /// cut-off of the Gaussian filter that takes off shorter waves, after the form, mm; 0: none
+    Index row = 0;     ///< row of an areal map to take, from 1; 0: the file has a profile
+    Index nodes = 0;   ///< even nodes to resample to, >= 2; 0: as many as the file has points
+    bool remove_outliers = false; ///< replace outliers by linear interpolation
+    /// cut-off of the Gaussian filter that removes shorter wavelengths, after the form, mm; 0: none
     double lambda_s = 0;
-    double lambda_c = 0; ///< of the one that takes off longer waves, mm; 0: none
+    double lambda_c = 0; ///< cut-off of the filter that removes longer wavelengths, mm; 0: none
 };
 
-/// A measured profile, ready for contact, and what was read and done, in one line.
+/// A measured profile, ready for contact.
 struct Scan {
-    Profile profile;     ///< mm, even spacing, x growing, detrended
-    std::string account; ///< points, length, height range, rms, units, resampling, filling, detrending
-    std::vector<Index> outliers; ///< nodes that stand out and were kept
+    Profile profile; ///< mm, even spacing, x growing, detrended
+    std::string
+        account; ///< one line: points, length, height range, rms, units, resampling, filling, detrending
+    std::vector<Index> outliers; ///< outlying nodes that were kept
 };
 
-/// Reads a measured line scan: from a text file one column of heights, or x and height, or those with a
-/// running index before them or a validity column (0 or 1) behind; from an instrument's own format a profile
-/// or a row of a map. See domain/scan/README.md for what is understood. Throws InputError with one line that
-/// names the file, the line and what was expected.
+/// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or x and
+/// height, optionally with a running index before them or a validity column (0 or 1) after them. From an
+/// instrument's format it takes a profile or a row of a map. Throws InputError with one line that names the
+/// file, the line and the fault.
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
 } // namespace rough

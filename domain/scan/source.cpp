@@ -6,23 +6,19 @@
 namespace rough {
 
 Grid Source::grid(bool periodic) const {
-    Grid own;
-    own.periodic = periodic;
-    own.length = length;
-    if (!genome) {
-        own.nodes = measured.nodes();
-        own.length = measured.spacing * static_cast<double>(periodic ? own.nodes : own.nodes - 1);
-    }
-    return own;
+    if (genome)
+        return {.length = length, .periodic = periodic};
+    const Index nodes = measured.nodes();
+    return {nodes, measured.spacing * static_cast<double>(periodic ? nodes : nodes - 1), periodic};
 }
 
 Profile Source::on(const Grid& wanted) const {
     if (genome)
         return sample(*genome, wanted);
     if (wanted.nodes != measured.nodes())
-        throw InputError(name + ": a grid of " + std::to_string(wanted.nodes) +
-                             " nodes given, expected one of the scan's " + std::to_string(measured.nodes()),
-                         "nodes");
+        throw InputError(
+            line_of(name, ": a grid of ", wanted.nodes, " nodes; use the scan's ", measured.nodes()),
+            "nodes");
     Profile profile = measured;
     if (wanted.length != grid(wanted.periodic).length)
         profile.spacing = wanted.spacing();
@@ -36,11 +32,11 @@ Source open_genome(const std::filesystem::path& file) {
 
 Source open_scan(const std::filesystem::path& file, const ScanOptions& options) {
     Scan scan = read_scan(file, options);
-    Source source{file.string(), {}};
-    source.measured = std::move(scan.profile);
-    source.account = std::move(scan.account);
-    source.outliers = std::move(scan.outliers);
-    return source;
+    return {.name = file.string(),
+            .genome = {},
+            .measured = std::move(scan.profile),
+            .account = std::move(scan.account),
+            .outliers = std::move(scan.outliers)};
 }
 
 } // namespace rough

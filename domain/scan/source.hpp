@@ -7,28 +7,27 @@
 
 namespace rough {
 
-/// A line profile as a file gives it: a genome, with a height everywhere, or a measured scan. Lengths in mm.
+/// A line profile from a file: a genome, which has a height at every x, or a measured scan. Lengths in mm.
 struct Source {
-    std::string name;                 ///< of the file
+    std::string name;                 ///< path of the file
     std::optional<Genome> genome;     ///< nothing for a scan
-    double length = standard_length;  ///< L of a genome; a scan has that of its points
+    double length = standard_length;  ///< L of a genome; not used for a scan
     Profile measured = {};            ///< a scan's even nodes; empty for a genome
-    std::string account = {};         ///< what was read of a scan and done to it, in one line
-    std::vector<Index> outliers = {}; ///< nodes of a scan that stand out and were kept
+    std::string account = {};         ///< one line on how a scan was read and changed
+    std::vector<Index> outliers = {}; ///< outlying nodes of a scan that were kept
 
-    /// The grid that it brings along: a scan's own points, 512 nodes for a genome. `periodic` for the
-    /// periodic kernel.
+    /// The file's grid: a scan's points, 512 nodes for a genome. `periodic` for the periodic kernel.
     Grid grid(bool periodic = false) const;
 
-    /// Its heights on a grid: a genome's waves, or a scan's points, drawn out to the grid's length where that
-    /// is not their own. Throws InputError where the grid has not as many nodes as the scan.
+    /// Heights on a grid: a genome's waves, or a scan's points, stretched to the grid's length if it differs.
+    /// Throws InputError if the grid and the scan have different numbers of nodes.
     Profile on(const Grid& grid) const;
 };
 
-/// Opens a genome file (JSON). Throws InputError as read_genome_file does.
+/// Opens a genome file (JSON). Throws InputError as read_genome_file.
 Source open_genome(const std::filesystem::path& file);
 
-/// Opens a measured scan (text). Throws InputError as read_scan does.
+/// Opens a measured scan (text). Throws InputError as read_scan.
 Source open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
 
 } // namespace rough

@@ -12,15 +12,15 @@ namespace rough {
 namespace {
 
 constexpr std::size_t max_rows = 10'000'000, max_cells = 20'000'000;
-constexpr std::size_t max_scan_columns =
-    3; ///< x, height and validity, or an index before two; more are a matrix
+/// Most columns of a scan: x, height and validity, or an index before two columns. More columns are a matrix.
+constexpr std::size_t max_scan_columns = 3;
 
-/// A line of blanks, or of a spreadsheet's empty cells.
+/// Whether a line has only blanks, or a spreadsheet's empty cells.
 bool empty_line(std::string_view line) {
     return line.find_first_not_of(" \t\v\f;,") == std::string_view::npos;
 }
 
-/// The text after a line's comment mark; nothing where the line is no comment.
+/// The text after a line's comment mark; nothing if the line is not a comment.
 std::optional<std::string_view> comment(std::string_view line) {
     line = trim(line);
     constexpr std::array<std::string_view, 6> marks{"#", "%", "!", "//", "*", "'"};
@@ -29,7 +29,7 @@ std::optional<std::string_view> comment(std::string_view line) {
     return trim(line.substr(std::min(line.find_first_not_of("#%!/*' \t"), line.size())));
 }
 
-/// A row without the comment behind it.
+/// A row without the comment after it.
 std::string_view without_remark(std::string_view line) {
     for (std::size_t i = 1; i < line.size(); ++i)
         if ((line[i] == '#' || line[i] == '%') && (line[i - 1] == ' ' || line[i - 1] == '\t'))
@@ -37,13 +37,13 @@ std::string_view without_remark(std::string_view line) {
     return line;
 }
 
-/// How many numbers a line has; none if it is no row.
+/// The number of numbers in a line; 0 if it is not a row.
 struct RowSize {
     std::size_t cells = 0;
-    bool any_number = false; ///< one of them is not missing
+    bool any_number = false; ///< at least one is not missing
 };
 
-/// Visits the numbers of a line up to the first cell that is none.
+/// Visits the numbers of a line up to the first cell that is not a number.
 template <class Visit>
 RowSize visit_row(std::string_view line, const Dialect& dialect, Visit visit) {
     RowSize size;
@@ -71,24 +71,10 @@ struct Guess {
     std::size_t columns = 0;
 };
 
-/// How many of the lines a dialect reads as rows, and their commonest width.
-Guess read_with(const Dialect& dialect, const std::vector<std::string_view>& lines) {
-    std::map<std::size_t, std::size_t> widths;
-    Guess guess{dialect, 0, 0};
-    for (std::string_view line : lines)
-        if (const RowSize row = size_of_row(line, dialect); row.any_number) {
-            ++guess.rows;
-            ++widths[row.cells];
-        }
-    for (const auto& [width, count] : widths)
-        if (guess.columns == 0 || count >= widths[guess.columns])
-            guess.columns = width;
-    return guess;
-}
-
+/// The dialect that reads the most lines as rows, with their commonest width.
 Guess best_guess(const std::vector<std::string_view>& lines, bool one_column) {
     using enum Dialect::Separator;
-    // The end of a file is its table; a thousand lines of it tell the dialect.
+    // The end of a file is its table, and a thousand lines of it show the dialect.
     std::vector<std::string_view> sample;
     for (std::size_t i = lines.size(); i-- > 0 && sample.size() < 1000;)
         if (!empty_line(lines[i]) && !comment(lines[i]))
@@ -104,7 +90,16 @@ Guess best_guess(const std::vector<std::string_view>& lines, bool one_column) {
     const std::size_t wanted = one_column ? 1 : 2;
     Guess best;
     for (const Dialect& dialect : dialects) {
-        const Guess guess = read_with(dialect, sample);
+        std::map<std::size_t, std::size_t> widths;
+        Guess guess{dialect, 0, 0};
+        for (const std::string_view line : sample)
+            if (const RowSize row = size_of_row(line, dialect); row.any_number) {
+                ++guess.rows;
+                ++widths[row.cells];
+            }
+        for (const auto& [width, count] : widths)
+            if (guess.columns == 0 || count >= widths[guess.columns])
+                guess.columns = width;
         if (guess.rows > best.rows ||
             (guess.rows == best.rows && best.columns != wanted && guess.columns == wanted))
             best = guess;
@@ -112,15 +107,15 @@ Guess best_guess(const std::vector<std::string_view>& lines, bool one_column) {
     return best;
 }
 
-/// A lone count of points before the rows: of a wider table, or of as many single heights as follow.
+/// Whether the last cell is a count of points before the rows: of a wider table, or of as many single heights
+/// as follow.
 bool is_count(const Table& table, std::size_t cells, std::size_t rows_left) {
     if (table.rows() > 0 || cells != 1 || table.announced >= 0)
         return false;
     const auto& [value, last_digit] = table.cells.back();
-    if (!(value >= 1) || value != std::floor(value) || last_digit != 1 ||
-        value > static_cast<double>(max_rows))
-        return false;
-    return table.columns > 1 || value == static_cast<double>(rows_left);
+    return value >= 1 && value == std::floor(value) && last_digit == 1 &&
+           value <= static_cast<double>(max_rows) &&
+           (table.columns > 1 || value == static_cast<double>(rows_left));
 }
 
 struct Entry {
@@ -148,30 +143,33 @@ std::optional<Entry> entry(std::string_view line) {
 constexpr std::string_view unit_keys = " unit units lengthunit lengthunits einheit ";
 constexpr std::string_view spacing_keys =
     " spacing samplespacing pointspacing xspacing step stepsize xstep dx deltax pixelsize increment "
-    "xincrement "
-    "pitch samplingpitch samplinginterval sampleinterval pointdistance sampledistance xscale ";
+    "xincrement pitch samplingpitch samplinginterval sampleinterval pointdistance sampledistance xscale ";
 constexpr std::string_view width_keys = " width xlength breite ";
 
-/// Which columns a key like "x-unit", "Height units" or "Unit" speaks of.
+/// The columns whose unit a key like "x-unit", "Height units" or "Unit" gives.
 enum class UnitOf { nothing, all, x, height };
 UnitOf unit_key(const std::string& key) {
     if (is_in(unit_keys, key))
         return UnitOf::all;
-    const auto names = [&](std::initializer_list<std::string_view> parts) {
-        return std::any_of(parts.begin(), parts.end(),
-                           [&](auto part) { return key.find(part) != std::string::npos; });
-    };
     std::string rest = key;
     const std::size_t place = rest.find("unit");
     if (place == std::string::npos)
         return UnitOf::nothing;
     rest.erase(place, rest.substr(place).starts_with("units") ? 5 : 4);
-    if (rest == "x" || rest == "xaxis" || names({"lateral", "horizontal", "position"}))
+    const auto holds = [&](std::initializer_list<std::string_view> parts) {
+        return std::any_of(parts.begin(), parts.end(),
+                           [&](auto part) { return key.find(part) != std::string::npos; });
+    };
+    if (is_in(" x xaxis ", rest) || holds({"lateral", "horizontal", "position"}))
         return UnitOf::x;
-    if (rest == "z" || rest == "y" || rest == "zaxis" || rest == "yaxis" ||
-        names({"height", "value", "vertical"}))
-        return UnitOf::height;
-    return UnitOf::nothing;
+    return is_in(" z y zaxis yaxis ", rest) || holds({"height", "value", "vertical"}) ? UnitOf::height
+                                                                                      : UnitOf::nothing;
+}
+
+/// The content of a text in brackets, else the text.
+std::string_view without_brackets(std::string_view text) {
+    const bool brackets = text.size() > 2 && (text.front() == '[' || text.front() == '(');
+    return brackets ? text.substr(1, text.size() - 2) : text;
 }
 
 /// "0.5 um", "0,5 µm", "0.156 um/sample".
@@ -181,43 +179,32 @@ std::optional<HeaderLength> length_of(std::string_view value) {
     const auto size = number(trim(value.substr(0, end)), Dialect{Dialect::Separator::blanks, comma});
     if (!size || !(size->value > 0))
         return std::nullopt;
-    std::string_view unit = trim(value.substr(end));
-    unit = unit.substr(0, unit.find('/'));
-    if (unit.size() > 2 && (unit.front() == '[' || unit.front() == '('))
-        unit = unit.substr(1, unit.size() - 2);
-    return HeaderLength{size->value, length_unit(unit)};
+    const std::string_view unit = trim(value.substr(end));
+    return HeaderLength{size->value, length_unit(without_brackets(unit.substr(0, unit.find('/'))))};
 }
 
-/// "heightconversionfactor(->m)": its unit in mm; 0 where the key is another.
+/// The unit in mm of "heightconversionfactor(->m)"; 0 for another key.
 double conversion_unit(const std::string& key, const std::string& where) {
-    constexpr std::string_view start = "heightconversionfactor(";
-    if (!key.starts_with(start))
-        return 0;
     const std::size_t word = key.find('>') + 1, end = key.find(')');
-    if (word == 0 || end == std::string::npos || end < word)
+    if (!key.starts_with("heightconversionfactor(") || word == 0 || end == std::string::npos || end < word)
         return 0;
     return length_unit_named(std::string_view(key).substr(word, end - word), where).in_mm;
-}
-
-double positive(const Entry& entry, const std::string& where) {
-    const auto value = number(entry.value, Dialect{});
-    if (!value || !(value->value > 0))
-        throw InputError(where + ": " + entry.key + " is '" + std::string(entry.value) +
-                         "', expected a number above 0");
-    return value->value;
 }
 
 void take(Header& header, const Entry& entry, const std::string& where) {
     if (const UnitOf of = unit_key(entry.key); of != UnitOf::nothing) {
         const auto units = length_units_in(entry.value, where);
         if (units.empty())
-            throw InputError(where + ": '" + std::string(entry.value) + "' names no length unit");
+            refuse(where, ": '", entry.value, "' has no length unit; write one, as in 'unit: um'");
         if (of != UnitOf::height)
             header.x_unit = units.front();
         if (of != UnitOf::x)
             header.height_unit = units.back();
-    } else if (const double in_mm = conversion_unit(entry.key, where)) {
-        header.height_factor = positive(entry, where);
+    } else if (const double in_mm = conversion_unit(entry.key, where); in_mm > 0) {
+        const auto factor = number(entry.value, Dialect{});
+        if (!factor || !(factor->value > 0))
+            refuse(where, ": ", entry.key, " '", entry.value, "' is not a number above 0");
+        header.height_factor = factor->value;
         header.height_unit = LengthUnit{"m", in_mm};
     } else if (is_in(width_keys, entry.key)) {
         header.width = length_of(entry.value);
@@ -227,7 +214,7 @@ void take(Header& header, const Entry& entry, const std::string& where) {
     }
 }
 
-/// A line that speaks of numbers is no line of column names.
+/// Whether a line contains numbers, so that it is not a line of column names.
 bool holds_number(std::string_view line) {
     for (const auto separator :
          {Dialect::Separator::blanks, Dialect::Separator::semicolon, Dialect::Separator::comma})
@@ -237,58 +224,36 @@ bool holds_number(std::string_view line) {
     return false;
 }
 
-/// Splits at blanks, a bracketed unit going with the word before it.
-std::vector<std::string> words_with_units(std::string_view line) {
-    std::vector<std::string> cells;
-    for (std::string_view word : split(line, Dialect::Separator::blanks)) {
-        const bool unit = word.starts_with('[') || word.starts_with('(');
-        if (unit && !cells.empty() && cells.back().find_first_of("[(") == std::string::npos)
-            cells.back() += " " + std::string(word);
-        else
-            cells.emplace_back(word);
-    }
-    return cells;
-}
-
-/// The cells of a line of column names; empty where none of the separators gives one a column.
+/// The names in a line of column names; empty if no separator gives one name per column.
 std::vector<std::string> column_names(std::string_view line, const Dialect& dialect, std::size_t columns) {
     using enum Dialect::Separator;
-    for (const auto separator : {dialect.separator, semicolon, tab, comma}) {
-        if (separator == blanks)
-            continue;
-        const auto cells = split(line, separator);
-        if (cells.size() == columns)
+    for (const auto separator : {dialect.separator, semicolon, tab, comma})
+        if (const auto cells = split(line, separator); separator != blanks && cells.size() == columns)
             return {cells.begin(), cells.end()};
-    }
-    auto words = words_with_units(line);
+    std::vector<std::string> words; // a bracketed unit belongs to the word before it
+    for (std::string_view word : split(line, blanks))
+        if ((word.starts_with('[') || word.starts_with('(')) && !words.empty() &&
+            words.back().find_first_of("[(") == std::string::npos)
+            words.back() += " " + std::string(word);
+        else
+            words.emplace_back(word);
     return words.size() == columns ? words : std::vector<std::string>{};
 }
 
-/// The units that a line of column names gives, one a column.
-std::vector<std::optional<LengthUnit>> column_units(const TextLine& line, const Dialect& dialect,
+/// The units in a line of column names, one per column.
+std::vector<std::optional<LengthUnit>> column_units(std::string_view line,
+                                                    const std::vector<std::string>& names,
                                                     std::size_t columns, const std::string& where) {
-    std::vector<std::optional<LengthUnit>> units(columns);
-    std::string_view alone = trim(line.text);
-    if (alone.size() > 2 && (alone.front() == '[' || alone.front() == '('))
-        alone = alone.substr(1, alone.size() - 2);
-    if (const auto unit = length_unit(alone)) // one for all
-        return std::vector<std::optional<LengthUnit>>(columns, unit);
-    const auto names = column_names(line.text, dialect, columns);
+    std::vector<std::optional<LengthUnit>> units(columns, length_unit(without_brackets(trim(line))));
+    if (units.front()) // one for all
+        return units;
     for (std::size_t c = 0; c < names.size(); ++c)
         if (const auto found = length_units_in(names[c], where); !found.empty())
             units[c] = found.back();
-    if (!names.empty())
-        return units;
-    const auto found = length_units_in(line.text, where);
-    if (found.size() >= columns)
-        for (std::size_t c = 0; c < columns; ++c)
-            units[c] = found[c];
+    if (names.empty())
+        if (const auto found = length_units_in(line, where); found.size() >= columns)
+            std::copy_n(found.begin(), columns, units.begin());
     return units;
-}
-
-bool names_validity(const TextLine& line, const Dialect& dialect, std::size_t columns) {
-    const auto names = column_names(line.text, dialect, columns);
-    return !names.empty() && lower(names.back()).starts_with("valid");
 }
 
 } // namespace
@@ -296,7 +261,7 @@ bool names_validity(const TextLine& line, const Dialect& dialect, std::size_t co
 Table read_table(const std::vector<std::string_view>& lines, const std::string& file, bool one_column) {
     const Guess guess = best_guess(lines, one_column);
     if (guess.rows == 0)
-        throw InputError(file + ": holds no numbers, expected lines of x and height");
+        refuse(file, ": contains no numbers; give lines of x and height");
     Table table;
     table.dialect = guess.dialect;
     table.columns = guess.columns;
@@ -306,8 +271,8 @@ Table read_table(const std::vector<std::string_view>& lines, const std::string& 
             ++rows_left, cells += std::min(std::max(row.cells, std::min(table.columns, max_scan_columns)),
                                            table.columns);
     if (cells > max_cells || table.columns > max_rows)
-        throw InputError(file + ": more than " +
-                         (cells > max_cells ? "2e7 numbers" : "1e7 numbers in a line") + ", expected fewer");
+        refuse(file, ": more than ", cells > max_cells ? "2e7 numbers" : "1e7 numbers in a line",
+               "; give fewer");
     table.cells.reserve(cells);
     table.line.reserve(rows_left);
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -331,19 +296,18 @@ Table read_table(const std::vector<std::string_view>& lines, const std::string& 
             table.cells.resize(before);
         } else if (is_row) {
             if (row.cells > table.columns || (row.cells < table.columns && table.columns > max_scan_columns))
-                throw InputError(at(file, line) + ": " + std::to_string(row.cells) + " columns, expected " +
-                                 std::to_string(table.columns) + " as in the other rows");
+                refuse(at(file, line), ": ", row.cells, " columns, but the other rows have ", table.columns,
+                       "; correct this row");
             if (table.rows() == max_rows)
-                throw InputError(at(file, line) + ": more than 1e7 points");
+                refuse(at(file, line), ": more than 1e7 points; give fewer");
             table.cells.resize(before + table.columns, Number{std::nan(""), 0});
             table.line.push_back(line);
         } else if (table.rows() == 0) {
             table.cells.resize(before);
             table.header.push_back({line, lines[i]});
         } else {
-            throw InputError(at(file, line) + ": '" + std::string(trim(lines[i])).substr(0, 60) +
-                             "', expected " + std::to_string(table.columns) +
-                             (table.columns == 1 ? " number" : " numbers"));
+            refuse(at(file, line), ": '", trim(lines[i]).substr(0, 60), "' is not a row of ", table.columns,
+                   table.columns == 1 ? " number" : " numbers");
         }
     }
     return table;
@@ -351,30 +315,28 @@ Table read_table(const std::vector<std::string_view>& lines, const std::string& 
 
 Header read_header(const Table& table, const std::string& file) {
     const std::vector<TextLine>& lines = table.header;
-    const Dialect& dialect = table.dialect;
     const std::size_t columns =
-        table.columns <= max_scan_columns ? table.columns : 1; // a matrix has one unit
+        table.columns <= max_scan_columns ? table.columns : 1; // one unit for a matrix
     Header header;
     header.units.resize(columns);
     header.unknown_units.resize(columns);
     for (const TextLine& line : lines)
         if (const auto read = entry(line.text))
             take(header, *read, at(file, line.number));
-    // The names stand right above the table, their units with them or in a line of their own.
-    std::size_t looked = 0;
-    for (auto line = lines.rbegin(); line != lines.rend() && looked < 3; ++line, ++looked) {
+    // The names are right above the table, their units with them or in a line below.
+    for (auto line = lines.rbegin(); line != lines.rend() && line - lines.rbegin() < 3; ++line) {
         const auto read = entry(line->text);
         if (holds_number(line->text) || (read && unit_key(read->key) != UnitOf::nothing))
             break;
-        const auto units = column_units(*line, dialect, columns, at(file, line->number));
-        const auto names = column_names(line->text, dialect, columns);
+        const auto names = column_names(line->text, table.dialect, columns);
+        const auto units = column_units(line->text, names, columns, at(file, line->number));
         for (std::size_t c = 0; c < columns; ++c) {
             if (!header.units[c])
                 header.units[c] = units[c];
             if (!names.empty() && header.unknown_units[c].empty())
                 header.unknown_units[c] = unknown_unit_in(names[c]);
         }
-        header.validity_column |= names_validity(*line, dialect, columns);
+        header.validity_column |= !names.empty() && lower(names.back()).starts_with("valid");
     }
     return header;
 }

@@ -9,7 +9,7 @@
 namespace rough {
 namespace {
 
-/// A unit by the name that accounts print, and how it may be spelled; lower case.
+/// A unit: the name that accounts print, and its spellings in lower case.
 struct KnownUnit {
     std::string_view name;
     double in_mm;
@@ -49,35 +49,33 @@ struct Word {
     char before; ///< the character before it; '\n' at the start
 };
 
-/// Words, a bracketed group being one word whatever it holds.
+/// The words of a header; a bracketed group is one word.
 std::vector<Word> words_of(std::string_view header) {
     std::vector<Word> words;
     std::size_t start = 0;
-    const auto end_word = [&](std::size_t end) {
+    const auto end_word = [&](std::size_t end, std::size_t next) {
         if (end > start)
             words.push_back({header.substr(start, end - start), start > 0 ? header[start - 1] : '\n'});
+        start = next;
     };
     for (std::size_t i = 0; i < header.size(); ++i) {
         if (std::string_view("[({<").find(header[i]) != std::string_view::npos) {
             const std::size_t close = header.find_first_of("])}>", i);
             if (close == std::string_view::npos)
                 continue;
-            end_word(i);
-            start = i;
-            end_word(close + 1);
-            start = close + 1;
+            end_word(i, i);
+            end_word(close + 1, close + 1);
             i = close;
         } else if (std::string_view(" \t,;:_\"'").find(header[i]) != std::string_view::npos) {
-            end_word(i);
-            start = i + 1;
+            end_word(i, i + 1);
         }
     }
-    end_word(header.size());
+    end_word(header.size(), header.size());
     return words;
 }
 
-/// "x / m", "x in m", "x_m": there a single letter is a unit.
-bool announced(const std::vector<Word>& words, std::size_t i) {
+/// Whether a single letter is a unit, as in "x / m", "x in m", "x_m".
+bool is_announced(const std::vector<Word>& words, std::size_t i) {
     return words[i].before == '_' ||
            (i > 0 && (words[i - 1].text == "/" || lower(words[i - 1].text) == "in"));
 }
@@ -96,8 +94,7 @@ std::optional<LengthUnit> length_unit(std::string_view word) {
 LengthUnit length_unit_named(std::string_view word, const std::string& where) {
     if (const auto unit = length_unit(word))
         return *unit;
-    throw InputError(where + ": '" + std::string(word) + "' is no length unit (known: " + std::string(known) +
-                     ")");
+    refuse(where, ": '", word, "' is not a length unit; use a known one: ", known);
 }
 
 std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where) {
@@ -116,11 +113,10 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
         if (!inside.empty()) {
             unit = length_unit(inside);
             if (is_in(other_quantities, lower(inside)))
-                throw InputError(where + ": a column in '" + std::string(inside) + "', expected a length (" +
-                                 std::string(known) + ")");
+                refuse(where, ": a column in '", inside, "', which is not a length; use ", known);
         } else if (slash != std::string_view::npos && slash > 0) {
             unit = length_unit(word.substr(slash + 1));
-        } else if (units_only || !ambiguous(word) || announced(words, i)) {
+        } else if (units_only || !ambiguous(word) || is_announced(words, i)) {
             unit = length_unit(word);
         }
         if (unit)

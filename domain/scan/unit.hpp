@@ -9,23 +9,23 @@ namespace rough {
 
 /// A unit of length.
 struct LengthUnit {
-    std::string name; ///< as the account prints it
+    std::string name; ///< as accounts print it
     double in_mm = 1; ///< > 0
 };
 
-/// The length unit that a word names ("µm", "um", "micron", "Å", "inch", "MM", …), upper or lower case.
+/// The length unit that a word names ("µm", "um", "micron", "Å", "inch", "MM", …), in upper or lower case.
 std::optional<LengthUnit> length_unit(std::string_view word);
 
-/// As length_unit; a word that is none throws InputError naming `where` and the known units.
+/// The length unit that a word names. Throws InputError with `where` and the known units on another word.
 LengthUnit length_unit_named(std::string_view word, const std::string& where);
 
 /// Every length unit in a column header, in order: "x [mm]", "Height (nm)", "z/µm", "x_um", "Raw Micrometer",
-/// "µm µm". The words m, in and A count in brackets, after a slash or alone, as they mean other things
-/// elsewhere. A bracketed unit of another kind ("[V]", "[s]", "[px]") throws InputError naming `where`.
+/// "µm µm". The words m, in and A have other meanings elsewhere, so they count only in brackets, after a
+/// slash, or as the whole header. Throws InputError with `where` on a bracketed unit of another quantity
+/// ("[V]", "[s]", "[px]").
 std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where);
 
-/// What stands in brackets behind a column's name as a unit does ("ft" of "x [ft]", "z (yd)"), where no
-/// length unit is named; "" where nothing does.
+/// A word in brackets after a column's name that is not a known unit ("ft" of "x [ft]", "z (yd)"); else "".
 std::string unknown_unit_in(std::string_view name);
 
 } // namespace rough

@@ -8,6 +8,7 @@
 #include <boost/uuid/detail/md5.hpp>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <pugixml.hpp>
@@ -16,9 +17,9 @@ namespace rough {
 namespace {
 
 constexpr std::size_t max_xml_bytes = 50'000'000;
-constexpr std::ptrdiff_t max_xml_nodes = 1'000'000; // an element of text is two
+constexpr std::ptrdiff_t max_xml_nodes = 1'000'000; // an element with text counts as two
 
-/// A child by its name without the prefix of a name space.
+/// A child by its name without a namespace prefix.
 pugi::xml_node child(const pugi::xml_node& of, std::string_view name) {
     for (const pugi::xml_node& node : of.children()) {
         const std::string_view full = node.name();
@@ -32,49 +33,43 @@ std::string_view text(const pugi::xml_node& of, std::string_view name) {
     return trim(child(of, name).child_value());
 }
 
-/// The number in a node; `otherwise` where it is missing or empty.
-double value(const pugi::xml_node& of, std::string_view name, double otherwise, const std::string& file) {
+/// The number in a node; `fallback` if it is missing or empty.
+double value(const pugi::xml_node& of, std::string_view name, double fallback, const std::string& file) {
     const std::string_view word = text(of, name);
     if (word.empty())
-        return otherwise;
+        return fallback;
     const auto read = number(word, Dialect{});
     if (!read || std::isnan(read->value))
-        refuse(file, ": main.xml has ", name, " '", word.substr(0, 60), "', expected a number");
+        refuse(file, ": main.xml: ", name, " '", word.substr(0, 60), "' is not a number");
     return read->value;
 }
 
-std::int64_t size(const pugi::xml_node& of, std::string_view name, double otherwise,
-                  const std::string& file) {
+std::int64_t size(const pugi::xml_node& of, std::string_view name, double fallback, const std::string& file) {
     constexpr double max_size = 20'000'000;
-    const double count = value(of, name, otherwise, file);
+    const double count = value(of, name, fallback, file);
     if (!(count >= 1 && count <= max_size) || count != std::floor(count))
-        refuse(file, ": main.xml has ", name, " ", count, ", expected 1 to ", max_size);
+        refuse(file, ": main.xml: ", name, " ", count, " is not a whole number from 1 to ", max_size);
     return static_cast<std::int64_t>(count);
 }
 
 /// ISO 25178-71's number of an X3P type.
 int type_of(std::string_view name, const std::string& file) {
-    if (name == "I")
-        return 5;
-    if (name == "L")
-        return 6;
-    if (name == "F")
-        return 3;
-    if (name == "D")
-        return 7;
-    refuse(file, ": main.xml has heights of type '", name.substr(0, 60), "', expected I, L, F or D");
+    constexpr std::string_view names = "ILFD";
+    if (name.size() != 1 || names.find(name) == names.npos)
+        refuse(file, ": main.xml: heights of type '", name.substr(0, 60), "'; use I, L, F or D");
+    return std::array{5, 6, 3, 7}[names.find(name)];
 }
 
 double increment(const pugi::xml_node& axes, std::string_view name, const std::string& file) {
     const pugi::xml_node axis = child(axes, name);
     const double step = value(axis, "Increment", 0, file);
     if (text(axis, "AxisType") != "I" || !(step > 0))
-        refuse(file, ": main.xml has an axis ", name, " of type '", text(axis, "AxisType").substr(0, 60),
-               "' and increment ", step, ", expected an incremental one (I) with its increment");
+        refuse(file, ": main.xml: axis ", name, " of type '", text(axis, "AxisType").substr(0, 60),
+               "' and increment ", step, "; use an incremental axis (I) with its increment");
     return step;
 }
 
-/// "x;y;z" or "z", a line per point; nothing in between if none was measured.
+/// Heights from the XML: "x;y;z" or "z" for each point, empty if it was not measured.
 Eigen::VectorXd listed(const pugi::xml_node& list, Index count, const std::string& file) {
     Eigen::VectorXd heights(count);
     Index found = 0;
@@ -83,44 +78,33 @@ Eigen::VectorXd listed(const pugi::xml_node& list, Index count, const std::strin
         word = trim(word.substr(word.rfind(';') + 1)); // npos + 1 is 0
         const auto height = number(word, Dialect{});
         if (!height)
-            refuse(file, ": main.xml has '", word.substr(0, 60), "' among its heights");
+            refuse(file, ": main.xml: height '", word.substr(0, 60), "' is not a number");
         if (found++ < count)
             heights[found - 1] = height->value;
     }
     if (found != count)
-        refuse(file, ": main.xml lists other than ", count, " heights");
+        refuse(file, ": main.xml lists ", found, " heights, but announces ", count, "; export it again");
     return heights;
 }
 
-/// MD5 of bytes that arrive in pieces, as X3P demands it.
-class Md5 {
-  public:
-    void take(std::string_view bytes) { hash_.process_bytes(bytes.data(), bytes.size()); }
-    std::string hexadecimal() {
-        boost::uuids::detail::md5::digest_type digest;
-        hash_.get_digest(digest);
-        std::string text;
-        for (const auto word : digest) // of 4 bytes or, from Boost 1.86 on, of one
-            for (int shift = 8 * static_cast<int>(sizeof word) - 4; shift >= 0; shift -= 4)
-                text += "0123456789abcdef"[word >> shift & 15];
-        return text;
-    }
-
-  private:
-    boost::uuids::detail::md5 hash_;
-};
-
+/// MD5 in hexadecimal digits, as X3P requires it.
 std::string md5_of(std::string_view bytes) {
-    Md5 hash;
-    hash.take(bytes);
-    return hash.hexadecimal();
+    boost::uuids::detail::md5 hash;
+    hash.process_bytes(bytes.data(), bytes.size());
+    boost::uuids::detail::md5::digest_type digest;
+    hash.get_digest(digest);
+    std::string text;
+    for (const auto word : digest) // a word has 4 bytes, from Boost 1.86 on one
+        for (int shift = 8 * static_cast<int>(sizeof word) - 4; shift >= 0; shift -= 4)
+            text += "0123456789abcdef"[word >> shift & 15];
+    return text;
 }
 
-void expect_checksum(std::string_view given, const std::string& found, const std::string& what,
+void expect_checksum(std::string_view given, std::string_view bytes, const std::string& part,
                      const std::string& file) {
-    if (!given.empty() && lower(given) != found)
-        refuse(file, ": its ", what, " has the MD5 ", found, ", expected ", given.substr(0, 60),
-               " as the archive says; export it again");
+    if (!given.empty() && lower(given) != md5_of(bytes))
+        refuse(file, ": its ", part, " has the MD5 ", md5_of(bytes), ", but the archive gives ",
+               given.substr(0, 60), "; export it again");
 }
 
 std::string written(double number) {
@@ -130,85 +114,71 @@ std::string written(double number) {
 
 } // namespace
 
-HeightMap read_x3p_description(std::string xml, const ReadEntry& read, const std::string& file) {
-    if (std::count(xml.begin(), xml.end(), '<') > max_xml_nodes)
-        refuse(file, ": its main.xml has more than ", max_xml_nodes, " elements, expected fewer");
+HeightMap read_x3p(const std::string& bytes, const std::string& file) {
+    const Zip archive(bytes, file);
+    auto xml = archive.entry("main.xml", max_xml_bytes);
+    if (!xml)
+        refuse(file, ": a zip archive without main.xml; use X3P, or an Excel workbook's table saved as CSV");
+    if (const auto checksum = archive.entry("md5checksum.hex", 1000))
+        expect_checksum(std::string_view(*checksum).substr(0, checksum->find_first_of(" \t\r\n*")), *xml,
+                        "main.xml", file);
+    if (std::count(xml->begin(), xml->end(), '<') > max_xml_nodes)
+        refuse(file, ": its main.xml has more than ", max_xml_nodes,
+               " elements; store the heights as binary");
     pugi::xml_document document;
-    if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed)
-        refuse(file, ": its main.xml is no XML (", parsed.description(), ")");
+    if (const auto parsed = document.load_buffer_inplace(xml->data(), xml->size()); !parsed)
+        refuse(file, ": its main.xml is not XML (", parsed.description(), "); export it again");
     const pugi::xml_node root = document.document_element(), axes = child(child(root, "Record1"), "Axes"),
                          heights = child(axes, "CZ"), record = child(root, "Record3"),
-                         matrix = child(record, "MatrixDimension");
+                         matrix = child(record, "MatrixDimension"), link = child(record, "DataLink");
     if (!axes || !record)
-        refuse(file, ": its main.xml has no axes or no data, expected ISO 5436-2 (X3P)");
+        refuse(file, ": its main.xml has no axes or no data; export it as ISO 5436-2 (X3P)");
     HeightMap map{"ISO 25178-72 (X3P)"};
     map.height_unit = {"m", 1e3};
     const std::int64_t columns =
         matrix ? size(matrix, "SizeX", 1, file) : size(record, "ListDimension", 0, file);
     map.rows = matrix ? size(matrix, "SizeY", 1, file) : 1;
     if (matrix && size(matrix, "SizeZ", 1, file) != 1)
-        refuse(file, ": main.xml has several layers, expected SizeZ 1");
+        refuse(file, ": main.xml has several layers; export one (SizeZ 1)");
     expect_points(columns, map.rows, file);
     map.spacing = 1e3 * increment(axes, "CX", file);
     if (map.rows > 1)
         map.row_spacing = 1e3 * increment(axes, "CY", file);
     map.height_factor = value(heights, "Increment", 1, file);
     if (!(map.height_factor > 0))
-        refuse(file, ": main.xml has the increment ", map.height_factor, " of heights, expected one above 0");
+        refuse(file, ": main.xml: the heights' increment ", map.height_factor, " is not above 0");
 
     const std::int64_t count = columns * map.rows;
-    const pugi::xml_node link = child(record, "DataLink");
     if (!link) {
         map.heights = listed(child(record, "DataList"), count, file);
         return map;
     }
-    const auto read_linked = [&](std::string_view name, std::string_view checksum, std::int64_t max_size,
-                                 const auto& take) {
+    const auto linked = [&](const char* name, const char* checksum, std::int64_t max_size) {
         std::string path(text(link, name));
         if (path.starts_with("./"))
             path.erase(0, 2);
-        if (path.empty())
-            return false;
-        Md5 hash;
-        const auto take_hashed = [&](std::string_view piece) { hash.take(piece), take(piece); };
-        if (!read(path, static_cast<std::size_t>(max_size), take_hashed))
-            refuse(file, ": main.xml names '", path.substr(0, 60), "', which is not in the archive");
-        expect_checksum(text(link, checksum), hash.hexadecimal(), path, file);
-        return true;
+        std::optional<std::string> found;
+        if (!path.empty()) {
+            found = archive.entry(path, static_cast<std::size_t>(max_size));
+            if (!found)
+                refuse(file, ": main.xml names '", path.substr(0, 60),
+                       "', which is not in the archive; export it again");
+            expect_checksum(text(link, checksum), *found, path, file);
+        }
+        return found;
     };
-    StoredNumbers numbers(count, type_of(text(heights, "DataType"), file), std::nan(""), file);
-    if (!read_linked("PointDataLink", "MD5ChecksumPointData", 8 * count,
-                     [&](std::string_view piece) { numbers.take(piece); }))
-        refuse(file, ": main.xml names no heights, expected a PointDataLink");
-    map.heights = numbers.numbers();
-    Index at = 0;
-    const bool masked =
-        read_linked("ValidPointsLink", "MD5ChecksumValidPoints", count / 8 + 1, [&](std::string_view mask) {
-            for (const char byte : mask)
-                for (int bit = 0; bit < 8 && at < count; ++bit, ++at)
-                    if (!(static_cast<unsigned char>(byte) >> bit & 1))
-                        map.heights[at] = std::nan("");
-        });
-    if (masked && at < count)
-        refuse(file, ": its valid points end early, expected ", count, " bits");
+    const auto data = linked("PointDataLink", "MD5ChecksumPointData", 8 * count);
+    if (!data)
+        refuse(file, ": main.xml has no link to heights; add a PointDataLink");
+    map.heights = stored_numbers(*data, count, type_of(text(heights, "DataType"), file), std::nan(""), file);
+    if (const auto mask = linked("ValidPointsLink", "MD5ChecksumValidPoints", count / 8 + 1)) {
+        if (8 * static_cast<Index>(mask->size()) < count)
+            refuse(file, ": its valid points end early, before ", count, " bits; export it again");
+        for (Index i = 0; i < count; ++i)
+            if (!((*mask)[static_cast<std::size_t>(i / 8)] >> i % 8 & 1))
+                map.heights[i] = std::nan("");
+    }
     return map;
-}
-
-HeightMap read_x3p(const std::string& bytes, const std::string& file) {
-    const Zip archive(bytes, file);
-    auto xml = archive.entry("main.xml", max_xml_bytes);
-    if (!xml)
-        refuse(file, ": a zip archive without main.xml, expected X3P, or of an Excel workbook its table "
-                     "exported as CSV");
-    if (const auto checksum = archive.entry("md5checksum.hex", 1000))
-        expect_checksum(std::string_view(*checksum).substr(0, checksum->find_first_of(" \t\r\n*")),
-                        md5_of(*xml), "main.xml", file);
-    return read_x3p_description(
-        std::move(*xml),
-        [&](const auto& name, std::size_t max_size, const auto& take) {
-            return archive.read(name, max_size, take);
-        },
-        file);
 }
 
 std::string x3p(const Profile& surface) {

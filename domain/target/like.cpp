@@ -1,14 +1,14 @@
 #include "domain/target/like.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 #include "domain/target/recorded.hpp"
 
 namespace rough {
 
 namespace {
 
-/// K_i over K that only rounding next to full contact gives.
+/// A ratio K_i/K that only rounding next to full contact reaches.
 constexpr double nearly_rigid = 1e9;
 
 } // namespace
@@ -31,22 +31,22 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
     std::vector<Target> targets;
     for (const Quantity quantity : quantities) {
         const Curve curve = curve_of(quantity, response);
-        // A load found by a solver ends within its tolerance of the one asked for.
+        // A solver finds a load within its tolerance of the requested one.
         const bool reaches = last > 0 && last <= curve.to * (1 + 1e-9);
         Target target = even_target(quantity, name, points, reaches ? last : curve.to,
                                     [&](double x) { return curve.at(x); });
-        // The line through the first two of a few secants may fall below 0 before the first: no point is
-        // asked there.
-        Index asked = 0;
-        while (asked + 1 < points && target.y[asked] <= 0 && target.x[asked] < curve.x[0])
-            ++asked;
-        target.x = target.x.tail(points - asked).eval();
-        target.y = target.y.tail(points - asked).eval();
+        // The line through the first two secants may fall below 0 before the first one; points there are
+        // omitted.
+        Index omitted = 0;
+        while (omitted + 1 < points && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0])
+            ++omitted;
+        target.x = target.x.tail(points - omitted).eval();
+        target.y = target.y.tail(points - omitted).eval();
         target.recorded = recorded_model(model);
         if (quantity == Quantity::interface_stiffness &&
             target.y.maxCoeff() > nearly_rigid * response.tangent_stiffness.maxCoeff())
-            throw InputError(name + ": in full contact up to " + field_text(target.last()) +
-                                 " MPa, where an interface's stiffness is infinite; expected a last pressure "
+            throw InputError(name + ": is in full contact up to " + field_text(target.last()) +
+                                 " MPa, which makes the interface stiffness infinite; give a last pressure "
                                  "below full contact",
                              "to");
         if (!finer.empty())

@@ -1,17 +1,19 @@
 #include "domain/target/out_of_reach.hpp"
 
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/plain_stream.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rough {
 
 namespace {
 
-/// Rounding in files with four digits or more is no verdict.
+/// Misfits up to this one come from rounding in files with four digits or more.
 constexpr double negligible = 1e-6;
 
 template <class... Parts>
@@ -21,14 +23,14 @@ std::string line_of(const Parts&... parts) {
     return line.str();
 }
 
-/// What a curve may be at a point: the band, or the value itself.
+/// The values that a curve may have at a point: the band, or only y.
 struct Allowed {
     const Target& target;
     double lower(Index k) const { return target.has_band() ? target.lower[k] : target.y[k]; }
     double upper(Index k) const { return target.has_band() ? target.upper[k] : target.y[k]; }
-    /// The misfit of the best value c with lower(i) > c > upper(j): both are missed by
-    /// (lower_i - upper_j)/(y_i + y_j) at least.
-    double least_misfit(Index i, Index j) const {
+    /// If lower(i) > upper(j), a curve that does not fall misses one of both points by at least
+    /// (lower_i - upper_j)/(y_i + y_j).
+    double min_misfit(Index i, Index j) const {
         return target.weight * (lower(i) - upper(j)) / (target.y[i] + target.y[j]);
     }
 };
@@ -39,150 +41,172 @@ const char* name_of(const Target& target) {
     return target.quantity == Quantity::interface_stiffness ? "interface stiffness" : "stiffness";
 }
 
-void find_fall(const Target& target, std::vector<OutOfReach>& found) {
-    const Allowed allowed{target};
-    Index first = 0, second = 0;
-    double worst = 0;
-    for (Index i = 0; i < target.points(); ++i)
-        for (Index j = i + 1; j < target.points(); ++j)
-            if (allowed.least_misfit(i, j) > worst)
-                worst = allowed.least_misfit(i, j), first = i, second = j;
-    if (worst <= negligible)
-        return;
-    const char* what = is_contact_fraction(target.quantity) ? "contact fraction" : name_of(target);
-    found.push_back({line_of(what, " falls from ", allowed.lower(first), " at ", target.x[first],
-                             unit_of(target), " to ", allowed.upper(second), " at ", target.x[second],
-                             unit_of(target), ": contact only grows under load, so it never falls"),
-                     {target.x[first], target.x[second]},
-                     1 - worst});
+/// Whether a misfit that no profile can avoid is the largest so far.
+bool is_worse(double misfit, const OutOfReach& worst) {
+    return misfit > negligible && 1 - misfit < worst.bound;
 }
 
-/// Stiffness against load: the last load, and the load steps up to it.
+/// Stiffness and contact fraction never fall.
+void find_fall(const Target& target, std::vector<OutOfReach>& found) {
+    const Allowed allowed{target};
+    const char* what = is_contact_fraction(target.quantity) ? "contact fraction" : name_of(target);
+    OutOfReach worst;
+    for (Index i = 0; i < target.points(); ++i)
+        for (Index j = i + 1; j < target.points(); ++j)
+            if (const double misfit = allowed.min_misfit(i, j); is_worse(misfit, worst))
+                worst = {line_of(what, " falls from ", allowed.lower(i), " at ", target.x[i], unit_of(target),
+                                 " to ", allowed.upper(j), " at ", target.x[j], unit_of(target),
+                                 ": contact only grows under load, so it never falls"),
+                         {target.x[i], target.x[j]},
+                         1 - misfit};
+    found.push_back(worst);
+}
+
+/// The load steps against which stiffness is scored.
 struct Load {
     StiffnessLimits secants;
     int steps;
     double last; ///< MPa
 };
 
-void find_too_stiff(const Target& target, const Load& load, std::vector<OutOfReach>& found) {
-    const Allowed allowed{target};
-    const auto misfit = [&](Index k, double least_secant) {
-        const double most =
-            scored_limits({least_secant, load.secants.most}, load.steps, target.x[k] / load.last).most;
-        return target.weight * (allowed.lower(k) - most) / target.y[k];
-    };
-    OutOfReach worst;
-    worst.on_this_grid = true;
-    for (Index k = 0; k < target.points(); ++k) {
-        const double over = misfit(k, load.secants.least);
-        if (over <= negligible)
-            continue;
-        worst.at.push_back(target.x[k]);
-        worst.on_this_grid = worst.on_this_grid && misfit(k, 0) <= negligible;
-        if (1 - over >= worst.bound)
-            continue;
-        worst.bound = 1 - over;
-        worst.reason = line_of("stiffness ", allowed.lower(k), " MPa/mm at ", target.x[k],
-                               " MPa is above that of full contact, ", load.secants.most, " MPa/mm");
-        const double most = scored_limits(load.secants, load.steps, target.x[k] / load.last).most;
-        if (most > load.secants.most)
-            worst.reason += line_of(", even as the last load steps continue it, ", most, " MPa/mm");
-    }
-    if (!worst.at.empty())
-        found.push_back(worst);
-}
-
-/// The least that a target of K or K_i can be answered with at a pressure (MPa), MPa/mm. With a second secant
-/// near full contact the line that continues K_i below the first is as steep as one likes: no limit there.
-/// The first lies at P/(2 n) at most, since secants never fall.
-double least_at(double pressure, const Target& target, const Load& load) {
+/// The lowest K or K_i that a curve can have at a pressure (MPa), MPa/mm. If the second secant is near full
+/// contact, the line that continues K_i below the first one is arbitrarily steep, and the limit there is 0.
+/// The first secant lies at P/(2 n) at most, because secants never fall.
+double lowest_at(double pressure, const Target& target, const Load& load) {
     const double share = pressure / load.last;
-    if (target.quantity == Quantity::stiffness || std::isinf(load.secants.most)) // periodic: K_i = K
-        return scored_limits(load.secants, load.steps, share).least;
-    return 2 * load.steps * share >= 1 ? interface_of(load.secants.least, load.secants.most) : 0;
+    if (target.quantity == Quantity::stiffness || std::isinf(load.secants.max)) // periodic: K_i = K
+        return scored_limits(load.secants, load.steps, share).min;
+    return 2 * load.steps * share >= 1 ? interface_of(load.secants.min, load.secants.max) : 0;
 }
 
-void find_too_soft(const Target& target, const Load& load, std::vector<OutOfReach>& found) {
+/// Stiffness above that of full contact, or K or K_i below that of a single node.
+void find_beyond_limits(const Target& target, const Load& load, std::vector<OutOfReach>& found) {
+    const auto [min, max] = load.secants;
     const bool of_interface = target.quantity == Quantity::interface_stiffness;
-    const double one_node =
-        of_interface ? interface_of(load.secants.least, load.secants.most) : load.secants.least;
+    const double one_node = of_interface ? interface_of(min, max) : min;
     const Allowed allowed{target};
-    OutOfReach worst;
-    worst.on_this_grid = true;
+    OutOfReach stiff, soft;
+    stiff.on_this_grid = soft.on_this_grid = true;
     for (Index k = 0; k < target.points(); ++k) {
-        const double least = least_at(target.x[k], target, load);
-        const double under = target.weight * (least - allowed.upper(k)) / target.y[k];
+        const double x = target.x[k], lowest = lowest_at(x, target, load);
+        const auto highest = [&](double min_secant) {
+            return scored_limits({min_secant, load.secants.max}, load.steps, x / load.last).max;
+        };
+        const auto over = [&](double min_secant) {
+            return target.weight * (allowed.lower(k) - highest(min_secant)) / target.y[k];
+        };
+        if (const double misfit = over(min); !of_interface && misfit > negligible) {
+            stiff.at.push_back(x);
+            stiff.on_this_grid = stiff.on_this_grid && over(0) <= negligible;
+            if (is_worse(misfit, stiff)) {
+                stiff.bound = 1 - misfit;
+                stiff.reason = line_of("stiffness ", allowed.lower(k), " MPa/mm at ", x,
+                                       " MPa is above that of full contact, ", max, " MPa/mm");
+                if (highest(min) > max)
+                    stiff.reason +=
+                        line_of(", even as the last load steps continue it, ", highest(min), " MPa/mm");
+            }
+        }
+        const double under = target.weight * (lowest - allowed.upper(k)) / target.y[k];
         if (under <= negligible)
             continue;
-        worst.at.push_back(target.x[k]);
-        if (1 - under >= worst.bound)
+        soft.at.push_back(x);
+        if (!is_worse(under, soft))
             continue;
-        worst.bound = 1 - under;
-        worst.reason = line_of(name_of(target), " ", allowed.upper(k), " MPa/mm at ", target.x[k],
-                               " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
-        if (least < one_node)
-            worst.reason += line_of(", even as its first load steps continue it, ", least, " MPa/mm");
+        soft.bound = 1 - under;
+        soft.reason = line_of(name_of(target), " ", allowed.upper(k), " MPa/mm at ", x,
+                              " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
+        if (lowest < one_node)
+            soft.reason += line_of(", even as its first load steps continue it, ", lowest, " MPa/mm");
     }
-    if (!worst.at.empty())
-        found.push_back(worst);
+    found.insert(found.end(), {stiff, soft});
 }
 
-/// Three points, the first of which may be (0, 0), of which the middle one lies above the chord.
-void find_concave(const Target& target, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
+/// A load above the chord of two points, the first of which may be (0, 0). Or one that rises by more than in
+/// full contact, or by less than with a single node.
+void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
     const Allowed allowed{target};
-    OutOfReach worst;
-    for (Index i = -1; i < target.points(); ++i)
+    OutOfReach steep, light;
+    for (Index i = -1; i < target.points(); ++i) {
+        const double x_i = i < 0 ? 0 : target.x[i], y_i = i < 0 ? 0 : target.y[i],
+                     high_i = i < 0 ? 0 : allowed.upper(i), low_i = i < 0 ? 0 : allowed.lower(i);
         for (Index j = i + 1; j < target.points(); ++j) {
-            const double x_i = i < 0 ? 0 : target.x[i], y_i = i < 0 ? 0 : target.y[i];
-            const double high_i = i < 0 ? 0 : allowed.upper(i);
+            const double x = target.x[j], y = target.y[j];
             for (Index k = j + 1; k < target.points(); ++k) {
-                const double t = (target.x[j] - x_i) / (target.x[k] - x_i);
+                const double t = (x - x_i) / (target.x[k] - x_i);
                 const double chord = (1 - t) * high_i + t * allowed.upper(k);
                 // With misfits e, P_j (1 - e) <= chord of P (1 + e).
-                const double misfit = target.weight * (allowed.lower(j) - chord) /
-                                      (target.y[j] + (1 - t) * y_i + t * target.y[k]);
-                if (misfit > negligible && 1 - misfit < worst.bound)
-                    worst = {line_of("pressure ", target.y[j], " MPa at ", target.x[j],
-                                     " mm is above the straight line from ", y_i, " MPa at ", x_i, " mm to ",
-                                     target.y[k], " MPa at ", target.x[k],
+                const double misfit =
+                    target.weight * (allowed.lower(j) - chord) / (y + (1 - t) * y_i + t * target.y[k]);
+                if (is_worse(misfit, steep))
+                    steep = {line_of("pressure ", y, " MPa at ", x, " mm is above the straight line from ",
+                                     y_i, " MPa at ", x_i, " mm to ", target.y[k], " MPa at ", target.x[k],
                                      " mm: stiffness never falls, so the load curve is convex"),
-                             {target.x[j]},
+                             {x},
                              1 - misfit};
             }
-            const double most = high_i + limits.most * (target.x[j] - x_i);
-            const double misfit = target.weight * (allowed.lower(j) - most) / (target.y[j] + y_i);
-            if (misfit > negligible && 1 - misfit < worst.bound)
-                worst = {line_of("pressure rises to ", target.y[j], " MPa at ", target.x[j],
-                                 " mm faster than with full ", "contact, ", limits.most, " MPa/mm"),
-                         {target.x[j]},
-                         1 - misfit};
+            const auto rises = [&](double beyond, const char* how, double limit, bool on_this_grid,
+                                   OutOfReach& worst) {
+                const double misfit = target.weight * beyond / (y + y_i);
+                if (is_worse(misfit, worst))
+                    worst = {
+                        line_of("pressure rises to ", y, " MPa at ", x, " mm ", how, ", ", limit, " MPa/mm"),
+                        {x},
+                        1 - misfit,
+                        on_this_grid};
+            };
+            rises(allowed.lower(j) - (high_i + limits.max * (x - x_i)), "faster than with full contact",
+                  limits.max, false, steep);
+            rises(low_i + limits.min * (x - x_i) - allowed.upper(j),
+                  "slower than with a single node in contact", limits.min, true, light);
         }
-    if (worst.bound < 1)
-        found.push_back(worst);
-}
-
-/// A load that rises by less, between two points or from (0, 0) on, than that of a single node does.
-void find_too_light(const Target& target, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
-    const Allowed allowed{target};
-    OutOfReach worst;
-    worst.on_this_grid = true;
-    for (Index i = -1; i < target.points(); ++i)
-        for (Index j = i + 1; j < target.points(); ++j) {
-            const double x_i = i < 0 ? 0 : target.x[i], y_i = i < 0 ? 0 : target.y[i];
-            const double least = (i < 0 ? 0 : allowed.lower(i)) + limits.least * (target.x[j] - x_i);
-            const double misfit = target.weight * (least - allowed.upper(j)) / (target.y[j] + y_i);
-            if (misfit > negligible && 1 - misfit < worst.bound)
-                worst = {line_of("pressure rises to ", target.y[j], " MPa at ", target.x[j],
-                                 " mm slower than with a single node in contact, ", limits.least, " MPa/mm"),
-                         {target.x[j]},
-                         1 - misfit,
-                         true};
-        }
-    if (worst.bound < 1)
-        found.push_back(worst);
+    }
+    found.insert(found.end(), {steep, light});
 }
 
 } // namespace
+
+StiffnessLimits stiffness_limits(const Model& given) {
+    const auto [grid, body, loading, contact, accuracy] = completed(given);
+    const double spacing = grid.spacing();
+    Profile flat{Eigen::VectorXd::Zero(grid.shape().nodes()), spacing, grid.rows, grid.row_spacing()};
+    const double entry = influence_column(in_units(body, spacing, flat.row_spacing), grid.shape())[0];
+    const double min = body.effective_modulus / (elements(flat, body.kernel) * spacing * entry);
+    // Full contact grows stiffer as the grid grows coarser, so the value of a coarse grid is an upper bound.
+    Grid coarse = grid;
+    while (coarse.shape().nodes() > (grid.is_2d() ? 128 * 128 : 1024)) {
+        coarse.nodes = (coarse.nodes + 1) / 2;
+        coarse.rows = (coarse.rows + 1) / 2;
+    }
+    flat = {Eigen::VectorXd::Zero(coarse.shape().nodes()), coarse.spacing(), coarse.rows,
+            coarse.row_spacing()};
+    return {min, full_contact_stiffness(flat, body)};
+}
+
+// With secants m <= K_1 <= ... <= K_n <= M and even steps d, the last load is P = d sum K_j. The ends of the
+// curve are at pi_1 = d K_1/2 and P - pi_n = d K_n/2. Their segments have the slopes
+//     2 (K_2 - K_1)/(d (K_1 + K_2)) and 2 (K_n - K_{n-1})/(d (K_{n-1} + K_n)).
+// Between pi_1 and pi_n the scored curve stays within [m, M], and so do the ends' lines between the points.
+//
+// Beyond pi_n, at p = (1 - t) P, with a = K_{n-1} and b = K_n:
+//     y = 2 b^2/(a + b) - 2 t (b - a) sum K_j/(a + b).
+// It is highest if all other secants are lowest, sum K_j = a + b + (n - 2) m. It is then quasiconvex in a and
+// convex in b, so that each is best at an end of its range: the value is M, or a = m and b = M.
+//
+// Before pi_1, at p = t P, with a = K_1 and b = K_2:
+//     y = 2 a^2/(a + b) + 2 t (b - a) sum K_j/(a + b).
+// It is lowest if all other secants are lowest, sum K_j = a + (n - 1) b. It is homogeneous in (a, b) and
+// above 0, so that a = m is best. It is then convex in b, of the form c1 (b + m) + c2 + c3/(b + m).
+StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share) {
+    const auto [m, M] = secants;
+    const double n = steps, t = std::clamp(share, 0.0, 1.0);
+    const double turn = t > 0 ? m * std::sqrt((1 + t * (2 * n - 4)) / (t * (n - 1))) - m
+                              : std::numeric_limits<double>::infinity();
+    const double b = std::clamp(turn, m, M);
+    const double min = std::isinf(b) ? 0 : 2 * (m * m + t * (b - m) * (m + (n - 1) * b)) / (m + b);
+    const double max = std::isinf(M) ? M : 2 * (M * M - (1 - t) * (M - m) * (M + (n - 1) * m)) / (m + M);
+    return {std::min(m, min), std::max(M, max)};
+}
 
 std::string OutOfReach::verdict() const {
     return (on_this_grid ? "out of reach of every profile on this grid: "
@@ -200,17 +224,14 @@ std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const M
             load.last = std::max(load.last, target.last());
     std::vector<OutOfReach> found;
     for (const Target& target : targets) {
-        if (target.quantity == Quantity::load_at_displacement) {
-            find_concave(target, load.secants, found);
-            find_too_light(target, load.secants, found);
-        } else {
+        if (target.quantity == Quantity::load_at_displacement)
+            find_beyond_loads(target, load.secants, found);
+        else
             find_fall(target, found);
-        }
-        if (target.quantity == Quantity::stiffness)
-            find_too_stiff(target, load, found);
         if (target.quantity == Quantity::stiffness || target.quantity == Quantity::interface_stiffness)
-            find_too_soft(target, load, found);
+            find_beyond_limits(target, load, found);
     }
+    std::erase_if(found, [](const OutOfReach& one) { return one.bound == 1; });
     return found;
 }
 

@@ -1,34 +1,52 @@
 #pragma once
 
-#include "domain/target/stiffness_limits.hpp"
+#include "domain/response/model.hpp"
 #include "domain/target/target.hpp"
 
 #include <optional>
 
 namespace rough {
 
-/// Why no profile whatever answers a target exactly, and how near one could come at best.
+/// The stiffness of a single node and of full contact on the grid, MPa/mm. Contact sets are nested and a
+/// larger one is stiffer. So every tangent and every secant of every profile lies between, and secants never
+/// fall.
+struct StiffnessLimits {
+    double min; ///< a single node, MPa/mm
+    double max; ///< full contact, MPa/mm; infinite for the periodic kernel
+};
+/// The limits for the model's grid and body.
+StiffnessLimits stiffness_limits(const Model& model);
+
+/// The lowest and highest K(p), MPa/mm, that any profile's scored curve can have at a share p/P_nt of its
+/// last load. The scored curve (secant_stiffness) is continued to 0 and P_nt with the slopes of its end
+/// segments. The limits are sharp if all secants lie between `secants`. `steps` are even and at least 2.
+StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share);
+
+/// Why no profile can meet a target exactly, and how near the best one could come.
 struct OutOfReach {
     std::string reason;     ///< one line, with numbers
     std::vector<double> at; ///< the target's x (MPa or mm) at fault
-    double bound = 1;       ///< no profile is more similar to the target (Eq. 12, the curve that is scored)
-    bool on_this_grid = false; ///< on a finer one a profile could come nearer
+    double bound = 1;       ///< no profile has a higher similarity to the target (Eq. 12, the scored curve)
+    bool on_this_grid = false; ///< a profile on a finer grid could come nearer
 
-    /// In words: of what it is out of reach, and why.
+    /// The verdict in words, with the reason.
     std::string verdict() const;
 };
 
-/// Exact tests, without a search, of each target on its own under a model solved throughout:
-/// - contact sets are nested, so K(P) and contact fractions never fall: a rising curve misses two points,
-///   y_i above y_j with i < j, by (y_i - y_j)/(y_i + y_j) at least;
-/// - secants of K lie between one node alone and full contact, and so the curve that is scored, ends
-///   continued, between scored_limits(); the lower of them is the less the finer the grid;
-/// - K_i never falls either. It has no upper limit, and from the middle of the first load step on, which no
-///   curve's first secant lies beyond, is at least that of one node alone; on a periodic body it is K;
-/// - P(Delta) is convex from (0, 0) on, for the same reason, no steeper than full contact and no flatter than
-///   one node alone.
+/// Exact tests of each target by itself, without a search, for a model that is solved throughout:
+/// - Contact sets are nested, so K(P) and contact fractions never fall. If y_i > y_j with i < j, a curve that
+/// does
+///   not fall misses one of them by at least (y_i - y_j)/(y_i + y_j).
+/// - Secants of K lie between a single node and full contact. So the scored curve, with its ends continued,
+///   lies between scored_limits(). The lower limit falls as the grid is refined.
+/// - K_i never falls either, and its upper limit is infinite. From the middle of the first load step on,
+/// where
+///   every curve has its first secant, it is at least that of a single node. On a periodic body it is K.
+/// - P(Delta) is convex from (0, 0) on, for the same reason. It is no steeper than full contact and no
+/// flatter
+///   than a single node.
 /// The load of K(P) ends at `max_pressure` (MPa, Eq. 11), or without it at the last pressure of all targets.
-/// Nothing is found where a band allows a curve of that kind. The worst of each kind is returned.
+/// Nothing is found if a band allows a curve of that kind. The worst violation of each kind is returned.
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure = {});
 

@@ -1,7 +1,7 @@
 #include "domain/target/recorded.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/response/record.hpp"
+#include "domain/response/model.hpp"
 #include "domain/text/words.hpp"
 
 #include <cmath>
@@ -14,21 +14,39 @@ namespace {
 constexpr const char* recorded_keys[] = {"kernel",   "length_mm",      "width_mm", "effective_modulus_MPa",
                                          "datum_mm", "strip_width_mm", "layers"};
 
+bool is_text(const std::string& key) { return key == "kernel" || key == "layers"; }
+
 bool same(const std::string& key, const std::string& left, const std::string& right,
           const std::string& file) {
-    if (key == "kernel" || key == "layers")
+    if (is_text(key))
         return left == right;
     const double a = number_from(left, file + ": " + key), b = number_from(right, key);
     return std::abs(a - b) <= 1e-9 * std::abs(b);
 }
 
-/// A number without the digits that only its last bit needs.
+/// A number with 15 digits, which readers see as they wrote it.
 std::string as_read(const std::string& key, const std::string& value) {
-    if (key == "kernel" || key == "layers" || value.empty())
+    if (is_text(key) || value.empty())
         return value;
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.15g", number_from(value, key));
     return digits;
+}
+
+std::vector<RecordedDifference> differences(const Target& target, const Model& model, bool carried) {
+    const auto own = recorded_model(model);
+    std::vector<RecordedDifference> found;
+    for (const char* key : recorded_keys) {
+        const bool carries = target.quantity == Quantity::interface_stiffness &&
+                             (key == std::string("datum_mm") || key == std::string("length_mm"));
+        const auto there = target.recorded.find(key), here = own.find(key);
+        if (carries != carried || there == target.recorded.end() || there->second.empty())
+            continue;
+        const std::string value = here == own.end() ? "" : here->second;
+        if (here == own.end() || !same(key, there->second, value, target.name))
+            found.push_back({key, there->second, as_read(key, value)});
+    }
+    return found;
 }
 
 } // namespace
@@ -41,30 +59,6 @@ std::map<std::string, std::string> recorded_model(const Model& model) {
     return recorded;
 }
 
-namespace {
-
-bool carries_over(const std::string& key, Quantity quantity) {
-    return quantity == Quantity::interface_stiffness && (key == "datum_mm" || key == "length_mm");
-}
-
-std::vector<RecordedDifference> differences(const Target& target, const Model& model, bool carried) {
-    const auto own = recorded_model(model);
-    std::vector<RecordedDifference> found;
-    for (const char* key : recorded_keys) {
-        if (carries_over(key, target.quantity) != carried)
-            continue;
-        const auto there = target.recorded.find(key), here = own.find(key);
-        if (there == target.recorded.end() || there->second.empty())
-            continue;
-        const std::string value = here == own.end() ? "" : here->second;
-        if (here == own.end() || !same(key, there->second, value, target.name))
-            found.push_back({key, there->second, as_read(key, value)});
-    }
-    return found;
-}
-
-} // namespace
-
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model) {
     return differences(target, model, false);
 }
@@ -75,16 +69,16 @@ std::vector<RecordedDifference> carried_over(const Target& target, const Model& 
 
 std::string in_words(const std::vector<RecordedDifference>& differences) {
     std::string words;
-    for (const auto& [key, recorded, own] : differences)
+    for (const auto& [key, recorded, here] : differences)
         words +=
-            (words.empty() ? "" : ", ") + key + " " + recorded + (own.empty() ? "" : " (here " + own + ")");
+            (words.empty() ? "" : ", ") + key + " " + recorded + (here.empty() ? "" : " (here " + here + ")");
     return words;
 }
 
 void expect_recorded(const Target& target, const Model& model) {
     if (const auto differences = recorded_differences(target, model); !differences.empty())
         throw InputError(target.name + ": recorded with " + in_words(differences) +
-                         ", expected the same, as the target depends on it");
+                         ", on which the target depends; use the same");
 }
 
 } // namespace rough

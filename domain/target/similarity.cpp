@@ -2,14 +2,6 @@
 
 namespace rough {
 
-std::vector<Index> points_within(const Target& target, double from, double to) {
-    std::vector<Index> points;
-    for (Index k = 0; k < target.points(); ++k)
-        if (target.x[k] >= from && target.x[k] <= to)
-            points.push_back(k);
-    return points;
-}
-
 Eigen::VectorXd misfit(const Target& target, const Curve& curve) {
     Eigen::VectorXd misfits(target.points());
     for (Index k = 0; k < target.points(); ++k)

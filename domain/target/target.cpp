@@ -2,30 +2,138 @@
 
 #include "domain/errors.hpp"
 #include "domain/plain_stream.hpp"
-#include "domain/response/interface.hpp"
-#include "domain/target/target_table.hpp"
+#include "domain/response/curve.hpp"
+#include "domain/scan/unit.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "domain/text/lines.hpp"
+#include "domain/text/words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+#include <optional>
 
 namespace rough {
 
 namespace {
 
-constexpr Quantity quantities[] = {Quantity::stiffness, Quantity::area_at_pressure,
-                                   Quantity::area_at_displacement, Quantity::load_at_displacement,
-                                   Quantity::interface_stiffness};
+using Separator = Dialect::Separator;
+
+/// A quantity's name, its columns and the curve of a response that a target of it is compared with.
+struct QuantityRow {
+    const char* name;
+    Columns columns;
+    Curve (*curve)(const Response&);
+};
+/// In the order of Quantity.
+constexpr std::array<QuantityRow, 5> quantities{
+    {{"stiffness", {"pressure_MPa", "stiffness_MPa_per_mm"}, secant_stiffness},
+     {"area", {"pressure_MPa", "contact_fraction"}, area_against_pressure},
+     {"area-displacement", {"displacement_mm", "contact_fraction"}, area_against_displacement},
+     {"load", {"displacement_mm", "pressure_MPa"}, load_against_displacement},
+     {"interface_stiffness", {"pressure_MPa", "interface_stiffness_MPa_per_mm"}, interface_secants}}};
+
+const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<std::size_t>(quantity)); }
+
+constexpr std::size_t max_bytes = 16'000'000;
 constexpr const char* expected_columns =
-    "expected pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
+    "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
     "conductance, or displacement_mm with contact_fraction or pressure_MPa, in these or other units (load_N, "
     "area_mm2, displacement_um); optionally lower and upper";
+
+double number_in(std::string_view cell, Separator separator, const std::string& where) {
+    auto value = number(cell, {separator, false});
+    if (!value && separator != Separator::comma)
+        value = number(cell, {separator, true});
+    if (value && std::isfinite(value->value))
+        return value->value;
+    throw InputError(where + ": \"" + std::string(cell) + "\" is not a finite number");
+}
+
+/// A column as the quantities name it, and the factor to its unit.
+struct UsualColumn {
+    std::string name;
+    double factor = 1;
+};
+
+using Factor = std::optional<double>;
+
+Factor factor_of(std::string_view unit, const std::map<std::string_view, double>& units) {
+    const auto found = units.find(unit);
+    return found == units.end() ? std::nullopt : Factor(found->second);
+}
+Factor in_mpa(std::string_view unit) {
+    return factor_of(unit, {{"Pa", 1e-6}, {"kPa", 1e-3}, {"MPa", 1}, {"GPa", 1e3}});
+}
+Factor in_newton(std::string_view unit) {
+    return factor_of(unit, {{"uN", 1e-6}, {"mN", 1e-3}, {"N", 1}, {"kN", 1e3}});
+}
+Factor in_mm(std::string_view unit) {
+    const auto known = length_unit(unit);
+    return known ? Factor(known->in_mm) : std::nullopt;
+}
+
+/// The usual column for a name; an unknown name stays as it is.
+UsualColumn usual_column(const std::string& name, const TargetScales& scales, const std::string& file) {
+    const auto refuse = [&](const std::string& fix) {
+        throw InputError(file + ": column \"" + name + "\" cannot be read; " + fix);
+    };
+    const auto over_area = [&](Factor factor) -> Factor {
+        if (factor && !(scales.nominal_area > 0))
+            refuse(
+                "give a pressure or contact_fraction, as a profile has no area, or --nodes and --length as "
+                "pairs");
+        return factor ? Factor(*factor / scales.nominal_area) : std::nullopt;
+    };
+    if (name == "conductance") {
+        if (!(scales.conductance_to_stiffness > 0))
+            throw InputError(
+                file + ": has a conductance, C = 2 K_i/(E* resistivity); give a resistivity with it",
+                "resistivity");
+        return {"interface_stiffness_MPa_per_mm", scales.conductance_to_stiffness};
+    }
+    const auto cut =
+        name.rfind('_', name.find("_per_") == std::string::npos ? name.size() : name.find("_per_") - 1);
+    if (cut == std::string::npos)
+        return {name};
+    const std::string what = name.substr(0, cut), unit = name.substr(cut + 1);
+    const auto scaled = [&](const char* usual, Factor factor, const char* units) {
+        if (!factor)
+            refuse(std::string("give it in ") + units);
+        return UsualColumn{usual, *factor};
+    };
+    if (what == "pressure")
+        return scaled("pressure_MPa", in_mpa(unit), "Pa, kPa, MPa or GPa");
+    if (what == "load")
+        return scaled("pressure_MPa", over_area(in_newton(unit)), "uN, mN, N or kN");
+    if (what == "displacement")
+        return scaled("displacement_mm", in_mm(unit), "nm, um, mm or m");
+    if (what == "area") {
+        const auto length = unit.ends_with('2') ? in_mm(unit.substr(0, unit.size() - 1)) : std::nullopt;
+        return scaled("contact_fraction", over_area(length ? Factor(*length * *length) : length),
+                      "nm2, um2, mm2 or m2");
+    }
+    if (what == "stiffness" || what == "interface_stiffness") {
+        const auto per = unit.find("_per_");
+        const std::string above = unit.substr(0, per);
+        const auto length = per == std::string::npos ? std::nullopt : in_mm(unit.substr(per + 5));
+        const auto force = in_mpa(above) ? in_mpa(above) : over_area(in_newton(above));
+        return scaled(what == "stiffness" ? "stiffness_MPa_per_mm" : "interface_stiffness_MPa_per_mm",
+                      force && length ? Factor(*force / *length) : std::nullopt,
+                      "a pressure or load per length, e.g. MPa_per_mm");
+    }
+    return {name};
+}
 
 } // namespace
 
 const std::vector<std::string>& quantity_names() {
-    static const std::vector<std::string> names{"stiffness", "area", "area-displacement", "load",
-                                                "interface_stiffness"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const QuantityRow& row : quantities)
+            all.emplace_back(row.name);
+        return all;
+    }();
     return names;
 }
 
@@ -36,25 +144,11 @@ Quantity quantity_named(const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
         refuse_value("quantity", "'", name,
-                     "' given, expected stiffness, area, area-displacement, load or interface_stiffness");
+                     "' is not one of stiffness, area, area-displacement, load and interface_stiffness");
     return static_cast<Quantity>(found - names.begin());
 }
 
-Columns columns_of(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::stiffness:
-        return {"pressure_MPa", "stiffness_MPa_per_mm"};
-    case Quantity::area_at_pressure:
-        return {"pressure_MPa", "contact_fraction"};
-    case Quantity::area_at_displacement:
-        return {"displacement_mm", "contact_fraction"};
-    case Quantity::load_at_displacement:
-        return {"displacement_mm", "pressure_MPa"};
-    case Quantity::interface_stiffness:
-        return {"pressure_MPa", "interface_stiffness_MPa_per_mm"};
-    }
-    throw InputError("quantity: unknown");
-}
+Columns columns_of(Quantity quantity) { return row_of(quantity).columns; }
 
 void validate(const Target& target) {
     const Columns columns = columns_of(target.quantity);
@@ -63,7 +157,7 @@ void validate(const Target& target) {
     };
     const bool of_area = is_contact_fraction(target.quantity);
     if (target.points() == 0)
-        throw InputError(target.name + ": no points given, expected at least one");
+        throw InputError(target.name + ": has no points; give at least one");
     double last = 0;
     for (Index k = 0; k < target.points(); ++k) {
         if (!std::isfinite(target.x[k]) || target.x[k] <= last)
@@ -79,32 +173,88 @@ void validate(const Target& target) {
     }
 }
 
-Target read_target(const std::filesystem::path& file, const TargetScales& scales) {
-    const TargetTable given = read_target_table(file), cells = in_usual_units(given, scales, file.string());
-    Target target;
-    target.name = file.string();
-    target.recorded = cells.recorded;
-    int x = -1, y = -1;
-    for (const Quantity quantity : quantities) {
-        const Columns columns = columns_of(quantity);
-        if (cells.place_of(columns.x) >= 0 && cells.place_of(columns.y) >= 0) {
-            if (y >= 0)
-                throw InputError(file.string() + ":1: more than one curve given, expected one a file");
-            target.quantity = quantity, x = cells.place_of(columns.x), y = cells.place_of(columns.y);
+TargetTable read_target_table(const std::filesystem::path& file) {
+    TargetTable table;
+    Separator separator = Separator::comma;
+    int number = 0;
+    std::string bytes = read_whole(file, max_bytes);
+    for (const std::string_view whole : text_lines(bytes, file.string())) {
+        ++number;
+        const std::string line(trim(whole));
+        if (line.empty())
+            continue;
+        const std::string where = file.string() + ":" + std::to_string(number);
+        if (line[0] == '#') {
+            const auto colon = line.find(':');
+            if (colon != std::string::npos)
+                table.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
+        } else if (table.header.empty()) {
+            separator = line.find(';') != std::string::npos    ? Separator::semicolon
+                        : line.find('\t') != std::string::npos ? Separator::tab
+                                                               : Separator::comma;
+            for (const auto cell : split(line, separator))
+                table.header.emplace_back(cell);
+        } else {
+            const auto cells = split(line, separator);
+            if (cells.size() != table.header.size())
+                refuse(where, ": \"", line, "\" has ", cells.size(), " cells; give ", table.header.size(),
+                       " numbers with ",
+                       separator == Separator::semicolon ? "semicolons"
+                       : separator == Separator::tab     ? "tabs"
+                                                         : "commas",
+                       " between");
+            table.rows.emplace_back();
+            for (const auto cell : cells)
+                table.rows.back().push_back(number_in(cell, separator, where));
         }
     }
-    const int lower = cells.place_of("lower"), upper = cells.place_of("upper");
-    const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
-    if (x < 0 || y < 0 || known != cells.header.size() || (lower >= 0) != (upper >= 0)) {
-        throw InputError(file.string() + ": columns \"" + given.header_text() + "\" given, " +
-                         expected_columns);
+    return table;
+}
+
+int TargetTable::place_of(const std::string& name) const {
+    const auto found = std::find(header.begin(), header.end(), name);
+    return found == header.end() ? -1 : static_cast<int>(found - header.begin());
+}
+
+Target read_target(const std::filesystem::path& file, const TargetScales& scales) {
+    TargetTable table = read_target_table(file);
+    std::string given;
+    std::vector<double> factors;
+    for (std::string& name : table.header) {
+        given += (given.empty() ? "" : ",") + name;
+        auto usual = usual_column(name, scales, file.string());
+        name = std::move(usual.name);
+        factors.push_back(usual.factor);
     }
-    const auto factor = [&](int place) { return cells.factors[static_cast<std::size_t>(place)]; };
-    target.x = cells.column(x, factor(x));
-    target.y = cells.column(y, factor(y));
+    Target target;
+    target.name = file.string();
+    target.recorded = table.recorded;
+    int x = -1, y = -1;
+    for (std::size_t q = 0; q < quantities.size(); ++q) {
+        const Columns& columns = quantities[q].columns;
+        if (table.place_of(columns.x) < 0 || table.place_of(columns.y) < 0)
+            continue;
+        if (y >= 0)
+            throw InputError(file.string() + ":1: has more than one curve; give one per file");
+        target.quantity = static_cast<Quantity>(q), x = table.place_of(columns.x),
+        y = table.place_of(columns.y);
+    }
+    const int lower = table.place_of("lower"), upper = table.place_of("upper");
+    const std::size_t known = (x >= 0) + (y >= 0) + (lower >= 0) + (upper >= 0);
+    if (x < 0 || y < 0 || known != table.header.size() || (lower >= 0) != (upper >= 0))
+        throw InputError(file.string() + ": columns \"" + given + "\" are not a target; " + expected_columns);
+    const auto column = [&](int place, double factor) {
+        Eigen::VectorXd values(static_cast<Index>(table.rows.size()));
+        for (std::size_t k = 0; k < table.rows.size(); ++k)
+            values[static_cast<Index>(k)] = factor * table.rows[k][static_cast<std::size_t>(place)];
+        return values;
+    };
+    const double factor = factors[static_cast<std::size_t>(y)];
+    target.x = column(x, factors[static_cast<std::size_t>(x)]);
+    target.y = column(y, factor);
     if (lower >= 0) {
-        target.lower = cells.column(lower, factor(y));
-        target.upper = cells.column(upper, factor(y));
+        target.lower = column(lower, factor);
+        target.upper = column(upper, factor);
     }
     validate(target);
     return target;
@@ -126,20 +276,6 @@ std::string to_csv(const Target& target) {
     return out.str();
 }
 
-Curve curve_of(Quantity quantity, const Response& response) {
-    switch (quantity) {
-    case Quantity::stiffness:
-        return secant_stiffness(response);
-    case Quantity::area_at_pressure:
-        return area_against_pressure(response);
-    case Quantity::area_at_displacement:
-        return area_against_displacement(response);
-    case Quantity::load_at_displacement:
-        return load_against_displacement(response);
-    case Quantity::interface_stiffness:
-        return interface_secants(response);
-    }
-    throw InputError("quantity: unknown");
-}
+Curve curve_of(Quantity quantity, const Response& response) { return row_of(quantity).curve(response); }
 
 } // namespace rough

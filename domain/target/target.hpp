@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/response/curve.hpp"
-#include "domain/target/target_table.hpp"
 
 #include <filesystem>
 #include <map>
@@ -10,13 +9,13 @@
 
 namespace rough {
 
-/// What a target curve is of, and against what.
+/// The y of a target curve, and its x.
 enum class Quantity {
     stiffness,            ///< K (MPa/mm) against mean pressure (MPa)
     area_at_pressure,     ///< contact fraction against mean pressure (MPa)
     area_at_displacement, ///< contact fraction against displacement from the highest point (mm)
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
-    interface_stiffness,  ///< K_i (MPa/mm; response/interface.hpp) against mean pressure (MPa)
+    interface_stiffness,  ///< K_i (MPa/mm; response/curve.hpp) against mean pressure (MPa)
 };
 
 /// In the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.
@@ -26,28 +25,27 @@ const std::string& name_of(Quantity quantity);
 /// The quantity of that name. Throws InputError on another word.
 Quantity quantity_named(const std::string& name);
 
-/// Whether it is of contact fractions.
+/// Whether y is a contact fraction.
 inline bool is_contact_fraction(Quantity quantity) {
     return quantity == Quantity::area_at_pressure || quantity == Quantity::area_at_displacement;
 }
-/// Whether it is against a mean pressure (MPa), not a displacement (mm).
+/// Whether x is a mean pressure (MPa), not a displacement (mm).
 inline bool against_pressure(Quantity quantity) {
     return quantity != Quantity::area_at_displacement && quantity != Quantity::load_at_displacement;
 }
 
-/// One curve that is asked for, with how much it counts and, where given, the band that satisfies it.
+/// A curve that a design has to meet, with its weight and, if given, the band that satisfies it.
 struct Target {
-    Quantity quantity = Quantity::stiffness; ///< what the curve is of
-    std::string name;                        ///< where it came from
-    Eigen::VectorXd x;                       ///< points in the quantity's units, > 0 and increasing
-    Eigen::VectorXd y;                       ///< the same many, > 0
-    Eigen::VectorXd lower;                   ///< band about y, or empty
-    Eigen::VectorXd upper;                   ///< band about y, or empty
-    double weight = 1;                       ///< (0, 1]: a misfit counts so much
-    std::map<std::string, std::string>
-        recorded; ///< "kernel", "datum_mm", ...: what the file says of its model
+    Quantity quantity = Quantity::stiffness;     ///< y and x of the curve
+    std::string name;                            ///< its file or another origin
+    Eigen::VectorXd x;                           ///< points in the quantity's units, > 0 and increasing
+    Eigen::VectorXd y;                           ///< one value at each x, > 0
+    Eigen::VectorXd lower;                       ///< band about y, or empty
+    Eigen::VectorXd upper;                       ///< band about y, or empty
+    double weight = 1;                           ///< (0, 1]: factor on each misfit
+    std::map<std::string, std::string> recorded; ///< the model by the file: "kernel", "datum_mm", ...
 
-    Index points() const { return x.size(); }       ///< how many
+    Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
     /// Whether x is a mean pressure (MPa), not a displacement (mm).
     bool against_pressure() const { return rough::against_pressure(quantity); }
@@ -56,22 +54,45 @@ struct Target {
 
 /// The columns of a quantity's file, e.g. "pressure_MPa" and "stiffness_MPa_per_mm".
 struct Columns {
-    const char* x; ///< what it is given against
-    const char* y; ///< what is asked for
+    const char* x; ///< name of the column of x
+    const char* y; ///< name of the column of y
 };
-/// As target files head them.
+/// The names of a quantity's columns in a target file.
 Columns columns_of(Quantity quantity);
 
-/// Throws InputError that names the row (1-based) and value: no points; x not increasing from above 0; y not
-/// above 0 (contact fractions: nor above 1); a band that does not hold y.
+/// Throws InputError that names the point (1-based) and value: no points; x not increasing from above 0. The
+/// same if y is not above 0, a contact fraction is above 1, or a band does not contain y.
 void validate(const Target& target);
 
-/// Reads a target: CSV, header first, any columns order, in the units that the columns' names say
-/// (in_usual_units); `#` lines before the header record the model as "# key: value". Throws InputError with
-/// file and line.
+/// The contents of a target file.
+struct TargetTable {
+    std::map<std::string, std::string> recorded; ///< the lines "# key: value"
+    std::vector<std::string> header;             ///< names of the columns, trimmed
+    std::vector<std::vector<double>> rows;       ///< as wide as the header, finite
+
+    /// The column's place in the header, or -1.
+    int place_of(const std::string& name) const;
+};
+/// Reads a target file: comments, a header and rows of numbers, with commas, semicolons or tabs between as in
+/// the header. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
+TargetTable read_target_table(const std::filesystem::path& file);
+
+/// Factors that convert the columns of a target file into a quantity.
+struct TargetScales {
+    double nominal_area = 0;             ///< mm^2, for loads (N) and areas (mm^2); 0 refuses both (a line)
+    double conductance_to_stiffness = 0; ///< E* resistivities/2 (Barber 2003); 0 refuses a conductance
+};
+
+/// Reads a target: CSV, header first, columns in any order. The columns are pressure_MPa, displacement_mm,
+/// contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, lower and upper, or have other
+/// units in their names. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the
+/// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
+/// square, e.g. area_mm2. A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um. A
+/// conductance C is the interface stiffness C E* resistivities/2. Lines "# key: value" record the model.
+/// Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
-/// The target as a file: the recorded lines, the header, a row a point with 17 digits.
+/// The target as a file: the recorded lines, the header, and one row per point with 17 digits.
 std::string to_csv(const Target& target);
 
 /// The curve of a response that a target of that quantity is compared with.

@@ -9,7 +9,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 
 namespace rough {
 namespace {
@@ -18,16 +17,17 @@ namespace {
     throw InputError(path.string() + ": cannot be " + what + " (" + std::strerror(error) + ")");
 }
 
-/// An open file that is closed when it is left.
+/// An open file, closed at the end of its scope.
 class Descriptor {
   public:
     explicit Descriptor(int file) : file_(file) {}
-    ~Descriptor() { close(); }
+    ~Descriptor() {
+        if (file_ >= 0)
+            ::close(file_);
+    }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-
     int get() const { return file_; }
-    int close() { return file_ < 0 ? 0 : ::close(std::exchange(file_, -1)); }
 
   private:
     int file_;
@@ -44,7 +44,7 @@ void write_all(int file, std::string_view content, const std::filesystem::path& 
     }
 }
 
-/// The mode of the file that is there, else what the user's mask leaves of a new one's.
+/// The mode of an existing file, or that of a new file under the user's mask.
 mode_t mode_for(const std::filesystem::path& target) {
     struct stat there {};
     if (lstat(target.c_str(), &there) == 0 && S_ISREG(there.st_mode))
@@ -54,67 +54,20 @@ mode_t mode_for(const std::filesystem::path& target) {
     return static_cast<mode_t>(0666 & ~mask);
 }
 
-/// A rename lasts through a loss of power when the folder is on the disk too; where a file system cannot do
-/// that, the rename has to do.
-void flush_folder(const std::filesystem::path& folder) {
-    const Descriptor open_folder(
-        open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (open_folder.get() >= 0)
-        fsync(open_folder.get());
-}
-
-/// A temporary file that is removed unless it was renamed to its final name.
-class Draft {
-  public:
-    /// mkostemp opens exclusively: neither a file nor a link that is there is ever opened.
-    explicit Draft(const std::filesystem::path& target)
-        : name_(target.string() + ".XXXXXX"), file_(mkostemp(name_.data(), O_CLOEXEC)) {
-        if (file_.get() < 0)
-            refuse(target, "written", errno);
-    }
-    ~Draft() {
-        if (!kept_)
-            unlink(name_.c_str());
-    }
-    Draft(const Draft&) = delete;
-    Draft& operator=(const Draft&) = delete;
-
-    void keep_as(const std::filesystem::path& target, std::string_view content) {
-        write_all(file_.get(), content, target);
-        if (fchmod(file_.get(), mode_for(target)) != 0 || fsync(file_.get()) != 0 || file_.close() != 0 ||
-            std::rename(name_.c_str(), target.c_str()) != 0)
-            refuse(target, "written", errno);
-        kept_ = true;
-        flush_folder(target.parent_path());
-    }
-
-  private:
-    std::string name_;
-    Descriptor file_;
-    bool kept_ = false;
-};
-
-void write_through(const std::filesystem::path& device, std::string_view content) {
-    const Descriptor file(open(device.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.get() < 0)
-        refuse(device, "written", errno);
-    write_all(file.get(), content, device);
-}
-
 constexpr std::size_t first_bytes = 4096;
 
 [[noreturn]] void refuse_size(const std::filesystem::path& path, std::size_t most) {
-    throw InputError(path.string() + ": more than " + std::to_string(most) +
-                     " bytes, expected a file of that size at most");
+    throw InputError(path.string() + ": has more than " + std::to_string(most) +
+                     " bytes; give a smaller file");
 }
 
 } // namespace
 
 std::filesystem::path without_links(std::filesystem::path path) {
-    constexpr int most_links = 40; // as the kernel
+    constexpr int max_links = 40; // as in the kernel
     std::error_code none;
     for (int k = 0; std::filesystem::is_symlink(path, none); ++k) {
-        if (k == most_links)
+        if (k == max_links)
             refuse(path, "written", ELOOP);
         const auto next = std::filesystem::read_symlink(path, none);
         path = path.parent_path() / next;
@@ -124,9 +77,31 @@ std::filesystem::path without_links(std::filesystem::path path) {
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
     struct stat there {};
-    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode))
-        return write_through(path, content);
-    Draft(path).keep_as(path, content);
+    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
+        const Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+        if (device.get() < 0)
+            refuse(path, "written", errno);
+        return write_all(device.get(), content, path);
+    }
+    std::string draft = path.string() + ".XXXXXX";
+    // mkostemp opens exclusively: it never opens an existing file or link.
+    const Descriptor file(mkostemp(draft.data(), O_CLOEXEC));
+    if (file.get() < 0)
+        refuse(path, "written", errno);
+    try {
+        write_all(file.get(), content, path);
+        if (fchmod(file.get(), mode_for(path)) != 0 || fsync(file.get()) != 0 ||
+            std::rename(draft.c_str(), path.c_str()) != 0)
+            refuse(path, "written", errno);
+    } catch (...) {
+        unlink(draft.c_str());
+        throw;
+    }
+    // The rename survives a loss of power once the folder is on the disk. Not every file system can do that.
+    const std::filesystem::path folder = path.parent_path();
+    const Descriptor opened(open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.get() >= 0)
+        fsync(opened.get());
 }
 
 std::string read_whole(const std::filesystem::path& path, std::size_t most,
@@ -136,15 +111,15 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most,
     if (file.get() < 0 || fstat(file.get(), &there) != 0)
         refuse(path, "read", errno);
     if (S_ISDIR(there.st_mode))
-        throw InputError(path.string() + ": cannot be read (a folder, expected a file)");
-    if (there.st_size > 0 && static_cast<std::size_t>(there.st_size) > most)
+        throw InputError(path.string() + ": is a folder; give a file");
+    // Files of /proc and pipes do not state their size.
+    const auto size = static_cast<std::size_t>(std::max<off_t>(there.st_size, 0));
+    if (size > most)
         refuse_size(path, most);
     std::string bytes;
-    // Files of /proc and pipes do not say how much they hold.
-    const std::size_t told = static_cast<std::size_t>(std::max<off_t>(there.st_size, 0)) + 1;
-    std::size_t wanted = told == 1 ? first_bytes : std::min(told, first_bytes);
-    for (std::size_t held = 0;; wanted = std::max({told, 2 * held, std::size_t{65536}})) {
-        bytes.resize(std::min(wanted, most + 1));
+    std::size_t held = 0;
+    for (std::size_t room = first_bytes;; room = std::max({size + 1, 2 * held, std::size_t{65536}})) {
+        bytes.resize(std::min(room, most + 1));
         ssize_t got = 0;
         while (held < bytes.size() &&
                ((got = ::read(file.get(), bytes.data() + held, bytes.size() - held)) > 0 ||
@@ -154,8 +129,8 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most,
             refuse(path, "read", errno);
         if (held > most)
             refuse_size(path, most);
-        if (expect && wanted <= first_bytes)
-            expect(bytes.substr(0, held));
+        if (expect && room == first_bytes)
+            expect(std::string_view(bytes).substr(0, held));
         if (held < bytes.size()) {
             bytes.resize(held);
             return bytes;

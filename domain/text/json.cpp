@@ -13,12 +13,12 @@ std::string json_text(const nlohmann::json& value, bool one_line) {
 }
 
 nlohmann::json parsed_json(std::string_view text, const std::string& where) {
-    constexpr int max_depth = 64; // of brackets: what walks a value recurses once per level
+    constexpr int max_depth = 64; // brackets; code that visits a value recurses once per level
     using Event = nlohmann::json::parse_event_t;
     const auto expect_shallow = [&](int depth, Event event, const nlohmann::json&) {
         if (depth >= max_depth && (event == Event::object_start || event == Event::array_start))
-            throw InputError(where + ": brackets more than " + std::to_string(max_depth) +
-                             " deep, expected fewer");
+            throw InputError(where + ": brackets are more than " + std::to_string(max_depth) +
+                             " deep; nest fewer");
         return true;
     };
     try {

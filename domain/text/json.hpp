@@ -7,12 +7,12 @@
 
 namespace rough {
 
-/// A value as JSON text, each level indented by a space, or on one line. Names of files and variants may hold
-/// bytes that are no UTF-8: these become U+FFFD, as JSON has no other bytes.
+/// A value as JSON text, on one line or with each level indented by a space. Bytes outside UTF-8, e.g. in
+/// file names, become U+FFFD.
 std::string json_text(const nlohmann::json& value, bool one_line = false);
 
-/// The value of a JSON text whose brackets stand at most 64 deep. Throws InputError that begins with `where`
-/// on anything else.
+/// The value of a JSON text whose brackets are at most 64 deep. Throws InputError that begins with `where` on
+/// any other text.
 nlohmann::json parsed_json(std::string_view text, const std::string& where);
 
 } // namespace rough

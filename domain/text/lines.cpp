@@ -2,9 +2,11 @@
 
 #include "domain/errors.hpp"
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <iterator>
 #include <string_view>
 
 namespace rough {
@@ -12,67 +14,27 @@ namespace {
 
 constexpr std::size_t max_lines = 12'000'000; // a table of 1e7 rows and its header
 
-void append_utf8(std::string& text, std::uint32_t code) {
-    if (code == 0xA0 || code == 0x202F)
-        code = ' ';
-    else if (code == 0x2212)
-        code = '-';
-    const auto tail = [&](int shift) { text += static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };
-    if (code < 0x80) {
-        text += static_cast<char>(code);
-    } else if (code < 0x800) {
-        text += static_cast<char>(0xC0 | (code >> 6));
-        tail(0);
-    } else if (code < 0x10000) {
-        text += static_cast<char>(0xE0 | (code >> 12));
-        tail(6), tail(0);
-    } else {
-        text += static_cast<char>(0xF0 | (code >> 18));
-        tail(12), tail(6), tail(0);
-    }
-}
-
-unsigned byte(const std::string& bytes, std::size_t i) { return static_cast<unsigned char>(bytes[i]); }
-
-std::string from_utf16(const std::string& bytes, bool big_endian) {
-    const auto unit = [&](std::size_t i) {
-        return big_endian ? byte(bytes, i) << 8 | byte(bytes, i + 1)
-                          : byte(bytes, i + 1) << 8 | byte(bytes, i);
-    };
+/// Units of UTF-8 or UTF-16 as UTF-8. A unit outside any character becomes the code `replace(unit)`.
+template <class Units, class Replace>
+std::string transcoded(const Units& units, Replace replace) {
+    namespace utf = boost::locale::utf;
     std::string text;
-    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
-        std::uint32_t code = unit(i);
-        if (code >= 0xD800 && code < 0xDC00 && i + 3 < bytes.size()) {
-            const std::uint32_t second = unit(i + 2);
-            if (second >= 0xDC00 && second < 0xE000) {
-                code = 0x10000 + ((code - 0xD800) << 10) + (second - 0xDC00);
-                i += 2;
-            }
+    text.reserve(units.size());
+    for (auto at = units.begin(); at != units.end();) {
+        auto next = at;
+        utf::code_point code = utf::utf_traits<typename Units::value_type>::decode(next, units.end());
+        if (!utf::is_valid_codepoint(code)) {
+            code = replace(*at);
+            next = at + 1;
         }
-        if (code >= 0xD800 && code < 0xE000)
-            code = 0xFFFD; // half a pair
-        append_utf8(text, code);
+        if (code == 0xA0 || code == 0x202F)
+            code = ' ';
+        else if (code == 0x2212)
+            code = '-';
+        utf::utf_traits<char>::encode(code, std::back_inserter(text));
+        at = next;
     }
     return text;
-}
-
-/// The length of the well-formed UTF-8 sequence at i and its code; 0 where there is none.
-std::size_t sequence(const std::string& bytes, std::size_t i, std::uint32_t& code) {
-    const unsigned lead = byte(bytes, i);
-    const std::size_t length = lead < 0x80       ? 1
-                               : lead >> 5 == 6  ? 2
-                               : lead >> 4 == 14 ? 3
-                               : lead >> 3 == 30 ? 4
-                                                 : 0;
-    if (length == 0 || i + length > bytes.size())
-        return 0;
-    code = length == 1 ? lead : lead & (0x7FU >> length);
-    for (std::size_t k = 1; k < length; ++k) {
-        if (byte(bytes, i + k) >> 6 != 2)
-            return 0;
-        code = code << 6 | (byte(bytes, i + k) & 0x3F);
-    }
-    return length;
 }
 
 bool is_utf16(std::string_view bytes) {
@@ -80,22 +42,21 @@ bool is_utf16(std::string_view bytes) {
 }
 
 std::string to_utf8(std::string bytes) {
-    if (is_utf16(bytes))
-        return from_utf16(bytes, bytes[0] == '\xFE');
-    if (std::all_of(bytes.begin(), bytes.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
-        return bytes;
-    std::string text;
-    text.reserve(bytes.size());
-    for (std::size_t i = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < bytes.size();) {
-        std::uint32_t code = 0;
-        const std::size_t length = sequence(bytes, i, code);
-        append_utf8(text, length ? code : byte(bytes, i)); // a byte outside UTF-8 is Latin-1
-        i += length ? length : 1;
+    const auto byte = [](char c) { return static_cast<unsigned char>(c); };
+    if (is_utf16(bytes)) {
+        const std::size_t high = bytes[0] == '\xFE' ? 0 : 1; // place of a unit's high byte
+        std::u16string units;
+        for (std::size_t i = 2; i + 1 < bytes.size(); i += 2)
+            units += static_cast<char16_t>(byte(bytes[i + high]) << 8 | byte(bytes[i + 1 - high]));
+        return transcoded(units, [](char16_t) { return 0xFFFD; }); // half of a surrogate pair
     }
-    return text;
+    if (std::all_of(bytes.begin(), bytes.end(), [&](char c) { return byte(c) < 0x80; }))
+        return bytes;
+    const std::size_t mark = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    return transcoded(std::string_view(bytes).substr(mark), byte); // other bytes are Latin-1
 }
 
-/// What a binary file says it is, in brackets.
+/// The kind of a binary file by its first bytes, in brackets; empty if it is not known.
 std::string kind_of(std::string_view bytes) {
     using namespace std::string_view_literals;
     constexpr std::array<std::pair<std::string_view, const char*>, 5> kinds{
@@ -112,7 +73,7 @@ std::string kind_of(std::string_view bytes) {
 
 [[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
     throw InputError(file + ": holds binary data" + kind_of(bytes) +
-                     ", expected a text file of x and height (export as text or CSV)");
+                     "; give a text file of x and height (export as text or CSV)");
 }
 
 } // namespace
@@ -137,7 +98,8 @@ std::vector<std::string_view> text_lines(std::string& bytes, const std::string& 
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
         if (lines.size() == max_lines)
-            throw InputError(file + ": more than " + std::to_string(max_lines) + " lines, expected fewer");
+            throw InputError(file + ": more than " + std::to_string(max_lines) +
+                             " lines; give a smaller file");
         lines.push_back(text.substr(start, end - start));
         const std::size_t next = std::min(text.find_first_not_of('\r', end), text.size());
         const bool carriage_returns_end_with_line_feed = next < text.size() && text[next] == '\n';

@@ -6,13 +6,14 @@
 
 namespace rough {
 
-/// The lines of a text file, element i being line i + 1: views into `bytes`, which becomes UTF-8. Understands
-/// UTF-8 with or without its mark, UTF-16 with its mark, and bytes that are no UTF-8 as Latin-1. A line ends
+/// The lines of a text file: views into `bytes`, which becomes UTF-8. Element i is line i + 1. Reads UTF-8
+/// with or without its mark and UTF-16 with its mark; bytes outside UTF-8 are read as Latin-1. A line ends
 /// with LF, CRLF, CRCRLF or a lone CR. The typographic minus becomes '-' and the no-break space ' '. Throws
 /// InputError on binary content and on more than 12 million lines.
 std::vector<std::string_view> text_lines(std::string& bytes, const std::string& file);
 
-/// Throws InputError if a file that begins with these bytes holds no text, before all of a large one is read.
+/// Throws InputError if a file that begins with these bytes is binary, before a large file is read
+/// completely.
 void expect_text(std::string_view head, const std::string& file);
 
 /// The place that a message names: "scan.txt, line 7", or only the file if `line` is 0.

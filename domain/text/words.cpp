@@ -2,6 +2,8 @@
 
 #include "domain/errors.hpp"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,7 +16,7 @@ namespace {
 
 constexpr std::string_view blank = " \t\v\f";
 
-/// Where the cell that begins at `start` ends, and where the next one begins.
+/// The end of the cell that begins at `start`, and the start of the next one.
 std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t start,
                                              Dialect::Separator separator) {
     using enum Dialect::Separator;
@@ -64,16 +66,12 @@ double number_from(const std::string& word, const std::string& where) {
     const char* end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
-        throw InputError(where + ": \"" + word + "\" given, expected a finite number");
+        throw InputError(where + ": \"" + word + "\" is not a finite number");
     return value;
 }
 
 std::string lower(std::string_view text) {
-    std::string small(text);
-    for (char& c : small)
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-    return small;
+    return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
 }
 
 bool is_in(std::string_view list, std::string_view word) {
@@ -84,7 +82,7 @@ bool is_in(std::string_view list, std::string_view word) {
 void for_each_cell(std::string_view line, Dialect::Separator separator,
                    const std::function<bool(std::string_view)>& visit) {
     line = trim(line);
-    std::size_t empty = 0; // cells that have no other behind them so far
+    std::size_t empty = 0; // empty cells that no other cell has followed yet
     for (std::size_t start = 0; start < line.size();) {
         const auto [end, next] = cell_end(line, start, separator);
         std::string_view cell = trim(line.substr(start, end - start));
@@ -113,7 +111,7 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
     if (says_missing(cell))
         return Number{std::numeric_limits<double>::quiet_NaN(), 0};
     std::string text(cell.substr(cell.starts_with('+') ? 1 : 0));
-    // Between commas, 0 followed by a digit is the fraction of a number with a decimal comma.
+    // If commas separate, a cell "05" is the fraction of a number with a decimal comma.
     if (dialect.separator == Dialect::Separator::comma && text.size() > 1 && text[0] == '0' && digit(text[1]))
         return std::nullopt;
     std::size_t point = text.find('.');

@@ -23,33 +23,27 @@ void expect(bool done, const char* what) {
 
 } // namespace
 
-struct Zip::Archive {
-    Owned<zip_t> zip;
-};
+void Zip::Discard::operator()(zip* archive) const { zip_discard(archive); }
 
-Zip::Zip(const std::string& bytes, std::string file)
-    : archive_(std::make_unique<Archive>()), file_(std::move(file)) {
+Zip::Zip(const std::string& bytes, std::string file) : file_(std::move(file)) {
     zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr);
     expect(source != nullptr, "be opened");
-    archive_->zip.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
-    if (!archive_->zip) {
+    archive_.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
+    if (!archive_) {
         zip_source_free(source);
-        throw InputError(file_ + ": a damaged zip archive, expected X3P");
+        throw InputError(file_ + ": is a damaged zip archive; give an X3P file");
     }
 }
 
-Zip::~Zip() = default;
-
 bool Zip::read(const std::string& name, std::size_t max_size,
                const std::function<void(std::string_view)>& take) const {
-    zip_t* const zip = archive_->zip.get();
     zip_stat_t found;
-    if (zip_stat(zip, name.c_str(), ZIP_FL_NOCASE, &found) != 0)
+    if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &found) != 0)
         return false;
     if (found.size > max_size)
-        throw InputError(file_ + ": its entry " + name + " is too large, expected at most " +
-                         std::to_string(max_size) + " bytes");
-    const Owned<zip_file_t> opened(zip_fopen_index(zip, found.index, 0));
+        throw InputError(file_ + ": its entry " + name + " is too large; at most " +
+                         std::to_string(max_size) + " bytes are read");
+    const Owned<zip_file_t> opened(zip_fopen_index(archive_.get(), found.index, 0));
     std::vector<char> piece(65536);
     std::size_t got = 0;
     while (opened && got < found.size) {
@@ -60,7 +54,7 @@ bool Zip::read(const std::string& name, std::size_t max_size,
         take({piece.data(), static_cast<std::size_t>(count)});
     }
     if (!opened || got != found.size)
-        throw InputError(file_ + ": its entry " + name + " is damaged");
+        throw InputError(file_ + ": its entry " + name + " is damaged; export it again");
     return true;
 }
 

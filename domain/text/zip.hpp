@@ -8,32 +8,33 @@
 #include <utility>
 #include <vector>
 
+struct zip;
+
 namespace rough {
 
-/// A zip archive in memory, to be read.
+/// Reads a zip archive in memory.
 class Zip {
   public:
-    /// `bytes` must outlive it; `file` begins the messages. Throws InputError on what is no zip archive.
+    /// `bytes` must outlive the archive; `file` begins the messages. Throws InputError on a damaged archive.
     Zip(const std::string& bytes, std::string file);
-    ~Zip();
-    Zip(const Zip&) = delete;
-    Zip& operator=(const Zip&) = delete;
 
-    /// Hands an entry's bytes to `take`, piece by piece; false if there is no such entry. Throws InputError
-    /// on an entry of more than `max_size` bytes, before it is unpacked, and on a damaged one.
+    /// Passes an entry's bytes to `take`, piece by piece. False if it does not exist. Throws InputError
+    /// on an entry of more than `max_size` bytes, before it is unpacked, and on a damaged entry.
     bool read(const std::string& name, std::size_t max_size,
               const std::function<void(std::string_view)>& take) const;
-    /// An entry's bytes, or nothing, as read().
+    /// An entry's bytes as read() passes them, or nothing.
     std::optional<std::string> entry(const std::string& name, std::size_t max_size) const;
 
   private:
-    struct Archive;
-    std::unique_ptr<Archive> archive_;
+    struct Discard {
+        void operator()(zip* archive) const;
+    };
+    std::unique_ptr<zip, Discard> archive_;
     std::string file_;
 };
 
-/// The bytes of a zip archive of these entries, name and content each, dated 1980-01-01 so that the same
-/// entries give the same bytes.
+/// The bytes of a zip archive of entries (name, content). All are dated 1980-01-01, so that equal entries
+/// give equal bytes.
 std::string zipped(const std::vector<std::pair<std::string, std::string>>& entries);
 
 } // namespace rough

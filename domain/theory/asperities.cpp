@@ -33,22 +33,22 @@ std::vector<Node> nodes_on(double from, double to) {
     return nodes;
 }
 
-/// What summits bear and cover at a separation.
+/// Load, area and stiffness of the summits at a separation.
 struct State {
     double pressure, fraction, stiffness;
 };
 
-/// The curve of states at the separations d >= 0, with which they fall on the scale of `unit`; mean planes
-/// are d + `mean` apart.
+/// The curve of states at the separations d >= 0, on whose pressure `unit` is the scale of the fall. Mean
+/// planes are d + `mean` apart.
 template <class StateAt>
 TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean, StateAt at) {
     const Eigen::VectorXd none =
         Eigen::VectorXd::Constant(pressures.size(), std::numeric_limits<double>::quiet_NaN());
     TheoryCurve curve{pressures, none, none, none};
-    const double most = at(0).pressure;
+    const double largest = at(0).pressure;
     for (Index j = 0; j < pressures.size(); ++j) {
         const double wanted = pressures[j];
-        if (!(wanted <= most))
+        if (!(wanted <= largest))
             continue;
         const auto excess = [&](double d) { return std::log(at(d).pressure / wanted); };
         double far = unit;
@@ -67,14 +67,14 @@ TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean,
 
 void expect_gaussian(const SpectralMoments& m) {
     if (!(m.m0 > 0 && m.m2 > 0 && m.m4 > 0))
-        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4, ", expected three above 0");
+        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4, " must be above 0");
     if (!(m.bandwidth() > 1.5))
-        refuse("theory: a bandwidth of ", m.bandwidth(),
-               ", expected more than 1.5: no isotropic Gaussian surface has less");
+        refuse("theory: bandwidth ", m.bandwidth(),
+               " is not above 1.5, as that of every isotropic Gaussian surface is");
 }
 
-/// An elliptic Hertz contact beside the sphere of the same mean curvature sqrt(k1 k2), k1/k2 = (1 + kappa)/(1
-/// - kappa): its area and load at the same approach over the sphere's (Johnson 1985, eq. 4.26-4.28).
+/// Area and load of an elliptic Hertz contact over those of the sphere of the same mean curvature sqrt(k1 k2)
+/// at the same approach; k1/k2 = (1 + kappa)/(1 - kappa) (Johnson 1985, eq. 4.26-4.28).
 struct Ellipse {
     double area, load;
 };
@@ -94,32 +94,31 @@ Ellipse ellipse(double kappa) {
     return {share * std::sqrt((1 - e * e) * ratio), pi / (2 * K) * std::sqrt(share) * std::pow(ratio, 0.25)};
 }
 
-/// Summits of mean curvature x sqrt(2 m4/3), the difference of their two curvatures integrated over: it is
-/// kappa times their sum, kappa's part of the density 2 kappa (1 - kappa^2) x^4 exp(-kappa^2 x^2).
+/// Summits of mean curvature x sqrt(2 m4/3), integrated over the difference of their two curvatures. The
+/// difference is kappa times their sum, and kappa's part of the density is 2 kappa (1 - kappa^2) x^4
+/// exp(-kappa^2 x^2).
 struct Sharpness {
-    double x, weight;          ///< of Gauss' rule over x
-    double number, area, load; ///< of them all, each pressed by an approach of 1
+    double x, weight;  ///< node and weight of Gauss' rule over x
+    double area, load; ///< sums over the summits, each pressed by an approach of 1
 };
 
 const std::vector<Sharpness>& sharpnesses() {
     static const std::vector<Sharpness> all = [] {
-        constexpr double sharpest = 10;                       // of a normal deviate
+        constexpr double sharpest = 10;                       // in standard deviations
         const std::vector<Node> angles = nodes_on(0, pi / 2); // kappa is their sine
         std::vector<Ellipse> ellipses;
         for (const Node& angle : angles)
             ellipses.push_back(ellipse(std::sin(angle.at)));
         std::vector<Sharpness> made;
         for (const auto& [x, weight] : nodes_on(0, sharpest)) {
-            Sharpness one{x, weight, 0, 0, 0};
+            Sharpness one{x, weight, 0, 0};
             for (std::size_t k = 0; k < angles.size(); ++k) {
                 const double kappa = std::sin(angles[k].at), cosine = std::cos(angles[k].at);
                 const double density =
                     2 * kappa * std::exp(-kappa * kappa * x * x) * cosine * angles[k].weight;
-                one.number += density * cosine * cosine;
                 one.area += density * cosine * ellipses[k].area;
                 one.load += density * std::pow(cosine, 1.5) * ellipses[k].load;
             }
-            one.number *= normal_density(x) * std::pow(x, 4);
             one.area *= normal_density(x) * std::pow(x, 3);
             one.load *= normal_density(x) * std::pow(x, 3.5);
             made.push_back(one);
@@ -129,11 +128,15 @@ const std::vector<Sharpness>& sharpnesses() {
     return all;
 }
 
-} // namespace
-
+/// int_t^inf (s - t)^n phi(s) ds, phi the standard normal density, for n = 1/2, 1 and 3/2.
+struct Exceedances {
+    double half, one, three_halves;
+};
+/// For any t, to about ten digits.
 Exceedances exceedances(double t) {
     static const std::vector<Node> unit = nodes_on(0, 1);
-    const double last = std::sqrt(std::pow(std::max(t, 0.0), 2) + 80); // beyond, exp(-40) of what is at t
+    const double last =
+        std::sqrt(std::pow(std::max(t, 0.0), 2) + 80); // beyond it the density is exp(-40) of that at t
     const double root = std::sqrt(last - t);
     Exceedances of{0, 0, 0};
     for (const Node& node : unit) { // s = t + v^2, smooth in v
@@ -144,6 +147,8 @@ Exceedances exceedances(double t) {
     }
     return of;
 }
+
+} // namespace
 
 Summits summits(const SpectralMoments& m) {
     expect_gaussian(m);
@@ -166,8 +171,9 @@ TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effectiv
 TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulus,
                                const Eigen::VectorXd& pressures) {
     expect_gaussian(m);
-    const double sharp = std::sqrt(2 * m.m4 / 3);                         // deviation of the mean curvature
-    const double deviation = std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // of heights at one of these
+    const double sharp = std::sqrt(2 * m.m4 / 3); // standard deviation of the mean curvature
+    const double deviation =
+        std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // that of heights at one mean curvature
     const double area = sharp / (2 * m.m2) * deviation,
                  load = effective_modulus * std::pow(sharp * deviation, 1.5) / (2 * pi * m.m2);
     return curve_of(pressures, std::sqrt(m.m0), 0, [&](double d) {
@@ -182,11 +188,29 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
     });
 }
 
-double summit_density(const SpectralMoments& m) {
-    double number = 0;
-    for (const Sharpness& s : sharpnesses())
-        number += s.weight * s.number;
-    return 2 * m.m4 / 3 / (2 * pi * m.m2) * number;
+const std::vector<std::string>& theory_names() {
+    static const std::vector<std::string> names{"greenwood-williamson", "bush-gibson-thomas", "persson"};
+    return names;
+}
+
+const std::string& name_of(Theory theory) { return theory_names()[static_cast<std::size_t>(theory)]; }
+
+bool holds_for(Theory theory, bool is_area) { return is_area || theory == Theory::persson; }
+
+TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
+                            const Eigen::VectorXd& pressures) {
+    if (!holds_for(theory, surface.is_area))
+        refuse(name_of(theory), ": this theory is for areas only; choose persson for a profile");
+    if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
+        refuse(name_of(theory), ": modulus and mean pressures must be above 0");
+    switch (theory) {
+    case Theory::greenwood_williamson:
+        return greenwood_williamson(spectral_moments(surface), effective_modulus, pressures);
+    case Theory::bush_gibson_thomas:
+        return bush_gibson_thomas(spectral_moments(surface), effective_modulus, pressures);
+    default:
+        return persson(surface, effective_modulus, pressures);
+    }
 }
 
 } // namespace rough

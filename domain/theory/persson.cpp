@@ -13,10 +13,10 @@ namespace {
 
 constexpr double correction = 0.45; ///< gamma
 
-/// int_s^inf erf^2(t) exp(-t^2)/t dt, between tabulated values by the cubic of their slopes.
+/// int_s^inf erf^2(t) exp(-t^2)/t dt, by cubic interpolation of tabulated values and slopes.
 double reached_part(double s) {
     constexpr int intervals = 256;
-    constexpr double last = 6, step = last / intervals; // beyond it is under 1e-17
+    constexpr double last = 6, step = last / intervals; // beyond it the integral is below 1e-17
     const auto integrand = [](double t) {
         const double error = std::erf(t);
         return t > 0 ? error * error * std::exp(-t * t) / t : 0;

@@ -11,7 +11,7 @@ namespace rough {
 
 namespace {
 
-/// int q^n C dq over the spectrum, whatever the waves' direction.
+/// int q^n C dq over the spectrum, for any directions of the waves.
 double moment(const Spectrum& spectrum, int n) {
     return (spectrum.wave_number.array().pow(n) * spectrum.power.array()).sum();
 }
@@ -27,24 +27,24 @@ double power_integral(double exponent, double from, double to) {
 RandomSurface random_surface(const Profile& surface, bool periodic) {
     RandomSurface random{continuous_spectrum(surface, periodic), surface.is_2d()};
     if (!(random.spectrum.power.sum() > 0))
-        refuse("theory: a flat surface, expected a rough one");
+        refuse("theory: the surface is flat; give a rough one");
     return random;
 }
 
 RandomSurface random_surface(const SelfAffine& of) {
     if (!(of.hurst > 0 && of.hurst < 1))
-        refuse("hurst: ", of.hurst, " given, expected a number between 0 and 1");
+        refuse("hurst: ", of.hurst, " is out of range (0 to 1, both excluded)");
     if (!(of.shortest > 0 && of.longest > of.shortest && std::isfinite(of.longest)))
         refuse("cut-offs: ", of.longest, " and ", of.shortest,
-               " mm given, expected the longer one first, both above 0");
+               " mm are not positive lengths, the longer one first");
     if (!(of.rms_slope > 0) || !std::isfinite(of.rms_slope) || of.wave_numbers < 1)
-        refuse("rms slope: ", of.rms_slope, " given, expected a number above 0");
+        refuse("rms slope: ", of.rms_slope, " is not a positive finite number");
     RandomSurface random{{Eigen::VectorXd(of.wave_numbers), {}, Eigen::VectorXd(of.wave_numbers)},
                          of.is_area};
-    const double least = 2 * std::numbers::pi / of.longest,
+    const double lowest = 2 * std::numbers::pi / of.longest,
                  step = std::log(of.longest / of.shortest) / static_cast<double>(of.wave_numbers);
     for (Index k = 0; k < of.wave_numbers; ++k) {
-        const double from = least * std::exp(step * static_cast<double>(k)), to = from * std::exp(step);
+        const double from = lowest * std::exp(step * static_cast<double>(k)), to = from * std::exp(step);
         // Around the circle an area's q^-2(1 + H) is a profile's q^-(1 + 2 H).
         const double heights = power_integral(-1 - 2 * of.hurst, from, to),
                      slopes = power_integral(1 - 2 * of.hurst, from, to);
@@ -66,22 +66,22 @@ double rms_slope(const RandomSurface& surface) { return std::sqrt(moment(surface
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed) {
     random_surface(parameters); // refuses what is out of range
     if (!grid.periodic || grid.is_2d() != parameters.is_area)
-        refuse("self-affine surface: expected a grid that periodic, a line's for a profile, an area's for an "
-               "area");
+        refuse("self-affine surface: the grid does not fit; give a periodic one, a line for a profile, an "
+               "area for an area");
     const Extent shape = grid.shape();
     const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
-    const double least = (1 - 1e-12) / parameters.longest, most = (1 + 1e-12) / parameters.shortest;
-    const auto last = static_cast<Index>(most / dx),
-               last_row = grid.is_2d() ? static_cast<Index>(most / dy) : 0;
+    const double lowest = (1 - 1e-12) / parameters.longest, largest = (1 + 1e-12) / parameters.shortest;
+    const auto last = static_cast<Index>(largest / dx),
+               last_row = grid.is_2d() ? static_cast<Index>(largest / dy) : 0;
     AlignedBuffer<fftw_complex> waves(shape.nodes());
     for (Index k = 0; k < shape.nodes(); ++k)
         waves[k][0] = waves[k][1] = 0;
     ga::Stream random(ga::fold(seed, "self-affine surface"));
     double slopes = 0; // mean square
     for (Index j = -last_row; j <= last_row; ++j)
-        for (Index i = j > 0 ? 0 : 1; i <= last; ++i) { // of q and -q one
+        for (Index i = j > 0 ? 0 : 1; i <= last; ++i) { // one of q and -q
             const double q = std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(j));
-            if (q < least || q > most)
+            if (q < lowest || q > largest)
                 continue;
             const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_area ? 1 : 0.5)),
                          phase = random.uniform(0, 2 * std::numbers::pi);

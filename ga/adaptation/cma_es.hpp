@@ -2,43 +2,43 @@
 
 #include "ga/adaptation/cma_runs.hpp"
 #include "ga/pipeline/stage.hpp"
-#include "ga/variation/mutations.hpp"
+#include "ga/variation/mutate.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace ga {
 
-/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). Each
-/// generation learns from those of its children that are in the population still, and puts new ones in its
-/// place; the first begins at the best of the population. A gene's step is in widths between its bounds; one
-/// that passes a bound is mirrored there, as often as it takes; of the worse children, those that were
-/// mirrored teach nothing. Children that were refined since are taken at most sqrt(n) + 2n/(n + 2) deviations
-/// from the mean (Hansen 2011, Injecting external solutions into CMA-ES). A run that is over (`over`) is
-/// followed by another (CmaPlan) whose mean is uniform between the bounds; a gene without bounds begins where
-/// the first run did.
+/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). It
+/// starts at the best of the population. Each generation learns from the last children that are still in the
+/// population, and replaces the population by new children. Steps are in widths between a gene's bounds. A
+/// gene outside its bounds is reflected at them until it is inside; bad children that were reflected are not
+/// learnt from. Steps of refined children are shortened to sqrt(n) + 2n/(n + 2) standard deviations (Hansen
+/// 2011, Injecting external solutions into CMA-ES). After a run has ended (`over`), CmaPlan starts another at
+/// a uniform random mean; genes without bounds start as in the first run.
 struct CmaEs : Operator {
-    double sigma = 0.3;             ///< first step, in widths between bounds, > 0
-    std::size_t population = 0;     ///< children of the first run; 0 for 4 + 3 ln n
-    std::string restarts = "bipop"; ///< ipop, bipop, or none: an ended run gives its population back as it is
+    double sigma = 0.3;         ///< first standard deviation, in widths between bounds, > 0
+    std::size_t population = 0; ///< children of the first run; 0 for 4 + 3 ln n
+    std::string restarts =
+        "bipop"; ///< ipop, bipop, or none; with none an ended run returns its population unchanged
 
-    /// What it has learnt; coordinates are genes in widths between their bounds.
+    /// The learnt state; coordinates are genes in widths between their bounds.
     struct State {
-        std::vector<Variable> moving;   ///< its genes
-        Eigen::VectorXd first;          ///< where the first run began
-        Cloud cloud;                    ///< what is drawn from
-        CmaRecord record;               ///< of this run
-        CmaPlan plan;                   ///< of the runs
-        CmaPlan::Run run{0, 1, 0};      ///< this one
-        std::vector<Identity> children; ///< drawn last, ascending
-        std::vector<bool> mirrored;     ///< whether one was
-        bool ended = false;             ///< no further run
+        std::vector<Variable> moving;   ///< the genes that move
+        Eigen::VectorXd first;          ///< the first run's starting point
+        Cloud cloud;                    ///< the distribution
+        CmaRecord record;               ///< record of this run
+        CmaPlan plan;                   ///< plan of all runs
+        CmaPlan::Run run{0, 1, 0};      ///< this run
+        std::vector<Identity> children; ///< identities of the last children, ascending
+        std::vector<bool> mirrored;     ///< whether each of them was reflected
+        bool ended = false;             ///< whether there is no further run
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
-        return {"cma-es", "adaptation",
-                "children of a normal distribution that learns from the last ones (Hansen and Ostermeier)"};
+        return {
+            "cma-es", "adaptation",
+            "children of a normal distribution that learns from the previous ones (Hansen and Ostermeier)"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.sigma,
@@ -48,7 +48,7 @@ struct CmaEs : Operator {
                                    .keyed()
                                    .quiet());
         visit(self.restarts,
-              word("restarts", "bipop", "what follows a run that ended: bipop, ipop or none").keyed());
+              word("restarts", "bipop", "restarts after a run has ended: bipop, ipop or none").keyed());
     }
     void validate() const {
         if (restarts != "bipop" && restarts != "ipop" && restarts != "none")
@@ -63,9 +63,8 @@ struct CmaEs : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.empty())
             return population;
         const auto order = ranking(population);
@@ -99,7 +98,7 @@ struct CmaEs : Operator {
         state.cloud = Cloud(state.first, sigma);
     }
 
-    /// A value brought back between its bounds by as many mirrors as it takes.
+    /// Reflects a value at its bounds until it is between them.
     static double mirrored(double value, const Variable& v) {
         const double width = v.upper - v.lower;
         if ((value >= v.lower && value <= v.upper) || !std::isfinite(width))
@@ -107,7 +106,7 @@ struct CmaEs : Operator {
         return std::clamp(v.lower + std::abs(std::remainder(value - v.lower, 2 * width)), v.lower, v.upper);
     }
 
-    /// In widths between bounds.
+    /// The moving genes in widths between their bounds.
     static Eigen::VectorXd coordinates(const std::vector<double>& genes,
                                        const std::vector<Variable>& moving) {
         Eigen::VectorXd x(static_cast<Eigen::Index>(moving.size()));
@@ -160,7 +159,8 @@ struct CmaEs : Operator {
             if (const Variable& v = state.moving[i]; std::isfinite(v.upper - v.lower))
                 mean[static_cast<Eigen::Index>(i)] = random.uniform(v.lower, v.upper) / width(v);
         state.cloud = Cloud(std::move(mean), sigma * state.run.shrink);
-        CmaRecord fresh{.to_beat = state.record.to_beat};
+        CmaRecord fresh;
+        fresh.to_beat = state.record.to_beat;
         for (const double best : state.record.best)
             fresh.to_beat = std::max(fresh.to_beat, best);
         state.record = std::move(fresh);
@@ -195,8 +195,7 @@ struct CmaEs : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
     const auto numbers = [](const auto& m) { return std::vector<double>(m.data(), m.data() + m.size()); };
     std::vector<double> moving;
@@ -235,11 +234,10 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.cloud.axes = numbers(c.at(5), n * n).reshaped(n, n);
     s.cloud.scales = numbers(c.at(6), n);
     s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
-    const auto& r = j.at(3);
-    s.record = {r.at(0), r.at(1), r.at(2), r.at(3), r.at(4)};
-    const auto& p = j.at(4);
-    s.plan = {p.at(0), p.at(1), p.at(2), p.at(3), p.at(4), p.at(5), p.at(6)};
-    s.run = {j.at(5).at(0), j.at(5).at(1), j.at(5).at(2)};
+    read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent, s.record.to_beat);
+    CmaPlan& p = s.plan;
+    read_parts(j.at(4), p.usual, p.doublings, p.large, p.small, p.last_large, p.now_large, p.begun);
+    read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.most);
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2));
     j.at(6).get_to(s.children);
     s.ended = j.at(7);

@@ -1,19 +1,141 @@
 #pragma once
 
-#include "ga/adaptation/covariance.hpp"
 #include "ga/base/random.hpp"
 
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
 
 namespace ga {
 
-/// What one run of CMA-ES has come to: values turned so that greater is better.
+/// The constants of CMA-ES for n variables and `lambda` children (Hansen, The CMA Evolution Strategy: A
+/// Tutorial, arXiv:1604.00772, 2016; also for equation numbers).
+struct CmaConstants {
+    std::size_t lambda; ///< children per generation
+    Eigen::Index mu;    ///< parents: children whose weight is above 0
+    Eigen::VectorXd
+        weights;        ///< size lambda, best child first; the first mu sum to 1, later ones are 0 or less
+    double mu_eff;      ///< variance-effective number of parents, Eq. 8
+    double c_c;         ///< decay of C's path, Eq. 56
+    double c_sigma;     ///< decay of sigma's path, Eq. 55
+    double c_1;         ///< rate of the rank-one update, Eq. 57
+    double c_mu;        ///< rate of the rank-mu update, Eq. 58
+    double d_sigma;     ///< damping of sigma, Eq. 55
+    double chi;         ///< expected length of a standard normal vector
+    Eigen::Index every; ///< generations between two decompositions of the covariance, 1 or more
+
+    /// The number of children by Eq. 48.
+    static std::size_t usual_children(Eigen::Index n) {
+        return 4 + static_cast<std::size_t>(3 * std::log(static_cast<double>(n)));
+    }
+    /// n >= 1, children >= 2.
+    CmaConstants(Eigen::Index variables, std::size_t children)
+        : lambda(children), mu(static_cast<Eigen::Index>(children / 2)),
+          weights(static_cast<Eigen::Index>(children)) {
+        const auto n = static_cast<double>(variables);
+        for (Eigen::Index i = 0; i < weights.size(); ++i) // Eq. 49
+            weights[i] =
+                std::log((static_cast<double>(children) + 1) / 2) - std::log(static_cast<double>(i + 1));
+        const auto effective = [](const auto& w) { return w.sum() * w.sum() / w.squaredNorm(); };
+        auto above = weights.head(mu), below = weights.tail(weights.size() - mu);
+        mu_eff = effective(above);
+        c_sigma = (mu_eff + 2) / (n + mu_eff + 5);                                        // Eq. 55
+        d_sigma = 1 + 2 * std::max(0.0, std::sqrt((mu_eff - 1) / (n + 1)) - 1) + c_sigma; // Eq. 55
+        c_c = (4 + mu_eff / n) / (n + 4 + 2 * mu_eff / n);                                // Eq. 56
+        c_1 = 2 / ((n + 1.3) * (n + 1.3) + mu_eff);                                       // Eq. 57
+        c_mu =
+            std::min(1 - c_1, 2 * (0.25 + mu_eff + 1 / mu_eff - 2) / ((n + 2) * (n + 2) + mu_eff)); // Eq. 58
+        chi = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
+        above /= above.sum();
+        const double least = std::min({1 + c_1 / c_mu,                                             // Eq. 50
+                                       1 + 2 * effective(below) / (mu_eff + 2),                    // Eq. 51
+                                       (1 - c_1 - c_mu) / (n * c_mu)});                            // Eq. 52
+        below *= below.sum() < 0 && std::isfinite(least) ? least / -below.sum() : 0;               // Eq. 53
+        every = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(1 / (10 * n * (c_1 + c_mu)))); // B.2
+    }
+};
+
+/// The normal distribution of CMA-ES. Equation numbers as in CmaConstants.
+struct Cloud {
+    Eigen::VectorXd mean;       ///< n
+    double sigma = 0;           ///< step size
+    Eigen::MatrixXd covariance; ///< C, n x n
+    Eigen::VectorXd path_sigma; ///< evolution path of sigma, n
+    Eigen::VectorXd path_c;     ///< evolution path of C, n
+    Eigen::MatrixXd axes;       ///< B, eigenvectors of C as it was last decomposed
+    Eigen::VectorXd scales;     ///< D, roots of its eigenvalues
+    Eigen::Index learnt = 0;    ///< generations
+    Eigen::Index drawn = 0;     ///< value of `learnt` when C was last decomposed
+
+    Cloud() = default;
+    /// An isotropic distribution with this mean and step size.
+    Cloud(Eigen::VectorXd middle, double step)
+        : mean(std::move(middle)), sigma(step),
+          covariance(Eigen::MatrixXd::Identity(mean.size(), mean.size())),
+          path_sigma(Eigen::VectorXd::Zero(mean.size())), path_c(path_sigma), axes(covariance),
+          scales(Eigen::VectorXd::Ones(mean.size())) {}
+
+    /// The point for a standard normal vector (Eq. 38-40).
+    Eigen::VectorXd at(const Eigen::VectorXd& z) const {
+        return mean + sigma * (axes * scales.cwiseProduct(z));
+    }
+    /// C^(-1/2) y.
+    Eigen::VectorXd whitened(const Eigen::VectorXd& y) const {
+        return axes * (axes.transpose() * y).cwiseQuotient(scales);
+    }
+    /// Learns from steps (x - mean)/sigma, one or more columns, best first. With fewer than lambda steps the
+    /// last weights are not used and the positive ones sum to 1 again. Negative weights of `altered` steps
+    /// (of any size) are not used either: Eq. 46 assumes that their length is random.
+    void learn(const CmaConstants& c, const Eigen::MatrixXd& steps, const std::vector<bool>& altered = {}) {
+        const Eigen::Index n = mean.size(), used = std::min(steps.cols(), c.weights.size());
+        const Eigen::Index parents = std::min(c.mu, used);
+        Eigen::VectorXd weights = c.weights.head(used);
+        weights.head(parents) /= weights.head(parents).sum();
+        for (Eigen::Index i = parents; i < used; ++i)
+            if (const auto k = static_cast<std::size_t>(i); k < altered.size() && altered[k])
+                weights[i] = 0;
+        const Eigen::VectorXd step = steps.leftCols(parents) * weights.head(parents); // Eq. 41
+        mean += sigma * step;                                                         // Eq. 42
+        path_sigma = (1 - c.c_sigma) * path_sigma +
+                     std::sqrt(c.c_sigma * (2 - c.c_sigma) * c.mu_eff) * whitened(step); // Eq. 43
+        ++learnt;
+        const double length = path_sigma.norm() / c.chi;
+        const double settled = 1 - std::pow(1 - c.c_sigma, 2 * static_cast<double>(learnt));
+        const bool calm = length / std::sqrt(settled) < 1.4 + 2 / (static_cast<double>(n) + 1);
+        path_c = (1 - c.c_c) * path_c;
+        if (calm)
+            path_c += std::sqrt(c.c_c * (2 - c.c_c) * c.mu_eff) * step; // Eq. 45
+        const double decay = 1 + (calm ? 0 : c.c_1 * c.c_c * (2 - c.c_c)) - c.c_1 - c.c_mu * weights.sum();
+        for (Eigen::Index i = parents; i < used; ++i) // Eq. 46
+            weights[i] *= static_cast<double>(n) / std::max(whitened(steps.col(i)).squaredNorm(), 1e-300);
+        const auto columns = steps.leftCols(used);
+        covariance = (decay * covariance + c.c_1 * path_c * path_c.transpose() +
+                      c.c_mu * columns * weights.asDiagonal() * columns.transpose())
+                         .eval();                                               // Eq. 47
+        sigma *= std::exp(std::min(1.0, c.c_sigma / c.d_sigma * (length - 1))); // Eq. 44
+        if (learnt - drawn >= c.every)
+            decompose();
+    }
+
+  private:
+    void decompose() {
+        covariance = (0.5 * (covariance + covariance.transpose())).eval();
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+        axes = solver.eigenvectors();
+        scales = solver.eigenvalues().cwiseMax(1e-40 * solver.eigenvalues().maxCoeff()).cwiseSqrt();
+        drawn = learnt;
+    }
+};
+
+/// The progress of one run of CMA-ES, with higher values being better.
 struct CmaRecord {
-    std::vector<double> best;   ///< of each generation, as far back as the rules look
-    std::vector<double> median; ///< likewise
-    std::vector<double> equal;  ///< 1 where the best and the k-th best were the same
+    std::vector<double> best;   ///< best value per generation, as far back as the rules need
+    std::vector<double> median; ///< median value per generation
+    std::vector<double> equal;  ///< 1 if the best and the k-th best value were equal
     long spent = 0;             ///< children that were scored
     double to_beat = std::numeric_limits<double>::lowest(); ///< best value of the runs before
 
@@ -25,7 +147,7 @@ struct CmaRecord {
         equal.push_back(values.size() >= k && values[k - 1] == values.front() ? 1 : 0);
         spent += static_cast<long>(values.size());
     }
-    /// Forgets what no rule looks at.
+    /// Forgets generations that no rule needs.
     void forget(std::size_t window) {
         for (auto* each : {&best, &median, &equal})
             if (each->size() > 2 * window)
@@ -33,10 +155,10 @@ struct CmaRecord {
     }
 };
 
-/// Why a run of CMA-ES is over, or null: the rules of Hansen (2009, Benchmarking a BI-population CMA-ES on
-/// the BBOB-2009 function testbed, sec. 2.1), with Stagnation over a window of 120 + 30 n/lambda generations,
-/// and one rule more: Inferior, if the run is worse than an earlier one by more than ten times what its best
-/// values of late differ by. `scale` is the run's first sigma.
+/// Why a run of CMA-ES is over, or null. The rules are those of Hansen (2009, Benchmarking a BI-population
+/// CMA-ES on the BBOB-2009 function testbed, sec. 2.1); Stagnation has a window of 120 + 30 n/lambda
+/// generations. There is one more rule: Inferior, if the run is worse than an earlier one by more than ten
+/// times the range of its recent best values. `scale` is the run's first sigma.
 inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& record, double scale) {
     const auto n = static_cast<double>(cloud.mean.size()), lambda = static_cast<double>(c.lambda);
     const auto last = [](const std::vector<double>& all, double count) {
@@ -90,24 +212,24 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
     return nullptr;
 }
 
-/// How runs follow each other: with twice the children each time (IPOP: Auger and Hansen 2005), or besides as
-/// many evaluations in runs of few children and small steps (BIPOP: Hansen 2009).
+/// The sequence of runs: each has twice the children of the previous one (IPOP: Auger and Hansen 2005). BIPOP
+/// (Hansen 2009) spends as many evaluations on additional runs with few children and small steps.
 struct CmaPlan {
     std::size_t usual = 0;     ///< children of the first run
     std::size_t doublings = 0; ///< large runs after the first
-    long large = 0;            ///< evaluations spent in these
+    long large = 0;            ///< evaluations spent in large runs
     long small = 0;            ///< evaluations spent in small runs
-    long last_large = 0;       ///< of the last large run
-    bool now_large = false;    ///< the run that is
-    bool begun = false;        ///< whether the first is over
+    long last_large = 0;       ///< evaluations of the last large run
+    bool now_large = false;    ///< whether the current run is large
+    bool begun = false;        ///< whether the first run is over
 
-    /// Of a run.
+    /// Settings of a run.
     struct Run {
         std::size_t lambda; ///< children
-        double shrink;      ///< of the first sigma
-        long most;          ///< evaluations; 0 for no such end
+        double shrink;      ///< factor of the first sigma
+        long most;          ///< maximum number of evaluations; 0 for no limit
     };
-    /// The next, after one that spent so many evaluations.
+    /// The next run, after one that spent this number of evaluations.
     Run next(long spent, bool both, Stream& random) {
         if (begun)
             (now_large ? large : small) += spent;

@@ -1,34 +1,34 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/variation/genes.hpp"
+#include "ga/variation/cross.hpp"
 
 #include <unordered_map>
 
 namespace ga {
 
-/// v = base + F1 (a - base) + F2 (b - c). Of the genes that may move the trial takes v's, each with
-/// probability CR and one in any case (binomial cross-over: Storn and Price 1997, Eq. 2-4), or one and those
-/// that follow it in a ring, each with probability CR if the one before was taken (exponential: Storn and
-/// Price 1995). A gene past a bound goes half the way from the target to it (Zhang and Sanderson 2009). Genes
-/// that one of them lacks stay.
+/// The mutant is v = base + F1 (a - base) + F2 (b - c). The trial takes genes of v from among those that may
+/// move. Binomial cross-over takes one gene in any case and each other with probability CR (Storn and Price
+/// 1997, Eq. 2-4). Exponential cross-over takes one, and the next ones in a ring while draws are below CR
+/// (Storn and Price 1995). A gene beyond a bound is set halfway between the target and the bound (Zhang and
+/// Sanderson 2009). Genes that one of the vectors lacks stay.
 struct Difference {
     const std::vector<double>& base; ///< genes
     const std::vector<double>& a;    ///< genes
     const std::vector<double>& b;    ///< genes
     const std::vector<double>& c;    ///< genes
-    double f1;                       ///< of a - base
-    double f2;                       ///< of b - c
+    double f1;                       ///< factor of a - base
+    double f2;                       ///< factor of b - c
     double cr;                       ///< cross-over rate, [0, 1]
-    bool exponential = false;        ///< or binomial
+    bool exponential = false;        ///< cross-over; otherwise binomial
 
-    /// The trial of a target; never the target itself, but where nothing differs.
+    /// The trial for a target. It is never equal to it, unless the vectors are equal.
     template <class Moving>
     std::vector<double> trial(std::vector<double> target, const Moving& moving, Stream& stream) const {
         if (moving.empty())
             return target;
         const std::size_t n = moving.size(), sure = stream.below(n);
-        std::size_t in_a_row = 1; // exponential: so many from `sure` on
+        std::size_t in_a_row = 1; // exponential: number of genes from `sure` on
         while (exponential && in_a_row < n && stream.uniform() < cr)
             ++in_a_row;
         for (std::size_t i = 0; i < n; ++i) {
@@ -46,7 +46,7 @@ struct Difference {
     }
 };
 
-/// The genes of everybody.
+/// The genes of all individuals.
 template <Problem P>
 std::vector<std::vector<double>> all_genes(const P& problem, const PopulationOf<P>& population) {
     std::vector<std::vector<double>> all;
@@ -55,20 +55,19 @@ std::vector<std::vector<double>> all_genes(const P& problem, const PopulationOf<
     return all;
 }
 
-/// Differential evolution (Storn and Price 1997): every individual gives its place to a trial, its child,
-/// made by rand/1, best/1 or current-to-best/1 and binomial or exponential cross-over. `duel` behind the
-/// score keeps the better of the two.
+/// Differential evolution (Storn and Price 1997): a trial, its child, replaces every individual. Trials are
+/// made by rand/1, best/1 or current-to-best/1 with binomial or exponential cross-over. `duel` after `score`
+/// keeps the better of the two.
 struct DifferentialEvolution : Operator {
     std::string base = "rand";    ///< rand, best or current-to-best
     double F = 0.5;               ///< weight of differences, above 0
     double CR = 0.9;              ///< cross-over rate, [0, 1]
     std::string crossing = "bin"; ///< bin or exp
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"de", "adaptation",
-                "a trial in everybody's place by differential evolution; duel follows the score"};
+                "a trial replaces each individual by differential evolution; duel follows the score"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.base, word("base", "rand", "rand, best or current-to-best"));
@@ -89,9 +88,8 @@ struct DifferentialEvolution : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
         if (n < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(n) +
@@ -100,7 +98,7 @@ struct DifferentialEvolution : Operator {
         const std::size_t best = ranking(population, 1).front();
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
-            std::size_t others[3]; // apart from each other and from i
+            std::size_t others[3]; // different from each other and from i
             for (std::size_t k = 0; k < 3; ++k)
                 do
                     others[k] = stream.below(n);
@@ -127,11 +125,10 @@ inline DifferentialEvolution differential_evolution(std::string base = "rand", d
     return checked(DifferentialEvolution{{}, std::move(base), f, cr, std::move(crossing)});
 }
 
-/// One-to-one replacement: each child gives way to its first parent in the generation's start where that one
-/// is better; of equals the child stays (Storn and Price 1997).
+/// One-to-one replacement (Storn and Price 1997): a child's first parent, if it is in the generation's start
+/// and better, replaces the child. On a tie the child stays.
 struct Duel : Operator {
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }

@@ -6,41 +6,37 @@
 
 namespace ga {
 
-/// The epsilon-constrained method (Takahama and Sakai 2006): behind `score`, each constraint counts as held
-/// up to a level, for the population and the generation's start alike, so that good individuals just outside
-/// what is feasible may lead across it. In generation t the level is e (1 - t/generations)^power, and 0 from
-/// `generations` on; e is the violation that the share `share` of the first population stays below. Other
-/// than in the source, every constraint has a level of its own, so that their units do not matter. The levels
-/// end with the block, and the best of the run never sees them.
+/// The epsilon-constrained method (Takahama and Sakai 2006), after `score`. Each constraint holds up to a
+/// level, both in the population and in the generation's start. So good individuals that are almost feasible
+/// stay in the search. In generation t the level is e (1 - t/generations)^power, later 0; the share `share`
+/// of the first population has a violation below e. Unlike the source, every constraint has its own level, so
+/// that units do not matter. The levels end with the block; they do not apply to the best of the run.
 struct Epsilon : Operator {
-    std::size_t generations = 1; ///< until the levels are 0
-    double share = 0.2;          ///< of the first population, 0 to 1
-    double power = 5;            ///< how fast the levels sink, > 0
+    std::size_t generations = 1; ///< generations until the levels are 0
+    double share = 0.2;          ///< share of the first population within the levels, 0 to 1
+    double power = 5;            ///< decay of the levels, > 0
 
-    /// What it goes by.
+    /// The levels and the time.
     struct State {
         std::vector<double> first;  ///< levels of the first generation, one per constraint
         std::size_t generation = 0; ///< the next
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
-        return {"epsilon", "adaptation", "constraints count as held up to a level that sinks to 0"};
+        return {"epsilon", "adaptation", "constraints hold up to a level that falls to 0"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.generations, whole("generations", std::nullopt, 1, "until the levels are 0"));
-        visit(self.share, number("share", "0.2", 0, 1, "of the first population that is within the levels")
-                              .keyed()
-                              .quiet());
-        visit(self.power,
-              number("power", "5", above_zero, no_limit, "how fast the levels sink").keyed().quiet());
+        visit(self.generations, whole("generations", std::nullopt, 1, "generations until the levels are 0"));
+        visit(
+            self.share,
+            number("share", "0.2", 0, 1, "share of the first population within the levels").keyed().quiet());
+        visit(self.power, number("power", "5", above_zero, no_limit, "decay of the levels").keyed().quiet());
     }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
-    template <Problem P>
-    requires Constrained<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <Constrained P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (state.generation == 0)
             state.first = first_levels(population);
         const double past = static_cast<double>(state.generation++) / static_cast<double>(generations);
@@ -75,13 +71,9 @@ struct Epsilon : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const Epsilon::State& s) { j = {s.first, s.generation}; }
-inline void from_json(const nlohmann::json& j, Epsilon::State& s) {
-    j.at(0).get_to(s.first);
-    j.at(1).get_to(s.generation);
-}
+inline void from_json(const nlohmann::json& j, Epsilon::State& s) { read_parts(j, s.first, s.generation); }
 ///@}
 
 /// The stage `epsilon generations`.

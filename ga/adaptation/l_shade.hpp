@@ -10,28 +10,28 @@
 
 namespace ga {
 
-/// What success-history based adaptation remembers of F and CR that did well (Tanabe and Fukunaga 2014,
-/// Improving the search performance of SHADE using linear population size reduction, Algorithm 1).
+/// The history of successful F and CR (Tanabe and Fukunaga 2014, Improving the search performance of SHADE
+/// using linear population size reduction, Algorithm 1).
 struct SuccessHistory {
     std::vector<double> F;  ///< H means
-    std::vector<double> CR; ///< H means; one below 0 stands for the terminal value
+    std::vector<double> CR; ///< H means; a value below 0 is the terminal value
     std::size_t next = 0;   ///< the entry that is replaced next
 
     SuccessHistory() = default;
-    /// All 0.5 at first.
+    /// All means are 0.5 at first.
     explicit SuccessHistory(std::size_t entries) : F(entries, 0.5), CR(entries, 0.5) {}
 
-    /// One F and CR that were better than before by `gain`.
+    /// A successful pair history of F and CR.
     struct Success {
         double F;    ///< weight of differences
         double CR;   ///< cross-over rate
-        double gain; ///< of fitness, above 0
+        double gain; ///< improvement of the fitness, above 0
     };
-    /// A generation's.
+    /// Learns from the successes of one generation.
     void learn(const std::vector<Success>& successes) {
         if (successes.empty())
             return;
-        const auto lehmer = [&](double Success::*part) { // Eq. 7-9, gains for weights
+        const auto lehmer = [&](double Success::*part) { // Eq. 7-9, weighted by the gains
             double squares = 0, sum = 0;
             for (const Success& s : successes) {
                 squares += s.gain * (s.*part) * (s.*part);
@@ -44,7 +44,7 @@ struct SuccessHistory {
         F[next] = lehmer(&Success::F);
         next = (next + 1) % F.size();
     }
-    /// F in (0, 1] and CR in [0, 1] round about an entry drawn at random (Eq. 1-2).
+    /// F in (0, 1] and CR in [0, 1], near a random entry (Eq. 1-2).
     std::pair<double, double> draw(Stream& stream) const {
         const std::size_t entry = stream.below(F.size());
         const double cr = CR[entry] < 0 ? 0 : std::clamp(CR[entry] + 0.1 * stream.normal(), 0.0, 1.0);
@@ -55,36 +55,35 @@ struct SuccessHistory {
     }
 };
 
-/// L-SHADE (Tanabe and Fukunaga 2014): differential evolution, current-to-pbest/1/bin with an archive of
-/// parents that were beaten, that learns F and CR from its successes and shrinks its population linearly to 4
-/// over `evaluations`. Everybody gives its place to a trial; `duel` behind the score keeps the better.
-/// Without an end to its evaluations the population stays as it is, which is SHADE.
+/// L-SHADE (Tanabe and Fukunaga 2014): differential evolution by current-to-pbest/1/bin with an archive of
+/// replaced parents. It learns F and CR from its successes and shrinks its population linearly to 4 over
+/// `evaluations`. A trial replaces every individual; `duel` after `score` keeps the better. Without a limit
+/// of evaluations the population keeps its size, which is SHADE.
 struct LShade : Operator {
-    long evaluations = 0;   ///< by when the population is 4; 0 for the run's budget
+    long evaluations = 0;   ///< when the population is 4; 0 for the run's budget
     std::size_t memory = 6; ///< entries of the success history, H
-    double archive = 2.6;   ///< beaten parents kept, in populations
-    double p = 0.11;        ///< share of the best that trials are drawn towards
+    double archive = 2.6;   ///< size of the archive, in populations
+    double p = 0.11;        ///< share of the best in current-to-pbest
 
-    /// A trial that waits for its fitness.
+    /// A trial before it has a fitness.
     struct Trial {
-        Identity child;             ///< it
-        double F;                   ///< with which it was made
-        double CR;                  ///< with which it was made
+        Identity child;             ///< the trial's identity
+        double F;                   ///< used for the trial
+        double CR;                  ///< used for the trial
         double violation;           ///< its parent's
         double merit;               ///< its parent's
         std::vector<double> parent; ///< its parent's genes
     };
-    /// What it has learnt.
+    /// The learnt state.
     struct State {
-        SuccessHistory history;                  ///< of F and CR
+        SuccessHistory history;                  ///< history of F and CR
         std::vector<std::vector<double>> beaten; ///< the archive
-        std::vector<Trial> trials;               ///< made last
+        std::vector<Trial> trials;               ///< the last trials
         std::size_t initial = 0;                 ///< individuals at first
         long spent = 0;                          ///< evaluations
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {
             "l-shade", "adaptation",
@@ -98,8 +97,9 @@ struct LShade : Operator {
         visit(self.memory,
               whole("memory", "6", 1, "entries of the success history").up_to(1e6).keyed().quiet());
         visit(self.archive,
-              number("archive", "2.6", 0, 100, "beaten parents kept, in populations").keyed().quiet());
-        visit(self.p, number("p", "0.11", above_zero, 1, "share of the best to go towards").keyed().quiet());
+              number("archive", "2.6", 0, 100, "size of the archive, in populations").keyed().quiet());
+        visit(self.p,
+              number("p", "0.11", above_zero, 1, "share of the best in current-to-pbest").keyed().quiet());
     }
     void check(CheckState& known) const {
         known.need_repetition(text_of(*this));
@@ -107,9 +107,8 @@ struct LShade : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.size() < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
                               " individuals; expected 4 at least");
@@ -185,7 +184,7 @@ struct LShade : Operator {
                 continue;
             const Fitness& fitness = *child->second;
             double gain = trial.violation - violation(fitness);
-            if (!(gain > 0 || gain < 0)) // both feasible, or as far off
+            if (!(gain > 0 || gain < 0)) // both feasible, or equally infeasible
                 gain = merit(fitness) - trial.merit;
             if (!(gain > 0))
                 continue;
@@ -196,7 +195,7 @@ struct LShade : Operator {
                 state.beaten.push_back(std::move(trial.parent));
             }
         }
-        double largest = 0; // so that no sum of gains is infinite
+        double largest = 0; // the sum of gains stays finite
         for (const auto& success : successes)
             largest = std::max(largest, success.gain);
         for (auto& success : successes)
@@ -204,7 +203,7 @@ struct LShade : Operator {
         state.history.learn(successes);
     }
 
-    /// The worst go (Eq. 10).
+    /// Removes the worst (Eq. 10).
     template <class G>
     void shrink(Population<G>& population, long budget, const State& state) const {
         const long end = evaluations > 0 ? evaluations : budget;
@@ -224,26 +223,19 @@ struct LShade : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const LShade::Trial& t) {
     j = {t.child, t.F, t.CR, t.violation, t.merit, t.parent};
 }
 inline void from_json(const nlohmann::json& j, LShade::Trial& t) {
-    t = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4), j.at(5)};
+    read_parts(j, t.child, t.F, t.CR, t.violation, t.merit, t.parent);
 }
 inline void to_json(nlohmann::json& j, const LShade::State& s) {
     j = {s.history.F, s.history.CR, s.history.next, s.beaten, s.trials, s.initial, s.spent};
 }
 inline void from_json(const nlohmann::json& j, LShade::State& s) {
-    j.at(0).get_to(s.history.F);
-    j.at(1).get_to(s.history.CR);
-    s.history.next = j.at(2);
-    j.at(3).get_to(s.beaten);
-    j.at(4).get_to(s.trials);
-    s.initial = j.at(5);
-    s.spent = j.at(6);
-    const std::size_t entries = s.history.F.size(); // none before its first generation
+    read_parts(j, s.history.F, s.history.CR, s.history.next, s.beaten, s.trials, s.initial, s.spent);
+    const std::size_t entries = s.history.F.size(); // 0 before the first generation
     expect_fit(s.history.CR.size() == entries && s.history.next < entries + (s.initial == 0 ? 1 : 0));
 }
 ///@}

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/variation/mutations.hpp"
+#include "ga/variation/mutate.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -9,25 +9,24 @@
 
 namespace ga {
 
-/// Mutation whose step sizes are inherited and mutate themselves (Schwefel 1977; Beyer and Schwefel 2002,
-/// Evolution strategies: a comprehensive introduction): sigma_i' = sigma_i exp(t0 N + t N_i) with
-/// t0 = 1/sqrt(2n), t = 1/sqrt(2 sqrt(n)), then gene_i + sigma_i' N_i; with one step size for all genes
-/// sigma' = sigma exp(N/sqrt(n)). A child of a cross-over has the geometric mean of its parents' sizes; who
-/// was never mutated here has `sigma`. A gene that passes a bound is mirrored there.
+/// Mutation with step sizes that are inherited and mutate too (Schwefel 1977; Beyer and Schwefel 2002,
+/// Evolution strategies: a comprehensive introduction). Each gene has sigma_i' = sigma_i exp(t0 N + t N_i)
+/// with t0 = 1/sqrt(2n), t = 1/sqrt(2 sqrt(n)), and becomes gene_i + sigma_i' N_i. With one step size for all
+/// genes sigma' = sigma exp(N/sqrt(n)). A child of a cross-over has the geometric mean of its parents' sizes.
+/// New individuals start with `sigma`. A gene beyond a bound is reflected there.
 struct SelfAdaptive : Operator {
-    double sigma = 0.1;         ///< first step, in widths between bounds, > 0
+    double sigma = 0.1;         ///< first standard deviation, in widths between bounds, > 0
     std::string steps = "each"; ///< a size for each gene, or one for all
 
-    /// The logarithms of the step sizes of everybody who may still have children.
+    /// The logarithms of the step sizes of all individuals that may still have children.
     struct State {
-        std::map<Identity, std::vector<double>> sizes; ///< one, or one a gene
+        std::map<Identity, std::vector<double>> sizes; ///< one, or one per gene
     };
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"self-adaptive", "adaptation",
-                "adds normal steps whose sizes are inherited and mutate themselves"};
+                "adds normal steps with sizes that are inherited and mutate too"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.sigma,
@@ -44,15 +43,14 @@ struct SelfAdaptive : Operator {
         known.scored.reset();
     }
 
-    template <Problem P>
-    requires HasGenes<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
+    template <HasGenes P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         State next;
         const auto keep = [&](const auto& individual) {
             if (const auto known = state.sizes.find(individual.identity); known != state.sizes.end())
                 next.sizes.insert(*known);
         };
-        for (const auto& individual : context.generation_start()) // who may come back after this
+        for (const auto& individual : context.generation_start()) // these may come back later
             keep(individual);
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];
@@ -83,7 +81,7 @@ struct SelfAdaptive : Operator {
     ///@}
 
   private:
-    /// Its own, or the mean of its parents'; the first where nothing is known.
+    /// The step sizes of the individual, or the mean of its parents'; `sigma` if they are unknown.
     template <class G>
     std::vector<double> inherited(const Individual<G>& individual, std::size_t count,
                                   const State& state) const {
@@ -107,8 +105,7 @@ struct SelfAdaptive : Operator {
     }
 };
 
-///@{
-/// What checkpoints hold, and back without loss.
+///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const SelfAdaptive::State& state) { j = state.sizes; }
 inline void from_json(const nlohmann::json& j, SelfAdaptive::State& state) { j.get_to(state.sizes); }
 ///@}

@@ -8,33 +8,33 @@
 
 namespace ga {
 
-/// When a run must end, whatever its pipeline says; the best so far is its result.
+/// Limits of a run. When one is reached, the best so far is the result.
 struct Budget {
     long evaluations =
-        std::numeric_limits<long>::max(); ///< asked for, whether paid or remembered; never exceeded
-    double seconds = std::numeric_limits<double>::infinity(); ///< of wall time; looked at between evaluations
-    const std::atomic<bool>* stop = nullptr; ///< becomes true when somebody asks the run to end
+        std::numeric_limits<long>::max(); ///< requested evaluations, paid or remembered; never exceeded
+    double seconds = std::numeric_limits<double>::infinity(); ///< wall time, checked between evaluations
+    const std::atomic<bool>* stop = nullptr;                  ///< becomes true to stop the run; may be null
 };
 
-/// What a run has spent so far. All but `evaluations` and `remembered` are the same for any size of memory.
+/// The expenses of a run so far. Only `evaluations` and `remembered` depend on the size of the memory.
 struct Counters {
-    long asked = 0;       ///< individuals that came to be scored, whether their outcome was known or not
+    long asked = 0;       ///< requested evaluations, paid or remembered
     long evaluations = 0; ///< calls of the problem's evaluate
     long remembered = 0;  ///< requests answered without a call
     long gradients = 0;   ///< calls of the problem's sensitivity
     long failures = 0;    ///< individuals marked as failed
 };
 
-/// Tells when to stop because of the time or of a request.
+/// Tells when to stop because of time or a request.
 class Watch {
   public:
-    /// Starts the clock. What `budget.stop` points to must outlive it.
+    /// Starts the clock. `budget.stop` must outlive it.
     explicit Watch(const Budget& budget) : budget_(budget) {}
 
-    double seconds() const { return clock_.seconds(); } ///< since it was made
+    double seconds() const { return clock_.seconds(); } ///< time since it was made
     /// Safe to call from any thread.
     bool expired() const { return requested() || late(); }
-    /// Why it expired, in words.
+    /// Why it has expired, in words.
     std::string reason() const { return requested() ? "stop requested" : "time budget spent"; }
 
   private:

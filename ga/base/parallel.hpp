@@ -9,8 +9,8 @@
 
 namespace ga {
 
-/// job(i) for i = 0 .. n-1 on up to `threads` threads, in no particular order. An exception ends no thread:
-/// the one of the smallest i is thrown again when all are done.
+/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. An exception does not stop the
+/// other jobs; that of the smallest i is thrown again at the end.
 template <class Job>
 void parallel_for(std::size_t n, int threads, Job job) {
     std::exception_ptr error;
@@ -38,8 +38,7 @@ void parallel_for(std::size_t n, int threads, Job job) {
         std::rethrow_exception(error);
 }
 
-/// The number of threads a run uses: the one asked for, or for 0 what OpenMP has. Throws UsageError on more
-/// than 1024.
+/// The requested number of threads, or OpenMP's default for 0. Throws UsageError if it exceeds 1024.
 inline int thread_count(int asked) {
     constexpr int most = 1024;
     if (asked > most)

@@ -12,8 +12,8 @@
 
 namespace ga {
 
-/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): a bijection in which every input bit moves every
-/// output bit. All random numbers of the engine come from it, so they are the same on every machine.
+/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): a bijection in which every input bit affects
+/// every output bit. All random numbers of the engine come from it, so they are equal on every machine.
 constexpr std::uint64_t mix(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -23,12 +23,12 @@ constexpr std::uint64_t mix(std::uint64_t x) {
 /// 2^64 over the golden ratio, made odd: splitmix64's step (Steele, Lea and Flood 2014).
 constexpr std::uint64_t golden_step = 0x9e3779b97f4a7c15u;
 
-/// A key made of a key and one more word; the order of words matters.
+/// Combines a key with one more word; the order of words matters.
 constexpr std::uint64_t fold(std::uint64_t key, std::uint64_t word) {
     return mix(key + golden_step + mix(word ^ 0x6a09e667f3bcc909u));
 }
 
-/// A key made of a key and a text (FNV-1a over its bytes).
+/// Combines a key with a text (FNV-1a over its bytes).
 constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const char c : text)
@@ -36,13 +36,12 @@ constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
     return fold(key, hash);
 }
 
-/// An independent sequence of random numbers for each key: splitmix64 started at the key. A value; making one
-/// costs nothing, so every individual of every stage has its own. The distributions are Boost.Random's bit by
-/// bit; those that engines draw most are written without its branches on random bits.
+/// An independent sequence of random numbers for each key: splitmix64 started at the key. Streams are so
+/// cheap that every individual of every stage has one. The distributions equal Boost.Random's bit by bit, but
+/// the most frequent ones avoid branches on random bits.
 class Stream {
   public:
-    ///@{
-    /// What the standard asks of a generator of random bits: 64 of them a call.
+    ///@{ A generator of random bits as the standard requires, 64 per call.
     using result_type = std::uint64_t;
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
@@ -62,7 +61,7 @@ class Stream {
     }
     /// Uniform in [lower, upper).
     double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
-    /// Normal, mean 0 and deviation 1.
+    /// Normal with mean 0 and standard deviation 1.
     double normal() { return boost::random::normal_distribution<double>()(*this); }
     /// True with the given probability.
     bool chance(double probability) {
@@ -72,7 +71,7 @@ class Stream {
     std::size_t below(std::size_t n);
 
   private:
-    /// The nearest double; as halves, since the processor converts signed numbers alone.
+    /// The nearest double. It converts halves, because the processor converts only signed numbers.
     static double as_double(std::uint64_t word) {
         return static_cast<double>(static_cast<std::int64_t>(word >> 32)) * 0x1p32 +
                static_cast<double>(static_cast<std::int64_t>(word & 0xffffffff));
@@ -81,21 +80,21 @@ class Stream {
     std::uint64_t state_;
 };
 
-/// Uniform over 0 .. n-1; n >= 1. For many draws among as many.
+/// Uniform over 0 .. n-1; n >= 1. Faster than Stream::below for many draws.
 class Below {
   public:
-    /// Among n.
+    /// Prepares draws from n numbers.
     explicit Below(std::size_t n)
         : n_(n), words_each_(n == 1 ? 0 : Stream::max() / n + (Stream::max() % n == n - 1 ? 1 : 0)) {}
 
-    /// The next; of one there is nothing to draw.
+    /// The next number; for n = 1 nothing is drawn.
     std::size_t operator()(Stream& stream) const {
         __extension__ using Wide = unsigned __int128;
         if (n_ == 1)
             return 0;
         for (;;) {
             const std::uint64_t word = stream();
-            // word / words_each_; where few share the words, by a product that is too small by one at most.
+            // word / words_each_; for small n by a product that is at most one too small
             auto number = static_cast<std::size_t>(n_ >> 32 ? word / words_each_
                                                             : (static_cast<Wide>(word) * n_) >> 64);
             number += word - number * words_each_ >= words_each_ ? 1 : 0;
@@ -106,16 +105,16 @@ class Below {
 
   private:
     std::size_t n_;
-    std::uint64_t words_each_; ///< of 64 bits, for each number
+    std::uint64_t words_each_; ///< 64-bit words for each number
 };
 
 inline std::size_t Stream::below(std::size_t n) { return Below(n)(*this); }
 
-/// A probability with which each of a row of things is picked, by drawing how many are passed over between
-/// two: a draw for each pick, not for each thing. Under 1e-15 nothing is picked.
+/// Picks each element of a sequence with a given probability. It draws the gaps between picks, so it needs
+/// one draw per pick, not per element. Below 1e-15 nothing is picked.
 class Chance {
   public:
-    /// `probability` in [0, 1]; less counts as 0, more as 1.
+    /// `probability` in [0, 1]; a value outside is clamped.
     Chance(double probability)
         : probability_(probability), sure_(probability >= 1), never_(!(probability > 1e-15)),
           log_of_rest_(std::log(1 - probability)) {
@@ -134,7 +133,7 @@ class Chance {
 
     double probability() const { return probability_; } ///< as it was given
 
-    /// Calls pick(i) for the positions that are picked of 0 .. n-1.
+    /// Calls pick(i) for the picked positions of 0 .. n-1.
     template <class Pick>
     void each(std::size_t n, Stream& stream, Pick pick) const {
         for (std::size_t i = gap(n, stream); i < n; i += 1 + gap(n - i - 1, stream))
@@ -144,8 +143,8 @@ class Chance {
   private:
     static constexpr int first_bits = 59; ///< the five first bits of a word begin there
 
-    /// How many are passed over, `left` where that is all of them: at least g with the probability (1 - p)^g.
-    /// Short gaps are looked up, long ones computed.
+    /// The length of the next gap, at most `left`; it is at least g with probability (1 - p)^g. Short gaps
+    /// come from a table, long ones are computed.
     std::size_t gap(std::size_t left, Stream& stream) const {
         if (sure_ || never_)
             return sure_ ? 0 : left;
@@ -157,7 +156,7 @@ class Chance {
             return static_cast<std::size_t>(std::min(gap, static_cast<double>(left)));
         }
         std::size_t gap = longest_[word >> first_bits];
-        gap -= gap > 0 && limits_[gap - 1] <= word ? 1 : 0; // nearly always enough, and no branch
+        gap -= gap > 0 && limits_[gap - 1] <= word ? 1 : 0; // nearly always sufficient, without a branch
         while (gap > 0 && limits_[gap - 1] <= word)
             --gap;
         return gap;
@@ -166,8 +165,8 @@ class Chance {
     double probability_;
     bool sure_, never_;
     double log_of_rest_;
-    std::array<std::uint64_t, 32> limits_{}; ///< [g - 1]: of the words whose gap is at least g
-    std::array<std::uint8_t, 32> longest_{}; ///< gap of the words with these first bits
+    std::array<std::uint64_t, 32> limits_{}; ///< [g - 1]: words below it have a gap of at least g
+    std::array<std::uint8_t, 32> longest_{}; ///< longest gap of the words with these first bits
 };
 
 } // namespace ga

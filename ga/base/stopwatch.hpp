@@ -7,7 +7,7 @@ namespace ga {
 /// Wall time since it was made.
 class Stopwatch {
   public:
-    /// s
+    /// in seconds
     double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }

@@ -4,15 +4,14 @@
 
 namespace ga {
 
-/// Runs `body` under a problem derived from the run's own, such as a coarser grid or another target, and
-/// gives back its population unscored. What it pays is booked in the run, and the run's budget holds for it.
-/// The events that observers see are marked as derived. A run that stops inside is kept as it was before the
-/// stage.
+/// Runs `body` under a problem derived from the run's problem, for example with a coarser grid. Returns its
+/// population unscored. Its evaluations count for the run and its budget, and observers see its events marked
+/// as derived. If the run stops inside, checkpoints have its state before the stage.
 template <Problem P>
 PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf<P> population,
                             Context<P>& context) {
     Ledger<P>& books = context.ledger();
-    Ledger<P> ledger(problem, books.evaluator(), books.memory().bytes(), books.left());
+    Ledger<P> ledger(problem, books.evaluator(), books.memory.bytes(), books.left());
     ledger.counters = books.counters;
     Context<P> inside(context, ledger);
     Frame<typename P::Genome> outermost;
@@ -38,8 +37,8 @@ PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf
     return unscored(std::move(population));
 }
 
-/// A block whose body runs under derived problems, as one step: `change(population, body, context)` calls
-/// run_derived and gives the population that the block leaves, unscored.
+/// A block whose body runs under derived problems, as one step. `change(population, body, context)` calls
+/// run_derived and returns the block's population, unscored.
 template <Problem P, class Change>
 Step<P> derived_step(const std::string& name, Stage<P> body, Change change) {
     using G = typename P::Genome;
@@ -48,7 +47,7 @@ Step<P> derived_step(const std::string& name, Stage<P> body, Change change) {
     step.text = name + " { " + stages->text() + " }";
     step.check = [stages, name](CheckState& known) {
         if (known.on_islands)
-            throw UsageError("stage '" + name + "' cannot run on islands; expected it before or after them");
+            throw UsageError("stage '" + name + "' cannot run on islands; put it before or after them");
         CheckState inside = known;
         inside.scored.reset();
         stages->check(inside);

@@ -4,41 +4,42 @@
 
 namespace ga {
 
-/// How islands meet: for `rounds` rounds every island runs the body, a generation of its own; after each but
-/// the last, copies of its `migrants` best replace as many of the worst on the next island of the ring.
+/// How islands exchange individuals. In each round every island runs the body once, as one generation. After
+/// each round except the last, copies of its best replace the worst on the next island of the ring.
 struct Migration {
-    std::size_t rounds = 10;  ///< >= 1
-    std::size_t migrants = 1; ///< to each neighbour, each round
+    std::size_t rounds = 10;  ///< number of rounds, >= 1
+    std::size_t migrants = 1; ///< individuals copied to the next island per round
 };
 
-/// Deals the population to n islands (individual i to island i modulo n), lets each evolve by itself under
-/// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987), and joins them again.
-/// Islands run side by side and what they ask is evaluated together (`Rounds`). A run is kept between two
-/// rounds; what an unfinished round has paid for is not paid again.
+/// Splits the population into n islands (individual i to island i modulo n). Each evolves separately under
+/// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987); then they are joined.
+/// Islands run in parallel and their evaluations are made together (`Rounds`). Checkpoints are written
+/// between two rounds; evaluations of an unfinished round are not paid again.
 template <class Body>
 struct Islands : Operator {
-    static constexpr std::size_t most = 10000; ///< islands
+    std::size_t n = 2;   ///< islands, 2 to 10,000
+    Migration migration; ///< how they exchange individuals
+    Body body;           ///< runs on each island
 
-    std::size_t n;       ///< islands, 2 to 10,000
-    Migration migration; ///< how they meet
-    Body body;           ///< what each runs
-
-    /// Throws UsageError on less than 2 islands, more than 10,000, or no round.
-    Islands(std::size_t count, Migration m, Body b) : n(count), migration(m), body(std::move(b)) {
-        if (n < 2 || n > most || migration.rounds == 0)
-            throw UsageError("islands: " + std::to_string(n) + " islands in " +
-                             std::to_string(migration.rounds) +
-                             " rounds; expected 2 to 10000 islands and 1 round at least");
+    ///@{ What every block has (Block).
+    static Words words() {
+        return {
+            "islands", "blocks",
+            "n parts of the population evolve separately, one generation per round, with migrants on a ring"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("n", std::nullopt, 2, "islands").up_to(10000));
+        visit(self.migration.rounds, whole("rounds", "10", 1, "generations of each").keyed());
+        visit(self.migration.migrants,
+              whole("migrants", "1", 0, "best individuals, copied to the next island after each round")
+                  .keyed());
     }
 
-    /// The block as one step (Block).
     template <Problem P>
     Step<P> step() const {
         using G = typename P::Genome;
         const auto stages = std::make_shared<const Stage<P>>(body);
-        const std::string name = "islands " + std::to_string(n) +
-                                 " rounds=" + std::to_string(migration.rounds) +
-                                 " migrants=" + std::to_string(migration.migrants);
+        const std::string name = text_of(*this);
         return {name + " { " + stages->text() + " }",
                 [stages, name, migration = migration](CheckState& known) {
                     const bool on_islands = std::exchange(known.on_islands, true);
@@ -52,6 +53,7 @@ struct Islands : Operator {
                     return evolve(std::move(population), *stages, n, migration, context);
                 }};
     }
+    ///@}
 
   private:
     template <Problem P, class G = typename P::Genome>
@@ -83,7 +85,7 @@ struct Islands : Operator {
         return strict(joined(frame->kept));
     }
 
-    /// One generation of every island, each on a thread of its own.
+    /// Runs one generation of every island, each on a separate thread.
     template <Problem P, class G = typename P::Genome>
     [[gnu::cold]] static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
         const std::size_t n = frame.kept.size(), depth = context.state.frames.size() - 1;
@@ -101,17 +103,17 @@ struct Islands : Operator {
             Rounds<P>::run(
                 n, context.door(),
                 [&](std::size_t i, EvaluationQueue<P>& door) {
-                    Context<P>& own = islands[i].emplace(context, door, i, n);
-                    own.state.loops.push_back(&loops[i]);
+                    Context<P>& island = islands[i].emplace(context, door, i, n);
+                    island.state.loops.push_back(&loops[i]);
                     Population<G>& population = frame.kept[i];
                     auto start = start_of_generation(population, body.reads_of_start());
-                    const typename Context<P>::Generation generation(own.position, frame.next, start);
-                    const typename Context<P>::Scope scope(own.position, Name(name_of(i)), 0);
+                    const typename Context<P>::Round round(island.position, frame.next, &start);
+                    const typename Context<P>::Scope scope(island.position, Name(name_of(i)), 0);
                     try {
-                        population = body(std::move(population), own);
+                        population = body(std::move(population), island);
                     } catch (const Stopped&) {
-                        population =
-                            joined_with(start, own.state.in_hand ? *own.state.in_hand : Population<G>());
+                        population = joined_with(start, island.state.in_hand ? *island.state.in_hand
+                                                                             : Population<G>());
                         throw;
                     }
                 },
@@ -127,16 +129,15 @@ struct Islands : Operator {
         for (auto& loop : loops)
             for (auto& [path, state] : loop.states)
                 frame.states[path] = std::move(state);
-        Identity given = 0; // at most, by one island
+        const Identity first = context.state.next_identity, step = context.state.identity_step;
+        Identity most = 0; // identities that one island has used
         for (std::size_t i = 0; i < n; ++i)
-            given = std::max(given, (islands[i]->state.next_identity - context.state.next_identity -
-                                     i * context.state.identity_step) /
-                                        islands[i]->state.identity_step);
-        context.state.next_identity += given * n * context.state.identity_step;
+            most = std::max(most, (islands[i]->state.next_identity - first - i * step) / (n * step));
+        context.state.next_identity += most * n * step;
         try {
-            for (auto& island : islands)
-                context.show_again(*island);
-        } catch (const Stopped&) { // an observer has seen enough
+            for (auto& each : islands)
+                context.show_again(*each);
+        } catch (const Stopped&) { // thrown by an observer
             context.state.in_hand = joined(frame.kept);
             throw;
         }
@@ -169,10 +170,10 @@ struct Islands : Operator {
     }
 };
 
-/// @param n  islands, 2 to 10,000; the population must have as many individuals
+/// @param n  islands, 2 to 10,000; the population must have at least as many individuals
 template <class Body>
 Islands<Body> islands(std::size_t n, Migration migration, Body body) {
-    return {n, migration, std::move(body)};
+    return checked(Islands<Body>{{}, n, migration, std::move(body)});
 }
 
 } // namespace ga

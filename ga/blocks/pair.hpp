@@ -9,17 +9,17 @@ template <class G>
 struct Combine {
     std::string name; ///< as text pipelines call it
     std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
-        of; ///< nothing: no child of these two
+        of; ///< returns a child or nothing
 };
 
-/// Sends the same population down two pipelines and combines every individual of the left answer with every
-/// one of the right. Children that are equal (twins (i,j) and (j,i)) are kept once; they are unscored and
-/// know both parents.
+/// Runs two pipelines on the same population and combines every individual of the left result with every
+/// individual of the right one. Equal children (such as those of (i,j) and (j,i)) are kept once. Children are
+/// unscored and have both parents.
 template <class Left, class Right, class G>
 struct Pair : Operator {
-    Left left;          ///< on whose answer the first parents stand
-    Right right;        ///< on whose answer the second parents stand
-    Combine<G> combine; ///< what joins them
+    Left left;          ///< gives the first parents
+    Right right;        ///< gives the second parents
+    Combine<G> combine; ///< makes a child of two
 
     /// `pair(l, r, c)`.
     Pair(Left l, Right r, Combine<G> c) : left(std::move(l)), right(std::move(r)), combine(std::move(c)) {}

@@ -1,163 +1,214 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/stopping/until.hpp"
+#include "ga/stopping/rules.hpp"
 
 namespace ga {
 
-/// The step of a block of generations, whatever it was written as.
+/// Whether the last improvement is 10,000 generations old. With `paying`, requested evaluations count as
+/// progress too.
 template <Problem P, class G = typename P::Genome>
-class GenerationsStep {
-  public:
-    /// Throws UsageError on an end that never comes, or comes before the first generation.
-    [[gnu::cold]] static Step<P> of(Stage<P> body, std::vector<Rule<G>> rules, bool counted) {
-        std::string name = "until";
-        for (const Rule<G>& rule : rules)
-            name += " " + rule.text;
-        if (counted)
-            name = "repeat" + rules.front().text.substr(rules.front().text.find(' '));
-        if (rules.empty() || name == "repeat 0")
-            throw UsageError(
-                "a block of generations needs an end; expected repeat N with N >= 1, or until with "
-                "one of generations, evaluations, seconds, fitness, stagnation, converged");
-        const auto block = std::make_shared<const GenerationsStep>(std::move(body), std::move(rules), name);
-        Step<P> step;
-        step.text = name + " { " + block->body_.text() + " }";
-        step.check = [block](CheckState& known) { block->check(known); };
-        step.apply = [block](Population<G> population, Context<P>& context) {
-            return block->run(std::move(population), context);
-        };
-        step.begins = block->body_.begins();
-        return step;
+bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying, Context<P>& context) {
+    constexpr double patience = 10000; // generations
+    const auto requested = static_cast<double>(context.counters().asked);
+    double &last_requested = own[2], &last_progress = own[3];
+    if (improves(now, improvement) || (paying && requested > last_requested))
+        last_progress = static_cast<double>(now.generation);
+    last_requested = requested;
+    if (static_cast<double>(now.generation) - last_progress < patience)
+        return false;
+    context.note("ended after 10000 generations that brought it no nearer to its end");
+    return true;
+}
+
+/// Runs the body of a block of generations until the first rule holds.
+template <Problem P, class G = typename P::Genome>
+Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& rules,
+                              Population<G> population, Context<P>& context) {
+    typename Context<P>::OpenFrame frame(context.state, std::move(population), true);
+    auto& numbers = frame->numbers; // the block's, those of `improves`, then each rule's
+    if (!frame.resumed()) {
+        numbers.resize(2 + rules.size());
+        const auto requested = static_cast<double>(context.counters().asked);
+        // evaluations and seconds at the start, evaluations at the last look, generation of the last progress
+        numbers[0] = {requested, context.seconds(), requested, 0};
     }
-
-    /// Use `of`.
-    GenerationsStep(Stage<P> body, std::vector<Rule<G>> rules, std::string name)
-        : body_(std::move(body)), rules_(std::move(rules)), name_(std::move(name)),
-          reads_(body_.reads_of_start()) {}
-
-  private:
-    [[gnu::cold]] void check(CheckState& known) const {
-        check_generation(body_, name_, known, [&](const CheckState& inside) {
-            for (const Rule<G>& rule : rules_)
-                if (rule.check)
-                    rule.check(inside, name_);
-        });
+    expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 4 &&
+               (!frame.resumed() || frame->kept.size() == 1));
+    bool sure = false, paying = false;
+    for (const Rule<G>& rule : rules) {
+        sure |= rule.sure;
+        paying |= rule.text.starts_with(AfterEvaluations::words().name);
     }
-
-    Population<G> run(Population<G> population, Context<P>& context) const {
-        typename Context<P>::OpenFrame frame(context.state, std::move(population), true);
-        enum { asked, seconds, asked_last, moved }; // the block's own numbers
-        auto& numbers = frame->numbers;             // its own, what it knows of improvement, and each rule's
-        if (!frame.resumed()) {
-            numbers.resize(2 + rules_.size());
-            const auto began = static_cast<double>(context.counters().asked);
-            numbers[0] = {began, context.seconds(), began, 0};
-        }
-        expect_fit(numbers.size() == 2 + rules_.size() && numbers[0].size() == 4 &&
-                   (!frame.resumed() || frame->kept.size() == 1));
-        bool sure = false, paying = false;
-        for (const Rule<G>& rule : rules_) {
-            sure |= rule.sure;
-            paying |= rule.text.starts_with(AfterEvaluations::words().name);
-        }
-        const auto ended = [&] {
-            const Progress<G> now{frame->next,
-                                  context.counters().asked - static_cast<long>(numbers[0][asked]),
-                                  context.seconds() - numbers[0][seconds], frame->population};
-            bool end = false;
-            for (std::size_t i = 0; i < rules_.size(); ++i)
-                if (rules_[i].holds(now, numbers[2 + i])) {
-                    end = true;
-                    if (rules_[i].text.starts_with(AfterSeconds::words().name))
-                        context.note("ended on seconds; another run may end elsewhere");
-                }
-            return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
-        };
-        try {
-            for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
-                if (!inside)
-                    frame->kept = {start_of_generation(frame->population, reads_)};
-                const typename Context<P>::Generation generation(context.position, frame->next,
-                                                                 frame->kept[0]);
-                frame->population = body_(std::move(frame->population), context);
+    const auto ended = [&] {
+        const Progress<G> now{frame->next, context.counters().asked - static_cast<long>(numbers[0][0]),
+                              context.seconds() - numbers[0][1], frame->population};
+        bool end = false;
+        for (std::size_t i = 0; i < rules.size(); ++i)
+            if (rules[i].holds(now, numbers[2 + i])) {
+                end = true;
+                if (rules[i].text.starts_with(AfterSeconds::words().name))
+                    context.note("ended on seconds; another run may end elsewhere");
             }
-        } catch (const Stopped&) {
-            auto& in_hand = context.state.in_hand;
-            if (in_hand && !frame->kept.empty())
-                in_hand = joined_with(frame->kept[0], std::move(*in_hand));
-            throw;
+        return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
+    };
+    try {
+        for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
+            if (!inside)
+                frame->kept = {start_of_generation(frame->population, body.reads_of_start())};
+            const typename Context<P>::Round round(context.position, frame->next, &frame->kept[0]);
+            frame->population = body(std::move(frame->population), context);
         }
-        return strict(std::move(frame->population));
+    } catch (const Stopped&) {
+        auto& in_hand = context.state.in_hand;
+        if (in_hand && !frame->kept.empty())
+            in_hand = joined_with(frame->kept[0], std::move(*in_hand));
+        throw;
     }
+    return strict(std::move(frame->population));
+}
 
-    /// Whether nothing has moved for so long that nothing will; evaluations move what waits for them
-    /// (`paying`).
-    static bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying,
-                     Context<P>& context) {
-        constexpr double patience = 10000; // generations
-        enum { asked, seconds, asked_last, moved };
-        const auto asked_now = static_cast<double>(context.counters().asked);
-        if (improves(now, improvement) || (paying && asked_now > own[asked_last]))
-            own[moved] = static_cast<double>(now.generation);
-        own[asked_last] = asked_now;
-        if (static_cast<double>(now.generation) - own[moved] < patience)
-            return false;
-        context.note("ended after 10000 generations that brought it no nearer to its end");
-        return true;
-    }
+/// A block of generations as one step; `name` is its text in front of the braces.
+template <Problem P, class G = typename P::Genome>
+[[gnu::cold]] Step<P> generations_step(const std::string& name, Stage<P> body,
+                                       const std::vector<Rule<G>>& rules) {
+    const auto stages =
+        std::make_shared<const Stage<P>>(std::move(body)); // so that copies of blocks are cheap
+    return {name + " { " + stages->text() + " }",
+            [=](CheckState& known) {
+                check_generation(*stages, name, known, [&](const CheckState& inside) {
+                    for (const Rule<G>& rule : rules)
+                        if (rule.check)
+                            rule.check(inside, name);
+                });
+            },
+            [=](Population<G> population, Context<P>& context) {
+                return run_generations(*stages, rules, std::move(population), context);
+            },
+            0, stages->begins()};
+}
 
-    Stage<P> body_;
-    std::vector<Rule<G>> rules_;
-    std::string name_;
-    std::size_t reads_;
-};
+/// Runs its body n times, each time on the last answer. Each pass is a generation: it draws different random
+/// numbers, and `elite` and `plus` read the best individuals at its start.
+template <class Body>
+struct Repeat : Operator {
+    std::size_t n = 1; ///< number of generations, >= 1
+    Body body;         ///< runs in each generation
 
-/// Runs a pipeline again and again on its own answer. Each pass is a generation: its random numbers are its
-/// own, and the best at its start are kept where `elite` and `plus` read them. Where no rule is sure to hold
-/// some day, the block ends after 10,000 generations that bettered nothing (and asked for nothing, where it
-/// ends on evaluations).
-template <class Body, class Ends>
-struct Generations : Operator {
-    Body body;    ///< what each generation runs
-    Ends ends;    ///< when to end
-    bool counted; ///< written as `repeat n`
+    ///@{ What every block has (Block).
+    static Words words() { return {"repeat", "blocks", "n generations of the pipeline in braces"}; }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
-    /// The block `until ends { body }`.
-    Generations(Body body_, Ends ends_, bool counted_ = false)
-        : body(std::move(body_)), ends(std::move(ends_)), counted(counted_) {}
-
-    /// The block as one step (Block). Throws UsageError on an end that never comes, or comes before the first
-    /// generation.
     template <Problem P>
     Step<P> step() const {
-        return GenerationsStep<P>::of(body, ends.template rules<typename P::Genome>(), counted);
+        return generations_step<P>(text_of(*this), body,
+                                   {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
+    }
+    ///@}
+};
+/// The block `repeat n { body }`; n >= 1.
+template <class Body>
+Repeat<Body> repeat(std::size_t n, Body body) {
+    return checked(Repeat<Body>{{}, n, std::move(body)});
+}
+
+/// Runs its body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block
+/// also ends after 10,000 generations without an improvement; if it ends on evaluations, also without a
+/// requested one.
+template <class Body, class Ends>
+struct Generations : Operator {
+    Body body; ///< runs in each generation
+    Ends ends; ///< when to end
+
+    /// The block `until ends { body }`.
+    Generations(Body body_, Ends ends_) : body(std::move(body_)), ends(std::move(ends_)) {}
+
+    /// The block as one step (Block). Throws UsageError without a rule.
+    template <Problem P>
+    Step<P> step() const {
+        const auto& rules = ends.template rules<typename P::Genome>();
+        std::string name = "until";
+        for (const auto& rule : rules)
+            name += " " + rule.text;
+        if (rules.empty())
+            throw UsageError("until has no end; give one of generations, evaluations, seconds, fitness, "
+                             "stagnation, converged");
+        return generations_step<P>(name, body, rules);
     }
 };
 
-/// n generations; n >= 1.
-template <class Body>
-Generations<Body, Until> repeat(std::size_t n, Body body) {
-    return {std::move(body), Until{.generations = n}, true};
-}
-/// The stage `until ... { body }` by the engine's own rules. Throws UsageError where none is given.
+/// The block `until ... { body }` with the engine's rules.
 template <class Body>
 Generations<Body, Until> until(Until end, Body body) {
-    if (!(end.generations || end.evaluations || end.seconds || end.fitness || end.stagnation ||
-          end.converged))
-        throw UsageError("until has no end; expected one of generations, evaluations, seconds, fitness, "
-                         "stagnation, converged");
     return {std::move(body), end};
 }
-/// The stage `until ... { body }` by rules of any kind.
+/// The block `until ... { body }` with any rules.
 template <class Body, class First, class... R>
 Generations<Body, AnyOf<First, R...>> until(AnyOf<First, R...> ends, Body body) {
     return {std::move(body), std::move(ends)};
 }
-/// The stage `until ... { body }` by one rule of any kind.
+/// The block `until ... { body }` with any one rule.
 template <class Body, class R>
 requires std::derived_from<R, StoppingRule> Generations<Body, AnyOf<R>> until(R rule, Body body) {
     return {std::move(body), any_of(std::move(rule))};
+}
+
+/// Runs its body n times on the same population, with different random numbers each time, and joins the
+/// answers. If the body begins with `sample`, each time has a new population.
+template <class Body>
+struct Restarts : Operator {
+    std::size_t n = 1; ///< number of runs, >= 1
+    Body body;         ///< runs each time
+
+    ///@{ What every block has (Block).
+    static Words words() {
+        return {"restarts", "blocks",
+                "runs the pipeline n times on the same population and joins the answers"};
+    }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
+
+    template <Problem P>
+    Step<P> step() const {
+        const auto stages = std::make_shared<const Stage<P>>(body);
+        return {text_of(*this) + " { " + stages->text() + " }",
+                [stages](CheckState& known) { stages->check(known); },
+                [stages, n = n](PopulationOf<P> population, Context<P>& context) {
+                    return run_all(std::move(population), *stages, n, context);
+                },
+                stages->reads_of_start(), stages->begins()};
+    }
+    ///@}
+
+  private:
+    template <Problem P, class G = typename P::Genome>
+    [[gnu::cold]] static Population<G> run_all(Population<G> population, const Stage<P>& stages,
+                                               std::size_t n, Context<P>& context) {
+        typename Context<P>::OpenFrame frame(context.state, {}, true);
+        if (!frame.resumed())
+            frame->kept = {std::move(population), {}}; // the start, and the answers so far
+        expect_fit(frame->kept.size() == 2);
+        Population<G>& answers = frame->kept[1];
+        try {
+            for (; frame->next < n; ++frame->next) {
+                const typename Context<P>::Round round(context.position, frame->next);
+                for (auto& each : stages(frame->kept[0], context))
+                    answers.push_back(std::move(each));
+                frame->states.clear();
+                context.need_room(answers.size(), {}, answers.empty() ? nullptr : &answers.front().genome);
+            }
+        } catch (const Stopped&) {
+            auto& in_hand = context.state.in_hand;
+            in_hand = joined_with(answers, in_hand ? std::move(*in_hand) : Population<G>());
+            throw;
+        }
+        return std::move(answers);
+    }
+};
+
+/// The block `restarts n { body }`; n >= 1.
+template <class Body>
+Restarts<Body> restarts(std::size_t n, Body body) {
+    return checked(Restarts<Body>{{}, n, std::move(body)});
 }
 
 } // namespace ga

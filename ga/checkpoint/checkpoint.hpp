@@ -1,27 +1,125 @@
 #pragma once
 
-#include "ga/checkpoint/envelope.hpp"
+#include "ga/base/errors.hpp"
 #include "ga/pipeline/run.hpp"
+#include "ga/problem/fingerprint.hpp"
 #include "ga/problem/permutation.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <bit>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 namespace ga {
 
+/// A sealed file has this mark, then the length and the fingerprint of its content, then the content. So a
+/// file that was cut or altered is detected.
+inline const std::string seal_mark = "rugosa checkpoint 2\n";
+
+/// The mark, length and fingerprint for a content.
+inline std::string seal_of(std::string_view bytes) {
+    const Fingerprint print = fingerprint(bytes);
+    std::string seal = seal_mark;
+    for (const std::uint64_t word : {static_cast<std::uint64_t>(bytes.size()), print.high, print.low})
+        for (int shift = 0; shift < 64; shift += 8)
+            seal += static_cast<char>(word >> shift & 0xff);
+    return seal;
+}
+
+/// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or was
+/// altered.
+inline std::string opened(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string all{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t head = seal_of({}).size();
+    if (!stream.is_open() || all.size() < head ||
+        all.compare(0, head, seal_of(std::string_view(all).substr(head))) != 0)
+        throw UsageError("checkpoint '" + file.string() +
+                         "' is damaged or none; expected a file as this version wrote it");
+    return all.substr(head);
+}
+
+/// Writes a sealed file and keeps the previous one as "FILE.before". The new file is on the disk before it
+/// gets the name; symbolic links are not followed. Returns the error in words, or an empty text.
+inline std::string seal(const std::filesystem::path& file, std::string_view bytes) {
+    const std::filesystem::path draft = file.string() + ".tmp", before = file.string() + ".before";
+    ::unlink(draft.c_str());
+    const int descriptor = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+        return std::strerror(errno);
+    std::string error;
+    const std::string head = seal_of(bytes);
+    for (std::string_view part : {std::string_view(head), bytes})
+        while (!part.empty() && error.empty()) {
+            const ssize_t written = ::write(descriptor, part.data(), part.size());
+            if (written > 0)
+                part.remove_prefix(static_cast<std::size_t>(written));
+            else if (errno != EINTR)
+                error = std::strerror(errno);
+        }
+    if (error.empty() && ::fsync(descriptor) != 0)
+        error = std::strerror(errno);
+    if (::close(descriptor) != 0 && error.empty())
+        error = std::strerror(errno);
+    if (!error.empty()) {
+        ::unlink(draft.c_str());
+        return error;
+    }
+    ::unlink(before.c_str());
+    if (::link(file.c_str(), before.c_str()) != 0)
+        ::rename(file.c_str(), before.c_str()); // if the file system has no hard links
+    if (::rename(draft.c_str(), file.c_str()) != 0) {
+        error = std::strerror(errno);
+        ::unlink(draft.c_str());
+        return error;
+    }
+    const std::filesystem::path folder = file.parent_path();
+    if (const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        at >= 0) {
+        ::fsync(at); // so that the name outlasts a loss of power
+        ::close(at);
+    }
+    return "";
+}
+
+/// Reads CBOR that is nested at most as deep as a checkpoint. Throws UsageError, with the file's name, if it
+/// is deeper, and nlohmann's exceptions if it is not CBOR.
+inline nlohmann::json read_cbor(const std::string& bytes, const std::filesystem::path& file) {
+    /// Builds the value like nlohmann's reader, and counts the depth.
+    struct Bounded : nlohmann::detail::json_sax_dom_parser<nlohmann::json> {
+        using Base = nlohmann::detail::json_sax_dom_parser<nlohmann::json>;
+        using Base::Base;
+        std::size_t depth = 0;
+        bool start_object(std::size_t n) { return ++depth <= 64 && Base::start_object(n); }
+        bool start_array(std::size_t n) { return ++depth <= 64 && Base::start_array(n); }
+        bool end_object() { return --depth, Base::end_object(); }
+        bool end_array() { return --depth, Base::end_array(); }
+    };
+    nlohmann::json j;
+    Bounded reader(j, true);
+    if (!nlohmann::json::sax_parse(bytes, &reader, nlohmann::json::input_format_t::cbor))
+        throw UsageError("checkpoint '" + file.string() + "' nests too deep; expected one that a run wrote");
+    return j;
+}
+
 using nlohmann::json;
 
-///@{
-/// What checkpoints hold, and back without loss: a failure keeps its reason. Reading throws
-/// nlohmann's exceptions on anything else.
+///@{ Write and read the parts of a checkpoint without loss. Reading throws nlohmann's exceptions on other
+/// JSON.
 inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
 inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
 
 inline void to_json(json& j, const Counters& c) {
     j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
 }
-inline void from_json(const json& j, Counters& c) { c = {j.at(0), j.at(1), j.at(2), j.at(3), j.at(4)}; }
+inline void from_json(const json& j, Counters& c) {
+    read_parts(j, c.asked, c.evaluations, c.remembered, c.gradients, c.failures);
+}
 
 template <class G>
 void to_json(json& j, const Individual<G>& individual) {
@@ -64,28 +162,12 @@ void from_json(const json& j, Individual<G>& individual) {
         individual.origin = std::make_shared<const G>(j.at(4).get<G>());
 }
 
-/// A state as it was read, before its operator has understood it.
-class StoredState : public AnyState {
-  public:
-    /// Holds what was read.
-    explicit StoredState(json j) : json_(std::move(j)) {}
-    ///@{
-    /// As AnyState says.
-    std::unique_ptr<AnyState> clone() const override { return std::make_unique<StoredState>(*this); }
-    void write(json& j) const override { j = json_; }
-    const json* stored() const override { return &json_; }
-    ///@}
-
-  private:
-    json json_;
-};
-
 template <class G>
 void to_json(json& j, const Frame<G>& frame) {
     json states = json::object();
     for (const auto& [path, state] : frame.states)
-        (*state).write(states[path]);
-    // JSON has no infinity, which numbers may be
+        state.write(states[path]);
+    // JSON cannot store infinity
     std::vector<std::vector<std::uint64_t>> bits;
     for (const auto& row : frame.numbers) {
         bits.emplace_back();
@@ -105,7 +187,7 @@ void from_json(const json& j, Frame<G>& frame) {
             frame.numbers.back().push_back(std::bit_cast<double>(bits));
     }
     for (const auto& [path, state] : j.at(4).items())
-        frame.states[path] = HeldState(std::make_unique<StoredState>(state));
+        frame.states[path] = HeldState(std::make_shared<const json>(state));
 }
 
 template <class G>
@@ -117,48 +199,45 @@ void to_json(json& j, const Snapshot<G>& snapshot) {
 }
 template <class G>
 void from_json(const json& j, Snapshot<G>& snapshot) {
-    j.at(0).get_to(snapshot.frames);
-    j.at(1).get_to(snapshot.counters);
-    j.at(2).get_to(snapshot.next_identity);
-    if (!j.at(3).is_null())
-        snapshot.best = j.at(3).get<Individual<G>>();
-    j.at(4).get_to(snapshot.notes);
-    j.at(5).get_to(snapshot.seconds);
-    j.at(6).get_to(snapshot.heaviest);
+    json best;
+    read_parts(j, snapshot.frames, snapshot.counters, snapshot.next_identity, best, snapshot.notes,
+               snapshot.seconds, snapshot.heaviest);
+    if (!best.is_null())
+        snapshot.best = best.get<Individual<G>>();
 }
 ///@}
 
-/// Outcomes that a checkpoint can hold; others are evaluated again where they are asked for after it, which
-/// changes the count of evaluations and no result.
+/// Outcomes that a checkpoint can store. Others are evaluated again after a resume, which affects the count
+/// of evaluations but not a result.
 template <class Outcome>
 concept Storable = requires(const json& j, const Outcome& outcome) {
     json(outcome);
     { j.get<Outcome>() } -> std::same_as<Outcome>;
 };
 
-/// Keeps a run in one file, replaced as a whole by renaming: between stages, at most once in so many seconds
-/// and for at most a twentieth of the time, and at the end. The one before is kept beside it ("FILE.before"),
-/// and is gone on from where the newer one was damaged. A run that is resumed, after whatever end of its
-/// process, reaches the very result of one that was never interrupted. A file that cannot be written ends no
-/// run: its notes say so. Genomes must convert to and from nlohmann::json without loss.
+/// Stores a run in one file. It is written between stages, at most once per interval and for at most a
+/// twentieth of the time, and at the end. Each write replaces the file by renaming; the previous file is kept
+/// as "FILE.before" and used if the newer one is damaged. However its process ended, a resumed run reaches
+/// the result of an uninterrupted one. If the file cannot be written, the run continues with a note. Genomes
+/// must convert to and from nlohmann::json without loss.
 template <Problem P>
 class Checkpoints : public Checkpointer<P> {
   public:
-    using Genome = typename P::Genome;   ///< kept as json
-    using Outcome = typename P::Outcome; ///< kept where it converts to json
+    using Genome = typename P::Genome;   ///< stored as json
+    using Outcome = typename P::Outcome; ///< stored if it converts to json
     using Taken = Snapshot<Genome>;      ///< a run between two stages
 
-    /// @param file         where the run is kept
-    /// @param description  whatever else decides the result (the problem's settings); a file with another
-    ///                     is refused
-    /// @param resume       go on from the file if there is one; otherwise it is replaced
+    /// @param file         stores the run
+    /// @param description  other settings that decide the result (the problem's); a file with different ones
+    /// is refused
+    /// @param resume       continue from the file if it exists; otherwise it is replaced
     /// @param interval     seconds between two writes
     Checkpoints(std::filesystem::path file, std::string description, bool resume, double interval = 1)
         : file_(std::move(file)), description_(std::move(description)), resume_(resume), interval_(interval) {
     }
 
-    /// Keeps a value of an observer with the run: it is written with every checkpoint and read back when the
-    /// run is resumed, before its first stage. The value must live as long as the run.
+    /// Stores a value of an observer with the run. It is written with every checkpoint and read when the run
+    /// is resumed, before its first stage. The value must outlive the run.
     template <class T>
     void keep(const std::string& name, T& value) {
         kept_.push_back(
@@ -170,7 +249,7 @@ class Checkpoints : public Checkpointer<P> {
         const std::filesystem::path before = file_.string() + ".before";
         if (!resume_) {
             std::error_code none;
-            std::filesystem::remove(before, none); // of another run
+            std::filesystem::remove(before, none); // left by another run
         }
         if (!resume_ || !(std::filesystem::exists(file_) || std::filesystem::exists(before)))
             return std::nullopt;
@@ -181,14 +260,14 @@ class Checkpoints : public Checkpointer<P> {
             if (!std::filesystem::exists(before))
                 throw;
             bytes = opened(before);
-            std::filesystem::rename(before, file_); // the next write keeps what stands under the name
+            std::filesystem::rename(before, file_); // the next write renames this file to FILE.before
             trouble_ = std::string(damaged.what()) + "; went on from the one before";
         }
         try {
             const json j = read_cbor(bytes, file_);
             if (j.at("version") != version || j.at("run") != run_ || j.at("description") != description_)
                 throw UsageError("checkpoint '" + file_.string() +
-                                 "' is of another run; expected the same pipeline, seed, start and settings");
+                                 "' is of another run; use the same pipeline, seed, start and settings");
             for (const auto& value : kept_)
                 value.read(j.at("kept").at(value.name));
             recall(j, ledger);
@@ -241,20 +320,19 @@ class Checkpoints : public Checkpointer<P> {
         return {entry.print.high, entry.print.low, nullptr, *std::get<Reason>(entry.value)};
     }
 
-    /// Both halves of the memory; what a stopped stage had evaluated already is set apart.
+    /// Both halves of the memory; evaluations of a stopped stage are stored separately.
     void remember(json& j, const Taken& snapshot, const Ledger<P>& ledger) const {
         if constexpr (Storable<Outcome>) {
-            json old = json::array(), young = json::array(), prepaid = json::array();
-            const auto put = [](const auto& table, std::size_t i, json& list) {
-                if (const auto& entry = table.entry(i); !std::holds_alternative<Pending>(entry.value))
-                    list.push_back(stored(entry));
+            const auto list = [](const auto& table, std::size_t from, std::size_t to) {
+                json entries = json::array();
+                for (std::size_t i = from; i < to; ++i)
+                    if (const auto& entry = table.entry(i); !std::holds_alternative<Pending>(entry.value))
+                        entries.push_back(stored(entry));
+                return entries;
             };
-            const auto& memory = ledger.memory();
-            for (std::size_t i = 0; i < memory.old().size(); ++i)
-                put(memory.old(), i, old);
-            for (std::size_t i = 0; i < memory.young().size(); ++i)
-                put(memory.young(), i, i < snapshot.remembered ? young : prepaid);
-            j["memory"] = {std::move(old), std::move(young), std::move(prepaid)};
+            const auto& [young, old] = std::tie(ledger.memory.young, ledger.memory.old);
+            const std::size_t known = std::min(snapshot.remembered, young.size());
+            j["memory"] = {list(old, 0, old.size()), list(young, 0, known), list(young, known, young.size())};
         }
     }
     static void recall(const json& j, Ledger<P>& ledger) {
@@ -268,16 +346,17 @@ class Checkpoints : public Checkpointer<P> {
                         take(print, Evaluation<Outcome>(reason(entry.at(3).get<std::string>())));
                 }
             };
-            auto& memory = ledger.memory();
-            const auto into = [](auto& half) {
-                return [&half](const Fingerprint& print, auto evaluation) {
-                    half.at(print) = std::move(evaluation);
-                };
-            };
-            each(j.at("memory").at(0), into(memory.old()));
-            each(j.at("memory").at(1), into(memory.young()));
-            each(j.at("memory").at(2), [&](const Fingerprint& print, auto evaluation) {
-                if (!memory.old().find(print))
+            auto& memory = ledger.memory;
+            const auto& [old, young, prepaid] =
+                std::tie(j.at("memory").at(0), j.at("memory").at(1), j.at("memory").at(2));
+            each(old, [&](const Fingerprint& print, auto evaluation) {
+                memory.old.at(print) = std::move(evaluation);
+            });
+            each(young, [&](const Fingerprint& print, auto evaluation) {
+                memory.young.at(print) = std::move(evaluation);
+            });
+            each(prepaid, [&](const Fingerprint& print, auto evaluation) {
+                if (!memory.old.find(print))
                     ledger.prepay(print, std::move(evaluation));
             });
         }

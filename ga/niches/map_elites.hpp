@@ -1,29 +1,50 @@
 #pragma once
 
-#include "ga/niches/descriptors.hpp"
+#include "ga/base/errors.hpp"
 #include "ga/pipeline/stage.hpp"
+#include "ga/problem/problem.hpp"
+#include "ga/refinement/sensitivity.hpp"
+#include "ga/variation/mutate.hpp"
 
 #include <map>
 
 namespace ga {
 
-/// MAP-Elites (Mouret and Clune 2015, Illuminating search spaces by mapping elites): the range of each
-/// descriptor is divided into `cells`, and of the generation's start and the population together the best of
-/// every cell stays. Beyond its range a descriptor counts to the outermost cell. The population is the
-/// archive: what goes before chooses among the elites and varies them.
-struct MapElites : Operator {
-    std::vector<std::string> descriptors; ///< of the problem, one at least
-    std::size_t cells = 10;               ///< of each descriptor, >= 1
+/// The problem's descriptors of these names, in their order. Throws UsageError on an unknown one.
+template <Describing P>
+std::vector<const Descriptor<typename P::Genome>*>
+descriptors_of(const P& problem, const std::vector<std::string>& names, const std::string& stage) {
+    std::vector<const Descriptor<typename P::Genome>*> found;
+    for (const std::string& name : names) {
+        std::string list;
+        for (const auto& each : problem.descriptors()) {
+            if (each.name == name)
+                found.push_back(&each);
+            list += (list.empty() ? "" : ", ") + each.name;
+        }
+        if (found.empty() || found.back()->name != name)
+            throw UsageError("stage '" + stage + "': unknown descriptor '" + name + "'; expected one of " +
+                             list);
+    }
+    return found;
+}
 
-    ///@{
-    /// What every operator has (Operator).
+/// MAP-Elites (Mouret and Clune 2015, Illuminating search spaces by mapping elites). The range of each
+/// descriptor is divided into `cells`. Of the generation's start and the population together, the best of
+/// every cell stays. A descriptor beyond its range counts for the outermost cell. The population is the
+/// archive: the stages before it choose elites and vary them.
+struct MapElites : Operator {
+    std::vector<std::string> descriptors; ///< the problem's, one at least
+    std::size_t cells = 10;               ///< per descriptor, >= 1
+
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"map-elites", "niches",
                 "the best in every cell of the descriptors' ranges, the start included"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.descriptors, word_list("descriptors", "of the problem"));
-        visit(self.cells, whole("cells", "10", 1, "of each descriptor").up_to(1e6).keyed().quiet());
+        visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
+        visit(self.cells, whole("cells", "10", 1, "per descriptor").up_to(1e6).keyed().quiet());
     }
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const {
@@ -31,9 +52,8 @@ struct MapElites : Operator {
         known.need_one_objective(text_of(*this));
     }
 
-    template <Problem P>
-    requires Describing<P> PopulationOf<P>
-    operator()(PopulationOf<P> population, Context<P>& context) const {
+    template <Describing P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto by = descriptors_of(context.problem(), descriptors, text_of(*this));
         PopulationOf<P> all = joined_with(context.generation_start(), std::move(population));
         std::vector<std::vector<std::size_t>> cell(all.size());
@@ -59,7 +79,7 @@ struct MapElites : Operator {
         for (const auto& [place, i] : elites)
             archive.push_back(std::move(all[i]));
         if (archive.empty())
-            throw NothingLeft(context.path() + ": nobody has descriptors that are numbers");
+            throw NothingLeft(context.path() + ": no individual has descriptors that are numbers");
         return archive;
     }
     ///@}
@@ -68,6 +88,149 @@ struct MapElites : Operator {
 /// The stage `map-elites descriptors cells=cells`.
 inline MapElites map_elites(std::vector<std::string> descriptors, std::size_t cells = 10) {
     return checked(MapElites{{}, std::move(descriptors), cells});
+}
+
+/// The gradient emitter OMG-MEGA (Fontaine and Nikolaidis 2021, Differentiable quality diversity, Algorithm
+/// 1). It makes n children of random elites: theta + |c_0| grad f + sum_j c_j grad m_j, with normal c of
+/// standard deviation sigma. Gradients have unit length; genes are in widths between their bounds and are
+/// reflected there. f is minus the sum of squared residuals, or the fitness, if the problem has that
+/// derivative, which is paid for. m_j are the descriptors.
+struct Emit : Operator {
+    std::size_t n;                        ///< children
+    std::vector<std::string> descriptors; ///< the problem's, one at least
+    double sigma = 0.1;                   ///< length of a step, > 0
+
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("n", std::nullopt, 1, "number of children"));
+        visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
+        visit(self.sigma,
+              number("sigma", "0.1", above_zero, no_limit, "length of a step, in widths").keyed());
+    }
+    void check(CheckState& known) const {
+        known.need_one_objective(text_of(*this));
+        known.scored.reset();
+    }
+
+    template <Problem P>
+    requires Describing<P> && HasGenes<P> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
+        using G = typename P::Genome;
+        const P& problem = context.problem();
+        const auto by = descriptors_of(problem, descriptors, text_of(*this));
+        if (population.empty())
+            return population;
+        context.need_room(n, population);
+        std::vector<std::size_t> chosen(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            Stream stream = context.stream(i);
+            chosen[i] = stream.below(population.size());
+        }
+        std::vector<std::vector<double>> slopes;
+        try {
+            slopes = slopes_of(population, chosen, context);
+            if (context.watch().expired()) // some slopes may be missing
+                throw Stopped{context.watch().reason()};
+        } catch (const Stopped&) {
+            context.state.in_hand = std::move(population);
+            throw;
+        }
+        Population<G> fresh = context.gather(std::move(population), chosen);
+        std::vector<std::vector<double>> moved(n);
+        parallel_for(n, context.threads(), [&](std::size_t i) {
+            Stream stream = context.stream(n + i);
+            std::vector<double> genes = genes_of(problem, fresh[i].genome);
+            const auto& moving = variables_of(problem, fresh[i].genome);
+            std::vector<double> step(genes.size(), 0);
+            const auto add = [&](std::vector<double> gradient, double length) {
+                double squares = 0;
+                for (const Variable& v : moving)
+                    if (v.gene < gradient.size())
+                        squares += std::pow(gradient[v.gene] * width(v), 2);
+                if (!(squares > 0) || !std::isfinite(squares))
+                    return;
+                for (const Variable& v : moving) // a unit gradient in widths, converted to the gene's unit
+                    if (v.gene < gradient.size())
+                        step[v.gene] += length * gradient[v.gene] * width(v) * width(v) / std::sqrt(squares);
+            };
+            add(slopes[i], sigma * std::abs(stream.normal()));
+            for (const auto* descriptor : by)
+                add(gradient_of(problem, *descriptor, fresh[i].genome, genes, moving),
+                    sigma * stream.normal());
+            for (const Variable& v : moving)
+                if (v.gene < genes.size())
+                    genes[v.gene] = reflected(genes[v.gene] + step[v.gene], v);
+            moved[i] = std::move(genes);
+        });
+        for (std::size_t i = 0; i < n; ++i) {
+            const Identity parent = fresh[i].identity;
+            fresh[i].genome = with_genes(problem, fresh[i].genome, std::move(moved[i]));
+            context.make_child(fresh[i], Parents(parent));
+        }
+        return fresh;
+    }
+    ///@}
+
+  private:
+    /// The direction in which each chosen individual improves; empty if it is unknown.
+    template <Problem P>
+    static std::vector<std::vector<double>> slopes_of(const PopulationOf<P>& population,
+                                                      const std::vector<std::size_t>& chosen,
+                                                      Context<P>& context) {
+        std::vector<std::vector<double>> all(chosen.size());
+        if constexpr (Sensitive<P> || Differentiable<P>) {
+            std::vector<Slope<P>> slopes;
+            for (const std::size_t i : chosen) {
+                const auto& each = population[i];
+                slopes.push_back({each.genome, each.fitness.objective_name(), Sensitive<P>, {}, {}, {}});
+            }
+            EvaluationRequest<P> request;
+            for (auto& slope : slopes)
+                request.slopes.push_back(&slope);
+            context.door().serve(request);
+            for (std::size_t i = 0; i < slopes.size(); ++i) {
+                if (slopes[i].sensitivity) {
+                    const Eigen::VectorXd down =
+                        -slopes[i].sensitivity->jacobian.transpose() * slopes[i].sensitivity->residuals;
+                    all[i].assign(down.begin(), down.end());
+                } else if (!slopes[i].gradient.empty()) {
+                    all[i] = slopes[i].gradient;
+                    if (population[chosen[i]].fitness.minimises())
+                        for (double& each : all[i])
+                            each = -each;
+                }
+            }
+        }
+        return all;
+    }
+
+    /// The descriptor's gradient if it has one, else differences over a millionth of a width.
+    template <Problem P>
+    static std::vector<double> gradient_of(const P& problem, const Descriptor<typename P::Genome>& descriptor,
+                                           const typename P::Genome& genome, const std::vector<double>& genes,
+                                           const auto& moving) {
+        if (descriptor.gradient)
+            return descriptor.gradient(genome);
+        std::vector<double> gradient(genes.size(), 0);
+        const double here = descriptor.of(genome);
+        for (const Variable& v : moving) {
+            if (v.gene >= genes.size() || !(width(v) > 0))
+                continue;
+            std::vector<double> beside = genes;
+            const double step = (genes[v.gene] + 1e-6 * width(v) <= v.upper ? 1e-6 : -1e-6) * width(v);
+            beside[v.gene] += step;
+            gradient[v.gene] = (descriptor.of(with_genes(problem, genome, std::move(beside))) - here) / step;
+        }
+        return gradient;
+    }
+};
+
+/// The stage `emit n descriptors sigma=sigma`.
+inline Emit emit(std::size_t n, std::vector<std::string> descriptors, double sigma = 0.1) {
+    return checked(Emit{{}, n, std::move(descriptors), sigma});
 }
 
 } // namespace ga

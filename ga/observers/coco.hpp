@@ -10,19 +10,19 @@ namespace ga {
 
 /// One run on one instance of a function of a benchmark suite.
 struct CocoRun {
-    int instance = 1;                           ///< of the function, from 1
+    int instance = 1;                           ///< number of the instance, from 1
     std::vector<std::pair<long, double>> found; ///< evaluations, and the best f - f_opt after them, falling
-    long evaluations = 0;                       ///< all of the run
+    long evaluations = 0;                       ///< all in the run
 };
 
 /// All runs on a function in one dimension.
 struct CocoFunction {
-    int id = 1;                ///< of the function in its suite, from 1
+    int id = 1;                ///< number in the suite, from 1
     std::size_t dimension = 1; ///< genes
     std::vector<CocoRun> runs; ///< one for each instance
 };
 
-/// An observer that adds to a run what every stage has improved. `optimum` is f_opt, `run` must outlive it.
+/// An observer that adds every improvement to a run. `optimum` is f_opt, `run` must outlive it.
 template <class G>
 Observer<G> coco_observer(CocoRun& run, double optimum) {
     return [&run, optimum](const Event<G>& event) {
@@ -39,9 +39,10 @@ Observer<G> coco_observer(CocoRun& run, double optimum) {
 }
 
 /// Writes the runs of one algorithm in the format of COCO (Hansen et al. 2021, COCO: a platform for comparing
-/// continuous optimizers in a black-box setting), which cocopp and IOHanalyzer read: FOLDER/bbobexp_fN.info
-/// for each function, FOLDER/data_fN/bbobexp_fN_DIMd.dat and .tdat for each dimension. Genes are left out of
-/// the rows. Throws std::filesystem::filesystem_error or UsageError where a file cannot be written.
+/// continuous optimizers in a black-box setting), which cocopp and IOHanalyzer read. There is
+/// FOLDER/bbobexp_fN.info for each function, and FOLDER/data_fN/bbobexp_fN_DIMd.dat and .tdat for each
+/// dimension. Rows have no genes. Throws std::filesystem::filesystem_error or UsageError if a file cannot be
+/// written.
 inline void write_coco(const std::filesystem::path& folder, const std::string& algorithm,
                        const std::vector<CocoFunction>& functions) {
     const auto write = [](const std::filesystem::path& file, const std::string& text) {

@@ -10,13 +10,13 @@ namespace ga {
 template <class G>
 struct FrontEvent {
     const Event<G>& event; ///< the stage that left the population
-    Population<G> front;   ///< those that none dominates
-    double hypervolume;    ///< above the reference; 0 where somebody is not feasible
+    Population<G> front;   ///< the individuals that no other one dominates
+    double hypervolume;    ///< above the reference; only feasible individuals count
 };
 
-/// Calls show(FrontEvent) after every stage whose path ends in `stage`, where the population is scored under
-/// several objectives. Nothing is evaluated for it.
-/// @param reference  one value an objective, turned so that greater is better
+/// Calls show(FrontEvent) after every stage with a path that ends in `stage`, if the population is scored
+/// under several objectives. This needs no evaluations.
+/// @param reference  one value per objective, with higher being better
 template <class G>
 Observer<G> fronts(std::string stage, Point reference, std::function<void(const FrontEvent<G>&)> show) {
     return [stage = std::move(stage), reference = std::move(reference),

@@ -4,15 +4,14 @@
 
 namespace ga {
 
-/// The n best different genomes a run has shown under one objective, best first; of equal ones the first. A
-/// place in it is never lost but to a better one. `checkpoints.keep("hall", hall.members)` keeps it with a
-/// run.
+/// The n best different genomes of a run under one objective, best first; of equal ones the first.
+/// `checkpoints.keep("hall", hall.members)` stores it with a run.
 template <Problem P>
 class HallOfFame {
   public:
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< the problem's
 
-    /// @param objective  name of one of the problem's; empty for its first
+    /// @param objective  one of the problem's; empty for its first
     HallOfFame(const P& problem, std::size_t n, std::string objective = {})
         : problem_(problem), n_(n),
           objective_(objective.empty() ? problem.objectives().front().name : objective) {}
@@ -20,7 +19,7 @@ class HallOfFame {
 
     Population<Genome> members; ///< best first
 
-    /// To be handed to `run`; refers to this hall, which must outlive the run.
+    /// The observer for `run`. This hall must outlive the run.
     Observer<Genome> observer() {
         return [this](const Event<Genome>& event) {
             for (const auto& individual : event.population)
@@ -28,7 +27,7 @@ class HallOfFame {
                     offer(individual);
         };
     }
-    /// Takes an individual in where it has a fitness under the objective and belongs here.
+    /// Adds an individual if it has a fitness under the objective and is good enough.
     void offer(const Individual<Genome>& individual) {
         if (!individual.fitness.known(objective_) || individual.fitness.has_failed())
             return;

@@ -1,17 +1,17 @@
 #pragma once
 
 #include "ga/base/number.hpp"
-#include "ga/observers/summary.hpp"
+#include "ga/observers/progress.hpp"
 
 #include <filesystem>
 #include <fstream>
 
 namespace ga {
 
-/// A table with a row for every stage of a run: path, generation, individuals, best, median, diversity,
-/// asked, evaluations, gradients, failures, seconds. Written beside its name and given it by `close`, so that
-/// no half of a table stands there. A table that cannot be written ends no run. With `checkpoints.keep("log",
-/// log.position)` a resumed run goes on with the row after the checkpoint.
+/// A table with one row per stage of a run: path, generation, individuals, best, median, diversity, asked,
+/// evaluations, gradients, failures, seconds. It is written to FILE.part, which `close` renames, so that FILE
+/// is always complete. If it cannot be written, the run continues. With `checkpoints.keep("log",
+/// log.position)` a resumed run continues after the row of the checkpoint.
 class Log {
   public:
     /// `file` appears when the log is closed.
@@ -19,9 +19,9 @@ class Log {
     Log(const Log&) = delete;
 
     std::uint64_t position = 0; ///< bytes of the table so far
-    std::string trouble;        ///< why the table is not whole; empty while it is
+    std::string trouble;        ///< why the table is incomplete; empty if it is not
 
-    /// To be handed to `run`; refers to the problem and to this log, which must outlive the run.
+    /// The observer for `run`. The problem and this log must outlive the run.
     template <Problem P>
     Observer<typename P::Genome> observer(const P& problem) {
         return [this, &problem](const Event<typename P::Genome>& event) {
@@ -44,8 +44,7 @@ class Log {
         };
     }
 
-    /// Ends the table and gives it its name; a run that had ended before it was resumed has its table
-    /// already.
+    /// Completes the table. A run that had already ended before it was resumed has its table.
     void close() {
         if (position == 0)
             append("");
@@ -80,7 +79,7 @@ class Log {
             position = whole;
         }
     }
-    /// Cuts the table off after the row of the checkpoint. A run that was interrupted has given it its name.
+    /// Cuts the table after the row of the checkpoint. An interrupted run has already renamed it.
     void take_up() {
         std::error_code error;
         if (!std::filesystem::exists(part_))
@@ -88,8 +87,8 @@ class Log {
         if (!error)
             std::filesystem::resize_file(part_, position, error);
         if (error)
-            throw UsageError("log '" + file_.string() + "' cannot be gone on with (" + error.message() +
-                             "); expected the one that was written with the checkpoint");
+            throw UsageError("log '" + file_.string() + "' cannot be continued (" + error.message() +
+                             "); use the one that was written with the checkpoint");
     }
     void put(const std::string& text) {
         stream_ << text;

@@ -1,11 +1,55 @@
 #pragma once
 
 #include "ga/base/number.hpp"
-#include "ga/observers/summary.hpp"
+#include "ga/run/context.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace ga {
+
+/// The best fitness of the individuals that are scored under one objective and have not failed; none without
+/// such an individual.
+template <class G>
+std::optional<double> best_value(const Population<G>& population) {
+    const Fitness* best = nullptr;
+    for (const auto& individual : population)
+        if (const Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
+            if (!best || (best->known(f.objective_name()) && better(f, *best)))
+                best = &f;
+    return best ? std::optional(best->value()) : std::nullopt;
+}
+
+/// A population in four numbers.
+struct Summary {
+    std::size_t individuals = 0;  ///< scored or not
+    std::optional<double> best;   ///< best fitness (see best_value)
+    std::optional<double> median; ///< median fitness of the same individuals
+    double diversity = 0;         ///< share of different genomes, in (0, 1]
+};
+
+/// Summarises a population under the objective that scored it last.
+template <Problem P>
+Summary summary(const P& problem, const PopulationOf<P>& population) {
+    Summary summary;
+    summary.individuals = population.size();
+    std::vector<double> values;
+    Table<bool> different;
+    for (const auto& individual : population) {
+        different.at(identify(problem, individual.genome)) = true;
+        if (individual.fitness.known() && !individual.fitness.has_failed() && !individual.fitness.several())
+            values.push_back(individual.value());
+    }
+    summary.diversity = population.empty()
+                            ? 0
+                            : static_cast<double>(different.size()) / static_cast<double>(population.size());
+    if (values.empty())
+        return summary;
+    std::sort(values.begin(), values.end());
+    summary.best = best_value(population);
+    summary.median = (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+    return summary;
+}
 
 /// A run on one line: "mine/repeat.1/score.1 generation 12: best 0.9812, 1300 evaluations".
 template <class G>
@@ -21,7 +65,7 @@ std::string status(const Event<G>& event) {
     return line + ", " + std::to_string(event.counters.asked) + " evaluations";
 }
 
-/// Hands the status to `show`, at most once in so many seconds.
+/// Passes the status to `show`, at most once per interval (s).
 template <class G>
 Observer<G> progress(std::function<void(const std::string&)> show, double interval = 0.1) {
     return [show = std::move(show), interval, next = 0.0](const Event<G>& event) mutable {

@@ -5,9 +5,9 @@
 
 namespace ga {
 
-/// How much of the space above `reference` the points dominate, greater is better in every objective (Zitzler
-/// and Thiele 1998); points that are not above it in all objectives count nothing. By slicing one objective
-/// after the other (While et al. 2006): n log n for two objectives, n times as much for each further one.
+/// The volume above `reference` that the points dominate; higher is better in every objective (Zitzler and
+/// Thiele 1998). Only points above it in all objectives count. Slices one objective after the other (While et
+/// al. 2006), in n log n for two objectives and n times as long for each further one.
 inline double hypervolume(std::vector<Point> points, const Point& reference) {
     const std::size_t last = reference.size() - 1;
     std::erase_if(points, [&](const Point& point) {
@@ -41,9 +41,9 @@ inline double hypervolume(std::vector<Point> points, const Point& reference) {
     return volume;
 }
 
-/// The share of a fixed sample of 4096 points that the points dominate: an estimate of the hypervolume under
-/// a weight that falls with the distance from `reference` (Zitzler, Brockhoff and Thiele 2007), for many
-/// objectives. A coordinate of the sample is the reference's plus width u/(1 - u), u uniform in (0, 1).
+/// The share of a fixed sample of 4096 points that the points dominate. It estimates the hypervolume for many
+/// objectives, weighted less far from `reference` (Zitzler, Brockhoff and Thiele 2007). A coordinate of the
+/// sample is the reference's plus width u/(1 - u), u uniform in (0, 1).
 inline double dominated_share(const std::vector<Point>& points, const Point& reference, const Point& width) {
     constexpr int count = 4096;
     Stream stream(reference.size());

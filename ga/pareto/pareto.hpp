@@ -5,8 +5,8 @@
 namespace ga {
 
 /// Scores by several objectives at once. Individuals are compared as NSGA-II does (Deb et al. 2002): by the
-/// rank of their front, then by crowding, those that violate constraints after all others (Deb's rules). Rank
-/// and crowding are those among whomever a stage compares, so every selection and replacement serves:
+/// rank of their front, then by crowding. Those that violate constraints come last (Deb's rules). Rank and
+/// crowding refer to the individuals that a stage compares, so every selection and replacement works:
 ///
 ///     pareto({"f1", "f2"})
 ///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) |
@@ -22,8 +22,7 @@ struct Pareto : Operator {
             if (std::find(objectives.begin(), each, *each) != each)
                 throw UsageError("pareto is given '" + *each + "' twice; expected different objectives");
     }
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
     }
@@ -39,14 +38,15 @@ struct Pareto : Operator {
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         std::vector<const Objective<typename P::Outcome>*> read;
-        bool with_first = false; // the best under it is remembered
+        bool with_first = false; // the run stores the best under it
         for (const auto& objective : objectives) {
             const std::size_t which = context.objective_index(objective);
             read.push_back(&context.problem().objectives()[which]);
             with_first |= which == 0;
         }
         const Name name(text_of(*this)), first = context.objective_name(0);
-        context.evaluate(population, [&](auto& individual, const auto& evaluation) {
+        const auto all = [](const auto&) { return true; };
+        context.visit(population, all, [&](auto& individual, const auto& evaluation) {
             Point point;
             std::vector<double> violations;
             for (const auto* objective : read) {
@@ -75,11 +75,12 @@ inline Pareto pareto(std::vector<std::string> objectives) {
     return checked(Pareto{{}, std::move(objectives)});
 }
 
-/// Keeps the individuals that no other betters: those that none dominates.
+/// Keeps the individuals that no other one dominates.
 struct Front : Operator {
-    ///@{
-    /// What every operator has (Operator).
-    static Words words() { return {"front", "selection", "keeps those that none dominates, after pareto"}; }
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"front", "selection", "keeps the individuals that no other one dominates, after pareto"};
+    }
     static void describe(auto&, auto) {}
     void check(CheckState& known) const {
         if (!known.several_objectives())

@@ -8,7 +8,7 @@
 
 namespace ga {
 
-/// A pipeline whose paid calls are made by whoever drives it, in a loop of his own:
+/// A pipeline whose caller makes the evaluations, in a loop:
 ///
 ///     AskTell<P> search(sample(20) | score() | ..., problem);
 ///     while (auto questions = search.ask(); !questions.empty(); questions = search.ask())
@@ -16,32 +16,32 @@ namespace ga {
 ///             search.tell(id, outcome_of(genome));
 ///     search.result().best->genome;
 ///
-/// The pipeline runs on a thread of its own, which waits while questions are open; observers are called on
-/// it. Outcomes that are the same give the bits of `run`. The problem's `evaluate` is never called;
-/// derivatives are its own members'. Safe to be used from several threads.
+/// The pipeline runs on a separate thread, which waits while questions are open; observers are called on it.
+/// The same outcomes give the same bits as `run`. The problem's `evaluate` is never called, but its
+/// derivatives are. Safe to use from several threads.
 template <Problem P>
 class AskTell : Evaluator<P> {
   public:
-    using Genome = typename P::Genome;   ///< of the problem
-    using Outcome = typename P::Outcome; ///< what is told
+    using Genome = typename P::Genome;   ///< the problem's
+    using Outcome = typename P::Outcome; ///< the caller's answers
 
-    /// A genome whose outcome is wanted.
+    /// A genome to evaluate.
     struct Question {
-        std::size_t id; ///< counts the questions of the run, from 0
+        std::size_t id; ///< number of the question in the run, from 0
         Genome genome;  ///< to be evaluated
     };
 
-    /// Starts the run; the parameters are those of `run_by`. Throws UsageError when the pipeline cannot work.
+    /// Starts the run; the parameters are those of `run_by`. Throws UsageError if the pipeline cannot work.
     AskTell(Stage<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},
-            std::vector<Observer<Genome>> observers = {}, Checkpointer<P>* keeper = nullptr)
+            std::vector<Observer<Genome>> observers = {}, Checkpointer<P>* checkpointer = nullptr)
         : pipeline_(std::move(pipeline)), problem_(std::move(problem)), asked_to_stop_(options.budget.stop) {
         check(pipeline_, problem_, population);
         options.budget.stop = &stop_;
         thread_ = std::thread([this, population = std::move(population), options = std::move(options),
-                               observers = std::move(observers), keeper]() mutable {
+                               observers = std::move(observers), checkpointer]() mutable {
             try {
                 result_ = run_by(static_cast<Evaluator<P>&>(*this), pipeline_, problem_,
-                                 std::move(population), options, std::move(observers), keeper);
+                                 std::move(population), options, std::move(observers), checkpointer);
             } catch (...) {
                 error_ = std::current_exception();
             }
@@ -57,8 +57,8 @@ class AskTell : Evaluator<P> {
         thread_.join();
     }
 
-    /// The questions that are open: waits for the next batch where none is. Empty when the run has ended.
-    /// Throws what ended the run, where something was thrown.
+    /// The open questions; waits for the next batch if all are answered. Empty when the run has ended. Throws
+    /// the exception that ended the run, if any.
     std::vector<Question> ask() {
         std::unique_lock lock(guard_);
         changed_.wait(lock, [&] { return done_ || open_ > 0; });
@@ -70,20 +70,19 @@ class AskTell : Evaluator<P> {
                 questions.push_back({first_ + i, *calls_[i].genome});
         return questions;
     }
-    /// Answers an open question. Throws UsageError where the question is not open; a run that was stopped
-    /// takes no answers and does not mind them.
+    /// Answers an open question. Throws UsageError if the question is not open. A stopped run ignores
+    /// answers.
     void tell(std::size_t id, Outcome outcome) { answer(id, std::move(outcome)); }
-    /// Says that a question has no answer, and why.
+    /// Marks the evaluation of a question as failed, with the reason.
     void fail(std::size_t id, std::string why) { answer(id, reason(std::move(why))); }
 
-    /// Asks the run to end with what it has; open questions need no answers.
+    /// Ends the run with its current population; open questions need no answer.
     void stop() {
         const std::lock_guard lock(guard_);
         stop_ = true;
         changed_.notify_all();
     }
-    /// What the run gives back; one that has not ended is stopped. Throws what ended the run, where something
-    /// was thrown.
+    /// The run's result. Stops the run if it has not ended. Throws the exception that ended the run, if any.
     Result<Genome> result() {
         stop();
         std::unique_lock lock(guard_);
@@ -94,7 +93,7 @@ class AskTell : Evaluator<P> {
     }
 
   private:
-    /// Hands the calls out and waits until they are answered, or the run must end.
+    /// Opens the calls as questions and waits until they are answered, or the run must end.
     void outcomes(const P&, std::span<Call<P>> calls, const Watch& watch) override {
         using namespace std::chrono_literals;
         std::unique_lock lock(guard_);
@@ -130,7 +129,7 @@ class AskTell : Evaluator<P> {
     std::mutex guard_;
     std::condition_variable changed_;
     std::span<Call<P>> calls_;
-    std::size_t first_ = 0, open_ = 0; ///< id of the first of the calls; how many are not answered
+    std::size_t first_ = 0, open_ = 0; ///< id of the first call; number of unanswered calls
     bool done_ = false;
     Result<Genome> result_;
     std::exception_ptr error_;

@@ -9,25 +9,25 @@
 
 namespace ga {
 
-/// What is known of a population at a place of a pipeline before anything runs. Each stage checks what it
-/// needs and leaves what it makes known; a pipeline that cannot work is refused here, with a UsageError.
+/// Facts about a population at one place of a pipeline, known before it runs. Each stage checks its needs
+/// against them and updates them. A pipeline that cannot work throws a UsageError here.
 struct CheckState {
-    std::vector<std::string> objectives;     ///< of the problem; the first is the default
+    std::vector<std::string> objectives;     ///< the problem's; the first is the default
     std::optional<std::string> scored;       ///< the policy under which every individual is scored
     bool in_generation = false;              ///< inside a repeat or until
     std::optional<std::string> start_scored; ///< the policy under which the generation's start is scored
-    bool nobody = false;                     ///< the population is empty yet
+    bool nobody = false;                     ///< the population is still empty
     bool on_islands = false;                 ///< inside islands
     bool several_objectives() const {
         return scored && scored->find(' ') != std::string::npos;
-    } ///< as by pareto
+    } ///< scored by pareto
 
-    /// Throws UsageError, naming the stage, where individuals may be unscored.
+    /// Throws UsageError, with the stage's name, if individuals may be unscored.
     [[gnu::cold]] void need_score(const std::string& stage) const {
         if (!scored)
             throw UsageError("stage '" + stage + "' needs a scored population; expected score before it");
     }
-    /// Throws UsageError, naming the stage, where fitness is no single number.
+    /// Throws UsageError, with the stage's name, if the fitness has several objectives.
     [[gnu::cold]] void need_one_objective(const std::string& stage) const {
         need_score(stage);
         if (several_objectives())
@@ -35,18 +35,18 @@ struct CheckState {
                              "' needs one objective's fitness, the population is ranked by '" + *scored +
                              "'; expected score before it");
     }
-    /// Throws UsageError, naming the stage and what it does there, outside a generation.
+    /// Throws UsageError, with the stage's name and purpose, if it is not in a block of generations.
     [[gnu::cold]] void need_generation(const std::string& stage,
                                        const std::string& does = "reads the start of a generation") const {
         if (!in_generation)
             throw UsageError("stage '" + stage + "' " + does + "; expected it inside repeat or until");
     }
-    /// The same of a stage that learns.
+    /// Throws UsageError if a stage that learns is not in a block of generations.
     [[gnu::cold]] void need_repetition(const std::string& stage) const {
         need_generation(stage, "learns from one generation to the next");
     }
-    /// Throws UsageError, naming the stage, outside a generation, or where its start was scored otherwise
-    /// than the population, so that the two cannot be compared.
+    /// Throws UsageError, with the stage's name, if it is not in a block of generations, or if the start was
+    /// scored by another policy than the population.
     [[gnu::cold]] void need_comparable_start(const std::string& stage) const {
         need_generation(stage);
         need_score(stage);
@@ -56,7 +56,7 @@ struct CheckState {
                              (start_scored ? "scored by '" + *start_scored + "'" : "unscored") +
                              "; expected the same for both");
     }
-    /// The objective's own name; an empty one stands for the problem's first.
+    /// The name of an objective; an empty one is the problem's first. Throws UsageError if it is unknown.
     [[gnu::cold]] std::string objective(const std::string& stage, const std::string& name) const {
         if (name.empty())
             return objectives.front();

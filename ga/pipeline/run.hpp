@@ -7,40 +7,45 @@
 
 namespace ga {
 
-/// How a pipeline is run.
+/// Options of a run.
 struct RunOptions {
-    std::string variant = "pipeline"; ///< first word of every path; decides no random number
-    std::uint64_t seed = 1;           ///< of every random stream
-    int threads = 0;                  ///< 0: as many as OpenMP has; decides no result
-    std::size_t memory_bytes = std::size_t{1}
-                               << 30; ///< for outcomes known before a stage; does not affect the result
-    Budget budget = {};               ///< when to stop before the pipeline ends
-    /// For one population; a run whose population would exceed it ends with what it has.
+    std::string variant = "pipeline"; ///< first word of every path; does not affect random numbers
+    std::uint64_t seed = 1;           ///< keys every random stream
+    int threads = 0;                  ///< 0 for OpenMP's default; does not affect a result
+    std::size_t memory_bytes = std::size_t{1} << 30; ///< for known outcomes; does not affect a result
+    Budget budget = {};                              ///< limits at which the run stops early
+    /// Memory for one population; a run that would exceed it ends with its current population.
     std::size_t population_bytes = std::size_t{1} << 30;
 };
 
-/// What a run gives back.
+/// The result of a run.
 template <class G>
 struct Result {
-    /// The pipeline's answer. When the run was stopped, what it had in hand: the scored of the population and
-    /// what its generation kept of its start, best first.
+    /// The last population. If the run was stopped, its scored individuals and those kept from the
+    /// generation's start, best first.
     Population<G> population;
-    std::optional<Individual<G>> best; ///< the best ever scored under the problem's first objective
-    Counters counters;                 ///< what was paid for
+    std::optional<Individual<G>> best; ///< the best of the whole run under the problem's first objective
+    Counters counters;                 ///< spent by the run
     std::vector<std::string> notes;    ///< remarks of stages, each under its path
-    std::string stopped;               ///< why the run ended before its pipeline; empty when it did not
-    double seconds = 0;                ///< in all the processes that carried the run
-    Population<G> front = {};          ///< of the population, those that no other betters
+    std::string stopped;               ///< why the run ended early; empty if it did not
+    double seconds = 0;                ///< in all processes of the run
+    Population<G> front = {};          ///< the individuals that no other one dominates
 };
 
-/// Throws UsageError when the pipeline cannot work on this problem and population.
+/// The facts that are known of an unscored population. Throws UsageError if the problem has no objective.
 template <Problem P>
-[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
+[[gnu::cold]] CheckState known_of(const P& problem) {
     CheckState known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
     if (known.objectives.empty())
         throw UsageError("the problem has no objective; expected one at least");
+    return known;
+}
+/// Throws UsageError if the pipeline cannot work on this problem and population.
+template <Problem P>
+[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
+    CheckState known = known_of(problem);
     known.nobody = population.empty();
     if (known.nobody && !pipeline.begins())
         throw UsageError("the population is empty; expected one individual at least, or sample before all");
@@ -50,7 +55,7 @@ template <Problem P>
     pipeline.check_end(known);
 }
 
-/// What makes a run the one it is: pipeline, seed, objectives and start.
+/// Identifies a run by its pipeline, seed, objectives and start.
 template <Problem P>
 [[gnu::cold]] std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
                                             const PopulationOf<P>& population) {
@@ -62,7 +67,7 @@ template <Problem P>
     return key;
 }
 
-/// What a stopped run gives back of what it had in hand: whoever is scored under the policy of most, best
+/// The population that a stopped run returns: the individuals scored under the most frequent policy, best
 /// first.
 template <class G>
 [[gnu::cold]] Population<G> salvaged(Population<G> in_hand) {
@@ -78,7 +83,7 @@ template <class G>
     return best_of(strict(std::move(in_hand)), everyone);
 }
 
-/// Throws UsageError on numbers that are not 0 to n - 1, each once.
+/// Throws UsageError if the numbers are not 0 to n - 1, each once.
 [[gnu::cold]] inline void expect_permutation(const Permutation& permutation) {
     std::vector<char> seen(permutation.order.size(), 0);
     for (const auto number : permutation.order)
@@ -88,7 +93,7 @@ template <class G>
                              std::to_string(seen.size() - 1) + " once");
 }
 
-/// Gives individuals whose identity another has a new one; returns the first that is free.
+/// Makes identities unique; returns the first free one.
 template <class G>
 [[gnu::cold]] Identity with_identities_unique(Population<G>& population) {
     Identity next = 0;
@@ -101,8 +106,8 @@ template <class G>
     return next;
 }
 
-/// Scores a start population that comes scored again, as another problem may have scored it, so that the run
-/// knows its best.
+/// Scores a start population again if it comes scored, because another problem may have scored it. The run
+/// then knows its best.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))
@@ -120,11 +125,11 @@ template <Problem P>
     context.show(population);
 }
 
-/// What `run_by` does once the pipeline's type is known no more.
+/// Does the work of `run_by`, independent of the pipeline's type.
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
 run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
-          const RunOptions& options, std::vector<Observer<G>> observers, Checkpointer<P>* keeper) {
+          const RunOptions& options, std::vector<Observer<G>> observers, Checkpointer<P>* checkpointer) {
     check(stage, problem, population);
     if constexpr (std::same_as<G, Permutation>)
         for (const auto& individual : population)
@@ -132,24 +137,25 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
     const Identity next = with_identities_unique(population);
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
     Context<P> context(ledger, StagePosition<G>(options.variant, options.seed), next,
-                       {std::move(observers), keeper, options.population_bytes});
-    Frame<G> outermost; // of states outside every loop
+                       options.population_bytes, std::move(observers), checkpointer);
+    Frame<G> outermost; // for states outside every loop
     context.state.loops.push_back(&outermost);
     Result<G> result;
     try {
         std::optional<Population<G>> answer;
-        if (keeper) {
-            if (auto kept = keeper->begin(ledger, identity_of_run(stage, problem, options.seed, population)))
+        if (checkpointer) {
+            if (auto kept =
+                    checkpointer->begin(ledger, identity_of_run(stage, problem, options.seed, population)))
                 context.resume(std::move(*kept));
-            answer = keeper->answer();
+            answer = checkpointer->answer();
         }
         const bool known = answer.has_value();
         if (!known && context.state.saved.empty())
             score_given(population, context);
         result.population = known ? std::move(*answer) : stage(std::move(population), context);
         ledger.expect_success();
-        if (keeper && !known)
-            keeper->write(context.snapshot(), ledger, &result.population);
+        if (checkpointer && !known)
+            checkpointer->write(context.snapshot(), ledger, &result.population);
     } catch (const Stopped& stop) {
         result.stopped = stop.reason;
         if (context.state.in_hand)
@@ -162,35 +168,37 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
     result.best = context.best();
     result.counters = context.counters();
     result.notes = context.state.notes();
-    if (keeper && !keeper->trouble().empty())
-        result.notes.push_back(keeper->trouble());
+    if (checkpointer && !checkpointer->trouble().empty())
+        result.notes.push_back(checkpointer->trouble());
     result.seconds = context.seconds();
     return result;
 }
 
-/// Runs a pipeline on a population, every paid call made by `evaluator`. The pipeline is checked first:
-/// UsageError says what it lacks. The same seed gives the same result, bit for bit, for any evaluator of the
-/// same outcomes, any number of threads and any memory, unless the run ends on seconds or a stop; with a
-/// keeper, however often the process ended on the way.
-/// @param population  may be empty where the pipeline begins with `sample`
+/// Runs a pipeline on a population; `evaluator` makes every paid call. The pipeline is checked first, with a
+/// UsageError if it cannot work. The same seed gives the same bits for any number of threads, any memory and
+/// any evaluator with the same outcomes. Only a run that ends on seconds or a stop may differ. With a
+/// checkpointer this holds for any number of interruptions.
+/// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
     [[gnu::cold]] Result<G> run_by(Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem,
                                    Population<G> population, const RunOptions& options = {},
                                    std::vector<Observer<G>> observers = {},
-                                   Checkpointer<P>* keeper = nullptr) {
+                                   Checkpointer<P>* checkpointer = nullptr) {
     const Stage<P>& stage = pipeline;
-    return run_stage(evaluator, stage, problem, std::move(population), options, std::move(observers), keeper);
+    return run_stage(evaluator, stage, problem, std::move(population), options, std::move(observers),
+                     checkpointer);
 }
 
-/// The same with the paid calls spread over threads.
+/// Runs a pipeline with its evaluations spread over threads; see run_by.
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
     [[gnu::cold]] Result<G> run(const Pipeline& pipeline, const P& problem, Population<G> population,
                                 const RunOptions& options = {}, std::vector<Observer<G>> observers = {},
-                                Checkpointer<P>* keeper = nullptr) {
+                                Checkpointer<P>* checkpointer = nullptr) {
     OnThreads<P> threads(options.threads);
-    return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers), keeper);
+    return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers),
+                  checkpointer);
 }
 
 } // namespace ga

@@ -4,18 +4,17 @@
 
 namespace ga {
 
-/// Evaluates what has no fitness under the objective. One outcome serves all objectives; known genomes cost
-/// nothing.
+/// Evaluates the individuals without a fitness under the objective. One outcome serves all objectives; known
+/// genomes are free.
 struct Score : Operator {
     std::string objective; ///< empty: the problem's first
 
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     static Words words() {
-        return {"score", "selection", "evaluates what has no fitness under the objective"};
+        return {"score", "selection", "evaluates the individuals without a fitness under the objective"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.objective, word("objective", "", "one of the problem's; its first where none is given"));
+        visit(self.objective, word("objective", "", "one of the problem's; by default its first"));
     }
     void check(CheckState& known) const { known.scored = known.objective(text_of(*this), objective); }
 
@@ -27,12 +26,47 @@ struct Score : Operator {
     ///@}
 };
 
-/// The stage `score objective`; without a name the problem's first.
+/// The stage `score objective`; by default the problem's first.
 inline Score score(std::string objective = {}) { return {{}, std::move(objective)}; }
 /// The stage `score objective`.
 template <class Outcome>
 Score score(const Objective<Outcome>& objective) {
     return score(objective.name);
+}
+
+/// Gives each individual the mean fitness of n replicates of a noisy evaluation, in place of `score`. An
+/// individual that passes again, like the elite, gets n more until it has `limit`. So an individual does not
+/// stay the best by lucky draws. Known replicates are not evaluated again.
+struct Average : Operator {
+    std::size_t n = 2;     ///< replicates, and additional ones each time
+    std::string objective; ///< empty: the problem's first
+    std::size_t limit = 0; ///< maximum replicates of one individual; 0 for n
+
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.n, whole("n", std::nullopt, 1, "replicates, and additional ones each time").up_to(1e6));
+        visit(self.objective, word("objective", "", "one of the problem's; by default its first"));
+        visit(self.limit, whole("limit", "0", 0, "maximum replicates of one individual; 0 for n")
+                              .up_to(1e6)
+                              .keyed()
+                              .quiet());
+    }
+    void check(CheckState& known) const { known.scored = known.objective(text_of(*this), objective); }
+
+    template <Noisy P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        context.average(population, objective, n, limit);
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `average n objective limit=limit`.
+inline Average average(std::size_t n, std::string objective = {}, std::size_t limit = 0) {
+    return checked(Average{{}, n, std::move(objective), limit});
 }
 
 } // namespace ga

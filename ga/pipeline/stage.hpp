@@ -6,38 +6,39 @@
 
 namespace ga {
 
-/// One operator for one type of problem: its text ("best 3"; the first word is its name), what it needs, what
-/// it does.
+/// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its
+/// action.
 template <Problem P>
 struct Step {
-    using Genome = typename P::Genome;      ///< of the problem
-    std::string text;                       ///< as pipelines write it
-    std::function<void(CheckState&)> check; ///< what it needs and makes known
-    std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< what it does
-    std::size_t reads_of_start = 0; ///< how many of the best at the start of its generation it reads
-    bool begins = false;            ///< it makes a population of nothing
+    using Genome = typename P::Genome;      ///< the problem's
+    std::string text;                       ///< its text in pipelines
+    std::function<void(CheckState&)> check; ///< checks its needs and updates the facts
+    std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< the operator's action
+    std::size_t reads_of_start = 0; ///< number of best individuals at the generation's start that it reads
+    bool begins = false;            ///< whether it needs no population
 };
 
 // clang-format off
-/// An operator is a small struct with
+/// An operator is a small struct with these members. It derives from this tag, which gives it `|`.
 /// @code
-///     words() and describe()                              from which its text follows (parameters.hpp), or text()
-///     void check(CheckState&) const;                           what it needs and makes known
+///     words() and describe(), or text()                       give its text (parameters.hpp)
+///     void check(CheckState&) const;                          checks its needs and updates the facts
 ///     Population operator()(Population, Context<P>&) const;   a template over the problem P, constrained by
-///                                                         what it uses
+///                                                         the members of P that it uses
 /// @endcode
-/// deriving from this tag, which gives it `|`. Besides, it may have
+/// It may also have
 /// @code
-///     struct State;                           what it carries from one generation to the next, written and read
-///                                             by to_json and from_json; the call takes a State& at its end
-///     std::size_t reads_of_start() const;     how many of the best at its generation's start it reads; everyone
-///     static constexpr bool begins = true;    where it makes a population of nothing
-///     template <Problem P> void check_problem() const;   what no concept can tell of a problem
+///     struct State;                           state from one generation to the next; to_json and from_json
+///                                             write and read it; the call takes a State& as last parameter
+///     std::size_t reads_of_start() const;     number of best individuals that it reads at the generation's
+///                                             start, or `everyone`
+///     static constexpr bool begins = true;    if it needs no population
+///     template <Problem P> void check_problem() const;   checks needs that concepts cannot express
 /// @endcode
 // clang-format on
 struct Operator {};
 
-/// An operator as it is. Throws UsageError on values that it does not allow.
+/// Returns the operator. Throws UsageError if a value is out of range.
 template <class Op>
 requires std::derived_from<Op, Operator>
 [[gnu::cold]] Op checked(Op op) {
@@ -48,13 +49,13 @@ requires std::derived_from<Op, Operator>
     return op;
 }
 
-/// An operator that holds pipelines gives, in place of the call, `template <Problem P> Step<P> step() const`.
+/// An operator that contains pipelines has `template <Problem P> Step<P> step() const` in place of the call.
 template <class Op, class P>
 concept Block = requires(const Op& op) {
     op.template step<P>();
 };
 
-/// What an operator is as text: its own words, or those that follow from its parameters.
+/// The text of an operator: from its text(), or from its parameters.
 template <class Op>
 std::string stage_text(const Op& op) {
     if constexpr (requires { op.text(); })
@@ -63,50 +64,47 @@ std::string stage_text(const Op& op) {
         return text_of(op);
 }
 
-/// a | b before the problem is known.
+/// a | b for any problem.
 template <class A, class B>
 struct Then : Operator {
-    A first;  ///< goes first
-    B second; ///< takes its answer
+    A first;  ///< runs first
+    B second; ///< runs on the result
     /// a | b.
     Then(A a, B b) : first(std::move(a)), second(std::move(b)) {}
 };
 
-/// A pipeline: Population -> Population through a list of operators. `|` joins lists, so grouping never
-/// matters.
+/// A pipeline: a list of operators, Population -> Population. `|` joins lists, so grouping does not matter.
 template <Problem P>
 class Stage {
   public:
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< the problem's
 
     Stage() = default;
-    /// An operator as a pipeline of one stage, or operators joined by `|` before the problem was known.
-    /// Throws UsageError where the problem lacks what they need; what concepts can tell is refused when it is
-    /// compiled.
+    /// A pipeline of one operator, or of operators joined by `|`. What concepts can check fails when it is
+    /// compiled; other needs of the operators throw a UsageError.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(const Op& op) {
         static_assert(members_fit<P>());
         take(op);
     }
-    /// A step made by hand.
+    /// A pipeline of one step.
     Stage(Step<P> step) { add(std::move(step)); }
 
-    /// Joins another pipeline's stages to its end.
+    /// Appends the stages of another pipeline.
     void append(const Stage& other) {
         for (const auto& place : other.places_) {
             add(place.step);
             places_.back().written = place.written;
         }
     }
-    /// Says where the stages were written that know no better, so that what they are refused for is told
-    /// there.
+    /// Stores text and column for the stages without these, for error messages.
     void locate(const std::string& text, std::size_t column) {
         for (auto& place : places_)
             if (!place.written)
                 place.written = {text, column};
     }
 
-    /// Throws UsageError when the pipeline cannot work on a population of which this is known.
+    /// Throws UsageError if the pipeline cannot work on such a population.
     void check(CheckState& known) const {
         for (const auto& place : places_)
             place.located([&] {
@@ -117,7 +115,7 @@ class Stage {
                 known.nobody = false;
             });
     }
-    /// Throws UsageError where the pipeline leaves the population unscored.
+    /// Throws UsageError if the pipeline leaves the population unscored.
     void check_end(const CheckState& known) const {
         if (!known.scored && !places_.empty())
             places_.back().located([&] {
@@ -126,8 +124,8 @@ class Stage {
             });
     }
 
-    /// Sends a population through every stage, each at its own place of the context. Throws Stopped when the
-    /// budget is spent, NothingLeft when a selection leaves nobody.
+    /// Sends a population through every stage. Throws Stopped when the budget is spent, NothingLeft if a
+    /// selection is empty.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context.state, std::move(population));
         expect_fit(frame->next <= places_.size());
@@ -145,16 +143,18 @@ class Stage {
         return std::move(frame->population);
     }
 
-    /// The pipeline as text; the parser makes the same pipeline of it.
+    /// The pipeline as text, from which the parser makes the same pipeline.
     std::string text() const {
         std::string text;
         for (const auto& place : places_)
             text += (text.empty() ? "" : " | ") + place.step.text;
         return text;
     }
-    bool empty() const { return places_.empty(); }                                  ///< without any stage
-    bool begins() const { return !places_.empty() && places_.front().step.begins; } ///< needs no population
-    /// How many of the best at the start of a generation its stages read.
+    bool empty() const { return places_.empty(); } ///< no stages
+    bool begins() const {
+        return !places_.empty() && places_.front().step.begins;
+    } ///< whether it needs no population
+    /// Number of best individuals at a generation's start that its stages read.
     std::size_t reads_of_start() const {
         std::size_t most = 0;
         for (const auto& place : places_)
@@ -183,21 +183,20 @@ class Stage {
         }
     };
 
-    /// Keeps what is needed to go on from before the stage, if anybody keeps the run.
+    /// Runs one stage. If the run writes checkpoints, a stop inside writes the state before the stage.
     static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
         const typename Context<P>::Scope scope(context.position, place.name, place.ordinal);
-        if (!context.is_kept()) {
+        std::optional<std::pair<Snapshot<Genome>, Population<Genome>>> before;
+        if (context.is_kept())
+            before.emplace(context.snapshot(false), frame.population);
+        try {
             frame.population = place.step.apply(std::move(frame.population), context);
-        } else {
-            const auto before = context.snapshot(false);
-            const Population<Genome> start = frame.population;
-            try {
-                frame.population = place.step.apply(std::move(frame.population), context);
-            } catch (const Stopped&) {
-                frame.population = start;
-                context.keep_stopped(before);
-                throw;
+        } catch (const Stopped&) {
+            if (before) {
+                frame.population = std::move(before->second);
+                context.keep_stopped(std::move(before->first));
             }
+            throw;
         }
         context.show(frame.population);
     }
@@ -216,7 +215,7 @@ class Stage {
         else
             add_operator(op);
     }
-    /// An operator whose type is known no more: the compiler makes Step's functions once for all of them.
+    /// Hides an operator's type, so that the compiler makes Step's functions only once.
     struct AnyOperator {
         virtual ~AnyOperator() = default;
         virtual void check(CheckState& known) const = 0;
@@ -252,7 +251,7 @@ class Stage {
             static_assert(std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
                           "this operator needs what the problem or its genome does not have; the compiler "
                           "names it below");
-            // No more callable here, where the compiler says which constraint is at fault.
+            // Not callable; here the compiler names the constraint.
             using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
             Step<P>& step = add(stage_text(op), std::unique_ptr<const AnyOperator>(new OneOperator<Op>(op)));
@@ -290,8 +289,8 @@ class Stage {
     std::vector<Place> places_;
 };
 
-/// Checks a body that runs generation after generation: what one leaves must suit the next. `more` looks at
-/// what is known after the first.
+/// Checks a body that runs in generations: the result of one must suit the next. `more` checks the facts
+/// after the first.
 template <Problem P, class More>
 [[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
                                     More more) {
@@ -299,22 +298,22 @@ template <Problem P, class More>
     inside.in_generation = true;
     inside.start_scored = known.scored;
     if (const std::size_t reads = body.reads_of_start(); reads > 0 && reads != everyone)
-        known.need_score(name); // the best of its start are chosen
+        known.need_score(name); // its best are ranked
     body.check(inside);
     more(inside);
-    if (inside.start_scored != inside.scored) { // else the second generation is checked as the first was
+    if (inside.start_scored != inside.scored) { // otherwise the second check equals the first
         inside.start_scored = inside.scored;
         body.check(inside);
     }
     known.scored = inside.scored;
 }
 
-/// a | b of operators, before the problem is known.
+/// a | b of operators, for any problem.
 template <class A, class B>
 requires std::derived_from<A, Operator> && std::derived_from<B, Operator> Then<A, B>
 operator|(A a, B b) { return {std::move(a), std::move(b)}; }
 
-/// a | b where the problem is known.
+/// a | b of a pipeline and an operator.
 template <Problem P, class B>
 requires std::convertible_to<B, Stage<P>> Stage<P>
 operator|(Stage<P> a, const B& b) {
@@ -322,7 +321,7 @@ operator|(Stage<P> a, const B& b) {
     return a;
 }
 
-/// a | b where the problem is known.
+/// a | b of a pipeline and an operator.
 template <class A, Problem P>
 requires std::derived_from<A, Operator> Stage<P>
 operator|(const A& a, const Stage<P>& b) {

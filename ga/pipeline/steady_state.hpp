@@ -10,48 +10,45 @@
 
 namespace ga {
 
-/// A steady-state search that never waits for the slowest evaluation (asynchronous master and workers): a
-/// question is bred from the individuals that are known when it is asked, and an answer is worked in when it
-/// is told.
+/// A steady-state search that never waits for the slowest evaluation (asynchronous master and workers). Each
+/// question is a child of the individuals known at that time, and each answer is used as soon as it comes.
 ///
 ///     SteadyState<P> search(sample(40), tournament(2, 1) | mutate(0.1), plus(), problem);
 ///     search.ask();              // a question for each worker, at any time
 ///     search.tell(id, outcome);  // in any order
 ///     search.result();
 ///
-/// The order of questions and answers decides the result, so it is logged; the same log, replayed with the
-/// same outcomes, gives the same bits. Not safe to be used from several threads; `run_steady` is.
+/// The order of questions and answers decides the result, so it is logged. A replayed log gives the same bits
+/// for the same outcomes. Not safe to use from several threads; `run_steady` is.
 template <Problem P>
 class SteadyState {
   public:
-    using Genome = typename P::Genome;   ///< of the problem
-    using Outcome = typename P::Outcome; ///< what is told
+    using Genome = typename P::Genome;   ///< the problem's
+    using Outcome = typename P::Outcome; ///< the caller's answers
 
-    /// A genome whose outcome is wanted.
+    /// A genome to evaluate.
     struct Question {
-        std::size_t id; ///< counts the questions of the run, from 0
+        std::size_t id; ///< number of the question in the run, from 0
         Genome genome;  ///< to be evaluated
     };
-    /// A question that was asked, or its answer.
+    /// A question or its answer, in the log.
     struct Event {
-        std::size_t id;      ///< of the question
-        bool asked = true;   ///< otherwise told, or failed
-        Reason failure = {}; ///< why there was no outcome
+        std::size_t id;      ///< the question's
+        bool asked = true;   ///< a question; otherwise an answer
+        Reason failure = {}; ///< why the evaluation failed
     };
 
-    /// `start` makes the first population, of the size that stays. `breed` makes children of those known so
-    /// far, unscored. `replace` reads the population as the generation's start and gets one scored child
-    /// (`plus`, `steady`, `crowding`); it gives the next population. Scores are by the problem's first
-    /// objective; of the options, seconds count from here on. Throws UsageError if a stage cannot work.
+    /// `start` makes the first population; its size stays. `breed` makes unscored children of the known
+    /// individuals. `replace` gets one scored child, reads the population as the generation's start and makes
+    /// the next population (`plus`, `steady`, `crowding`). The problem's first objective scores. The time
+    /// budget begins here. Throws UsageError if a stage cannot work.
     SteadyState(Stage<P> start, Stage<P> breed, Stage<P> replace, P problem, RunOptions options = {})
         : problem_(std::move(problem)), breed_(std::move(breed)), replace_(Stage<P>(score()) | replace),
           ledger_(problem_, evaluator_, options.memory_bytes, options.budget),
           context_(ledger_, StagePosition<Genome>(options.variant, options.seed), 0,
-                   {{}, nullptr, options.population_bytes}) {
+                   options.population_bytes) {
         check(start | score(), problem_, {});
-        CheckState known;
-        for (const auto& objective : problem_.objectives())
-            known.objectives.push_back(objective.name);
+        CheckState known = known_of(problem_);
         known.scored = known.start_scored = known.objectives.front();
         known.in_generation = true;
         breed_.check(known);
@@ -64,16 +61,15 @@ class SteadyState {
     }
     SteadyState(const SteadyState&) = delete;
 
-    /// The next question; a child whose outcome is known is worked in at once. None if nothing is known yet
-    /// to breed from, until an answer is told, or if the budget has no room for more than what is open.
-    /// Throws NothingLeft where breeding makes nothing new.
+    /// The next question; a child with a known outcome is used at once. None if no individual is known yet,
+    /// or if the open questions use up the budget. Throws NothingLeft if breeding does not make a new genome.
     std::optional<Question> ask() {
         for (int known = 0;;) {
             if (ledger_.watch().expired() || ledger_.spent(static_cast<long>(open_.size())) || !breed())
                 return std::nullopt;
             Individual<Genome> next = std::move(ready_.front());
             ready_.pop_front();
-            if (ledger_.memory().find(identify(problem_, next.genome)) && known++ < max_vain) {
+            if (ledger_.memory.find(identify(problem_, next.genome)) && known++ < max_vain) {
                 work_in(std::move(next));
                 continue;
             }
@@ -83,19 +79,19 @@ class SteadyState {
             return question;
         }
     }
-    /// Works in an answer. Throws UsageError if the question is not open.
+    /// Uses an answer. Throws UsageError if the question is not open.
     void tell(std::size_t id, Outcome outcome) { answer({id, false}, std::move(outcome)); }
-    /// Works in that a question has no answer, and why.
+    /// Marks the evaluation of a question as failed, with the reason.
     void fail(std::size_t id, std::string why) {
         const Reason failure = reason(std::move(why));
         answer({id, false, failure}, failure);
     }
 
-    std::size_t open() const { return open_.size(); }          ///< questions without an answer
-    const std::vector<Event>& log() const { return log_; }     ///< what was asked and told, in order
+    std::size_t open() const { return open_.size(); }          ///< number of open questions
+    const std::vector<Event>& log() const { return log_; }     ///< questions and answers, in order
     bool stopped() const { return ledger_.watch().expired(); } ///< whether the run has to end
 
-    /// Does again what a log says, with outcomes of the problem's own `evaluate`.
+    /// Repeats the steps of a log, with outcomes from the problem's `evaluate`.
     void replay(const std::vector<Event>& log) {
         std::map<std::size_t, Genome> asked;
         for (const Event& event : log)
@@ -112,7 +108,7 @@ class SteadyState {
             }
     }
 
-    /// What the search has found so far: the population, best first, without what is open.
+    /// The current result: the population, best first, without open questions.
     Result<Genome> result() const {
         Result<Genome> result;
         result.population = best_of(population_, everyone);
@@ -127,16 +123,16 @@ class SteadyState {
     }
 
   private:
-    static constexpr int max_vain = 1000; ///< children in succession that are known or unchanged
+    static constexpr int max_vain = 1000; ///< maximum number of known or unchanged children in succession
 
-    /// Whether there is a child to ask for.
+    /// Whether there is a child to evaluate; makes one if needed.
     bool breed() {
         for (int vain = 0; ready_.empty(); ++vain) {
             if (population_.empty())
                 return false;
             if (vain == max_vain)
                 throw NothingLeft("breeding made no new individual; expected cross or mutate in it");
-            const typename Context<P>::Generation generation(context_.position, bred_++, population_);
+            const typename Context<P>::Round round(context_.position, bred_++, &population_);
             for (auto& child : breed_(population_, context_))
                 if (!child.fitness.known())
                     ready_.push_back(std::move(child));
@@ -158,7 +154,7 @@ class SteadyState {
         Population<Genome> child;
         child.push_back(std::move(individual));
         const typename Context<P>::Scope scope(context_.position, Name("told"), 0);
-        const typename Context<P>::Generation generation(context_.position, told_++, population_);
+        const typename Context<P>::Round round(context_.position, told_++, &population_);
         if (population_.size() < size_) {
             context_.score(child, "", Patience::finish);
             population_.push_back(std::move(child.front()));
@@ -169,19 +165,19 @@ class SteadyState {
     }
 
     P problem_;
-    Serial<P> evaluator_; ///< asked for nothing: what is told is paid
+    Serial<P> evaluator_; ///< never called, because answers are prepaid
     Stage<P> breed_, replace_;
     Ledger<P> ledger_;
     Context<P> context_;
     Frame<Genome> states_;
-    std::deque<Individual<Genome>> ready_;           ///< bred and not asked yet
-    std::map<std::size_t, Individual<Genome>> open_; ///< asked and not told yet
+    std::deque<Individual<Genome>> ready_;           ///< children that wait to be asked
+    std::map<std::size_t, Individual<Genome>> open_; ///< questions without an answer, by id
     Population<Genome> population_;
     std::size_t size_ = 0, bred_ = 0, asked_ = 0, told_ = 0;
     std::vector<Event> log_;
 };
 
-/// Runs the search on threads, each of which asks, evaluates and tells until the budget is spent.
+/// Runs the search on threads until the budget is spent. Each thread asks, evaluates and tells.
 template <Problem P>
 void run_steady(SteadyState<P>& search, const P& problem, int threads = 0) {
     std::mutex guard;
@@ -194,7 +190,7 @@ void run_steady(SteadyState<P>& search, const P& problem, int threads = 0) {
                 const auto question = search.ask();
                 if (!question && search.open() == 0)
                     break;
-                if (!question) { // spent, or nothing is known yet to breed from
+                if (!question) { // the budget is spent, or no individual is known yet
                     told.wait(lock);
                     continue;
                 }

@@ -4,19 +4,18 @@
 
 namespace ga {
 
-/// Puts function(genome) in the place of every genome, in parallel. An individual stays itself, unscored;
-/// where the function throws, the individual keeps its genome and is marked as failed under the objective
-/// that scored it, the problem's first where none has.
+/// Replaces every genome by function(genome), in parallel. An individual keeps its identity and loses its
+/// fitness. If the function throws, the individual keeps its genome and is marked as failed, under the
+/// objective that scored it or the problem's first.
 template <class Function>
 struct Transform : Operator {
-    std::string name;  ///< of the stage
+    std::string name;  ///< the stage's name
     Function function; ///< genome -> genome; called from several threads
 
     /// A stage of that name.
     Transform(std::string name_, Function function_)
         : name(std::move(name_)), function(std::move(function_)) {}
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     std::string text() const { return name; }
     void check(CheckState& known) const { known.scored.reset(); }
 

@@ -7,12 +7,11 @@
 
 namespace ga {
 
-/// How far up to go when counting individuals: all of them.
+/// All individuals, as a number of individuals.
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
-/// Positions by Deb's rules among the constrained: one that holds its constraints before one that does not,
-/// less violation before more, then the greater merit; failed ones last (Deb 2000). -1 for the first class,
-/// -2 for the next and so on; equals share a class.
+/// Ranks by Deb's rules (2000): feasible before infeasible, less violation before more, then the greater
+/// merit; failed last. -1 for the first class, -2 for the next and so on; ties share a class.
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     const auto key = [&](std::size_t i) {
         const Fitness& f = *all[i];
@@ -30,8 +29,8 @@ inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all)
     return merits;
 }
 
-/// NSGA-II's crowded comparison (Deb et al. 2002) as one number: -rank + c / (2 (1 + c)) with the rank of the
-/// front among these, from 0, and the crowding distance c; those that violate constraints follow by how much.
+/// NSGA-II's crowded comparison (Deb et al. 2002) as one number: -rank + c / (2 (1 + c)), with the rank of
+/// the front, from 0, and the crowding distance c. Infeasible individuals follow, by their violation.
 inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
     std::vector<Point> points;
     std::vector<std::size_t> feasible, others;
@@ -63,10 +62,9 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
     return merits;
 }
 
-/// What each is worth among all of these, by the policy that scored them: greater is better, equal is as
-/// good, minus infinity for the failed. Under one objective the fitness itself, under constraints the class
-/// by Deb's rules, under several objectives rank and crowding. Throws UsageError where two were scored by
-/// different policies, or one was not.
+/// The merit of each among all of these, by the policy that scored them: higher is better, minus infinity for
+/// failed ones. It is the fitness under one objective, the class by Deb's rules under constraints, and rank
+/// with crowding under several objectives. Throws UsageError if policies differ or one is unscored.
 inline std::vector<double> merits(std::span<const Fitness* const> all) {
     bool several = false, ruled = false;
     std::vector<double> merits(all.size());
@@ -81,7 +79,7 @@ inline std::vector<double> merits(std::span<const Fitness* const> all) {
     }
     return several ? crowded_merits(all) : ruled ? classes_by_rules(all) : merits;
 }
-/// The same of a population, and of others behind it.
+/// The merits of a population, followed by those of others.
 template <class G>
 std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
     std::vector<const Fitness*> all(population.size() + others.size());
@@ -92,7 +90,7 @@ std::vector<double> merits(const Population<G>& population, const Population<G>&
     return merits(std::span<const Fitness* const>(all));
 }
 
-/// Positions of the n best merits, best first; equal ones in their order.
+/// Positions of the n best merits, best first; ties in their order.
 inline std::vector<std::size_t> ranking(const std::vector<double>& merits, std::size_t n = everyone) {
     std::vector<std::size_t> order(merits.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -103,13 +101,13 @@ inline std::vector<std::size_t> ranking(const std::vector<double>& merits, std::
     order.erase(end, order.end());
     return order;
 }
-/// Positions of the n best individuals, best first, failed ones last; equal ones in the population's order.
+/// Positions of the n best individuals, best first, failed ones last; ties in the population's order.
 template <class G>
 std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n = everyone) {
     return ranking(merits(population), n);
 }
 
-/// The n best, best first, failed ones last; all when there are fewer.
+/// The n best, best first, failed ones last; all if there are fewer.
 template <class G>
 Population<G> best_of(const Population<G>& population, std::size_t n) {
     Population<G> chosen;
@@ -119,13 +117,13 @@ Population<G> best_of(const Population<G>& population, std::size_t n) {
     return chosen;
 }
 
-/// What a block keeps of a generation's start: as many of the best as its stages read.
+/// The part of a generation's start that a block stores: the best, as many as its stages read.
 template <class G>
 Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
     return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
-/// The population with constraints that count as held at no violation again, after `epsilon`.
+/// Undoes the levels of `epsilon`: constraints hold again only without violation.
 template <class G>
 Population<G> strict(Population<G> population) {
     for (auto& individual : population)
@@ -134,7 +132,7 @@ Population<G> strict(Population<G> population) {
     return population;
 }
 
-/// Ascending.
+/// The identities, in ascending order.
 template <class G>
 std::vector<Identity> identities_of(const Population<G>& population) {
     std::vector<Identity> all;
@@ -144,7 +142,7 @@ std::vector<Identity> identities_of(const Population<G>& population) {
     return all;
 }
 
-/// The population and behind it those of `start` that are not there any more.
+/// The population, followed by the individuals of `start` that it lacks.
 template <class G>
 Population<G> joined_with(const Population<G>& start, Population<G> population) {
     const std::vector<Identity> present = identities_of(population);
@@ -154,7 +152,7 @@ Population<G> joined_with(const Population<G>& start, Population<G> population) 
     return population;
 }
 
-/// What `better` is where there are rules or several objectives.
+/// Implements `better` under constraints or several objectives.
 inline bool better_by_rules(const Fitness& a, const Fitness& b) {
     if (!(a.several() && b.several() && a.feasible() && b.feasible())) {
         const Fitness* const both[] = {&a, &b};
@@ -165,16 +163,16 @@ inline bool better_by_rules(const Fitness& a, const Fitness& b) {
         throw UsageError("fitness under '" + a.objective() + "' was compared with '" + b.objective() + "'");
     return dominates(a.values(), b.values());
 }
-/// Whether one is better, whatever others there are: by Deb's rules, under several objectives by dominance.
-/// Throws UsageError where they were scored by different policies.
+/// Whether a is better than b, independent of others: by Deb's rules, under several objectives by dominance.
+/// Throws UsageError if their policies differ.
 inline bool better(const Fitness& a, const Fitness& b) {
     const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
-    if (!rules && a.known() && b.known(a.objective_name())) // nearly always
+    if (!rules && a.known() && b.known(a.objective_name())) // the most frequent case
         return a.merit() > b.merit();
     return better_by_rules(a, b);
 }
 
-/// Whether all are scored, under one policy.
+/// Whether all are scored under one policy.
 template <class G>
 bool comparable(const Population<G>& population) {
     return std::all_of(population.begin(), population.end(), [&](const auto& each) {
@@ -182,8 +180,8 @@ bool comparable(const Population<G>& population) {
     });
 }
 
-/// The individuals that no other betters: under several objectives the front, under one the best and its
-/// equals. Unscored and failed ones are left out.
+/// The individuals that no other one dominates: under several objectives the front, under one the best and
+/// its ties. Unscored and failed ones are left out.
 template <class G>
 Population<G> front_of(const Population<G>& population) {
     Population<G> scored;
@@ -193,7 +191,7 @@ Population<G> front_of(const Population<G>& population) {
     const std::vector<double> worth = merits(scored);
     const bool several = !scored.empty() && scored.front().fitness.several();
     const double most = worth.empty() ? 0 : *std::max_element(worth.begin(), worth.end());
-    const double least = several ? std::min(0.0, most) : most; // ranks of the first front are 0 and more
+    const double least = several ? std::min(0.0, most) : most; // merits of the first front are 0 or more
     Population<G> front;
     for (std::size_t i = 0; i < scored.size(); ++i)
         if (worth[i] >= least)

@@ -10,8 +10,8 @@
 
 namespace ga {
 
-/// 128 bits that stand for a genome in the memory of known outcomes: two genomes with equal fingerprints are
-/// taken for the same. Among 10^9 distinct genomes any two coincide with probability 1.5e-21.
+/// 128 bits that identify a genome in the memory of known outcomes: genomes with equal fingerprints count as
+/// equal. Among 10^9 distinct genomes any two coincide with probability 1.5e-21.
 struct Fingerprint {
     std::uint64_t high = 0; ///< first lane
     std::uint64_t low = 0;  ///< second lane
@@ -49,15 +49,15 @@ inline Fingerprint fingerprint(const void* data, std::size_t size) {
 template <class T>
 concept PlainNumber = std::integral<T> || std::same_as<T, float> || std::same_as<T, double>;
 
-/// A genome whose bits ga can read by itself: a range of numbers. Others give their problem a member `key`.
+/// A genome with bits that ga can read: a range of numbers. For other genomes the problem has a member `key`.
 template <class G>
 concept RangeOfNumbers =
     std::ranges::input_range<const G> && PlainNumber<std::ranges::range_value_t<const G>>;
 
-/// Of bytes, their length included.
+/// The fingerprint of bytes, including their number.
 inline Fingerprint fingerprint(std::string_view bytes) { return fingerprint(bytes.data(), bytes.size()); }
 
-/// Of a genome by the bytes of its numbers, where it is a range of them or a Permutation.
+/// The fingerprint of a genome that is a range of numbers, by their bytes.
 template <RangeOfNumbers G>
 requires(!std::convertible_to<G, std::string_view>) Fingerprint fingerprint(const G& genome) {
     using T = std::ranges::range_value_t<const G>;

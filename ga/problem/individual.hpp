@@ -1,28 +1,186 @@
 #pragma once
 
-#include "ga/problem/fitness.hpp"
+#include "ga/base/errors.hpp"
+#include "ga/problem/ranking.hpp"
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace ga {
 
+/// A name that is copied and compared as one pointer. Names are never freed, so do not use it for data.
+class Name {
+  public:
+    Name() = default;
+    /// Adds the name if it is new. Safe to call from any thread.
+    Name(const std::string& text) {
+        static std::mutex guard;
+        static std::set<std::string> names;
+        const std::lock_guard lock(guard);
+        text_ = &*names.insert(text).first;
+    }
+    const std::string& text() const { return *text_; } ///< the text; not for an empty name
+    /// One pointer against another.
+    bool operator==(const Name&) const = default;
+
+  private:
+    const std::string* text_ = nullptr;
+};
+
+/// Why an evaluation failed; shared by all individuals with that genome.
+using Reason = std::shared_ptr<const std::string>;
+/// Makes a reason from a text.
+inline Reason reason(std::string words) { return std::make_shared<const std::string>(std::move(words)); }
+/// The reason from the exception that is being handled. Call it in a catch block. Stopped is not a failure
+/// and is thrown again.
+[[gnu::cold]] inline Reason reason_caught() {
+    try {
+        throw;
+    } catch (const Stopped&) {
+        throw;
+    } catch (const std::exception& error) {
+        return reason(error.what());
+    } catch (...) {
+        return reason("an exception of another type than std::exception");
+    }
+}
+
+/// The fitness of an individual under a policy: the name of one objective, or "pareto f1 f2 ..." for several.
+/// It has the values of the objectives and the violations of constraints, or the reason of a failure. A
+/// missing fitness cannot be read, and fitnesses of different policies are never compared.
+class Fitness {
+  public:
+    Fitness() = default;
+    /// The value under one objective, which is maximised or minimised.
+    Fitness(Name objective, double value, bool minimise = false)
+        : value_(value), policy_(objective), minimise_(minimise) {}
+    /// The values under several objectives, with higher being better.
+    Fitness(Name policy, Point values)
+        : policy_(policy), detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr, {}})) {}
+    /// A failed evaluation under a policy.
+    static Fitness failed(Name policy, Reason why) {
+        Fitness fitness(policy, -std::numeric_limits<double>::infinity());
+        fitness.detail_ = std::make_shared<const Detail>(Detail{{}, std::move(why), {}});
+        return fitness;
+    }
+    /// A copy with one violation per constraint, 0 or less if it holds. `sum` is the violation beyond the
+    /// levels, if it was computed before.
+    Fitness constrained(std::vector<double> violations, std::optional<double> sum = {}) const {
+        Fitness fitness = *this;
+        if (std::any_of(violations.begin(), violations.end(), [](double each) { return each > 0; })) {
+            for (double& each : violations)
+                each = std::max(each, 0.0);
+            fitness.detail_ = std::make_shared<const Detail>(
+                Detail{several() ? detail_->values : Point(), nullptr, std::move(violations)});
+        }
+        fitness = fitness.relaxed({});
+        fitness.violation_ = sum.value_or(fitness.violation_);
+        return fitness;
+    }
+    /// A copy that is the mean of a number of replicates.
+    Fitness averaged(std::size_t replicates) const {
+        Fitness fitness = *this;
+        fitness.replicates_ = static_cast<std::uint32_t>(replicates);
+        return fitness;
+    }
+    /// A copy in which each constraint holds up to its level; missing levels are 0.
+    Fitness relaxed(const std::vector<double>& levels) const {
+        Fitness fitness = *this;
+        fitness.violation_ = 0;
+        for (std::size_t k = 0; k < violations().size(); ++k)
+            fitness.violation_ += std::max(0.0, violations()[k] - (k < levels.size() ? levels[k] : 0));
+        return fitness;
+    }
+
+    bool known() const { return policy_ != Name(); } ///< whether it was scored at all
+    /// Whether it was scored under this policy.
+    bool known(Name policy) const { return policy_ == policy; }
+    bool has_failed() const { return detail_ && detail_->failure; }      ///< whether the evaluation failed
+    bool several() const { return detail_ && !detail_->values.empty(); } ///< under several objectives
+    bool feasible() const { return !(violation_ > 0); }                  ///< no constraint is violated
+    /// The sum of violations beyond the constraints' levels, 0 or more.
+    double violation() const { return violation_; }
+    /// The violation of each constraint, 0 or more, without regard to levels; empty if all hold.
+    const std::vector<double>& violations() const {
+        static const std::vector<double> none;
+        return detail_ ? detail_->violations : none;
+    }
+    bool minimises() const { return minimise_; }           ///< whether less is better
+    std::size_t replicates() const { return replicates_; } ///< number of replicates in the mean, 1 or more
+
+    /// The value under one objective; minus infinity if the evaluation failed. Throws UsageError if it is
+    /// unscored or has several objectives.
+    double value() const {
+        need(true);
+        return value_;
+    }
+    /// The value, with its sign changed if the objective is minimised.
+    double merit() const {
+        need(true);
+        return minimise_ ? -value_ : value_;
+    }
+    /// The values under several objectives, with higher being better; empty under one objective or after a
+    /// failure.
+    const Point& values() const {
+        static const Point none;
+        need(false);
+        return detail_ ? detail_->values : none;
+    }
+    /// The policy's name. Throws UsageError if it is unscored.
+    const std::string& objective() const { return need(false), policy_.text(); }
+    Name objective_name() const { return policy_; } ///< empty when unscored
+    /// Why the evaluation failed; empty if it did not.
+    const std::string& reason() const {
+        static const std::string none;
+        return has_failed() ? *detail_->failure : none;
+    }
+
+  private:
+    struct Detail {
+        Point values;
+        Reason failure;
+        std::vector<double> violations;
+    };
+
+    void need(bool one) const {
+        if (!known() || (one && several()))
+            refuse();
+    }
+    [[gnu::cold, gnu::noinline]] void refuse() const {
+        throw UsageError(known()
+                             ? "fitness under '" + policy_.text() + "' has several values"
+                             : "an individual's fitness was read before it was scored; put score before it");
+    }
+
+    double value_ = 0, violation_ = 0;
+    Name policy_;
+    std::shared_ptr<const Detail> detail_;
+    std::uint32_t replicates_ = 1;
+    bool minimise_ = false;
+};
+
 /// A number that names an individual within a run, the same for any number of threads.
 using Identity = std::uint64_t;
 
-/// The identities an individual descends from: none, one or two.
+/// The identities of an individual's parents: none, one or two.
 class Parents {
   public:
     Parents() = default;
-    /// Of a mutation.
+    /// The parent of a mutant.
     explicit Parents(Identity only) : identities_{only, 0}, count_(1) {}
-    /// Of a cross-over.
+    /// The parents of a cross-over.
     Parents(Identity first, Identity second) : identities_{first, second}, count_(2) {}
     const Identity* begin() const { return identities_.data(); } ///< the first
-    const Identity* end() const { return begin() + count_; }     ///< behind the last
+    const Identity* end() const { return begin() + count_; }     ///< past the last
     std::size_t size() const { return count_; }                  ///< 0, 1 or 2
-    /// The same, in the same order.
+    /// Equal in the same order.
     bool operator==(const Parents&) const = default;
 
   private:
@@ -30,21 +188,21 @@ class Parents {
     std::size_t count_ = 0;
 };
 
-/// A genome on its way through the stages. Its identity stays when it is scored, refined or transformed; a
-/// scored individual that is crossed or mutated begets another, which names it as a parent.
+/// A genome with its identity and fitness. The identity stays when it is scored, refined or transformed.
+/// Crossed, or mutated after scoring, it becomes a new individual with this one as a parent.
 template <class G>
 struct Individual {
-    G genome{};                      ///< what is evolved
-    Identity identity = 0;           ///< names it within the run
-    Parents parents;                 ///< whom it was made of
-    Fitness fitness;                 ///< unscored until a stage scores it
-    std::shared_ptr<const G> origin; ///< the genome as it was when this identity was first refined, or none
+    G genome{};                      ///< the genome
+    Identity identity = 0;           ///< unique in the run
+    Parents parents;                 ///< identities of its parents
+    Fitness fitness;                 ///< empty until a stage scores it
+    std::shared_ptr<const G> origin; ///< the genome before the first refinement, or null
 
-    /// Its fitness' value under one objective. Throws UsageError when unscored.
+    /// The fitness under one objective. Throws UsageError if it is unscored.
     double value() const { return fitness.value(); }
 };
 
-/// Individuals in an order that stages may rely on.
+/// Individuals; stages may rely on their order.
 template <class G>
 using Population = std::vector<Individual<G>>;
 

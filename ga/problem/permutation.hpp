@@ -7,14 +7,14 @@
 
 namespace ga {
 
-/// A genome that is an order of 0 .. n-1, each once. Only operators that keep it one apply.
+/// A genome that contains each of 0 .. n-1 once. Only operators that preserve this apply.
 struct Permutation {
-    std::vector<std::uint32_t> order; ///< of 0 .. n-1
+    std::vector<std::uint32_t> order; ///< each of 0 .. n-1 once
 
-    auto begin() const { return order.begin(); }      ///< reads as a range of the order
-    auto end() const { return order.end(); }          ///< behind its last
+    auto begin() const { return order.begin(); }      ///< the first number
+    auto end() const { return order.end(); }          ///< past the last number
     std::size_t size() const { return order.size(); } ///< n
-    /// The same order.
+    /// Equal in the same order.
     bool operator==(const Permutation&) const = default;
 
     /// Any order with equal probability.

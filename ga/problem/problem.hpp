@@ -13,18 +13,18 @@
 
 namespace ga {
 
-/// One reading of an evaluation's outcome. A pure function; NaN, infinity or an exception marks the
-/// individual as failed.
+/// A function of an evaluation's outcome. It must be pure; NaN, infinity or an exception marks the individual
+/// as failed.
 template <class Outcome>
 struct Objective {
-    std::string name;                              ///< as pipelines call it
-    std::function<double(const Outcome&)> fitness; ///< of an outcome
-    bool minimise = false;                         ///< less is better; otherwise greater is
+    std::string name;                              ///< its name in pipelines
+    std::function<double(const Outcome&)> fitness; ///< the value for an outcome
+    bool minimise = false;                         ///< whether lower is better
 };
 
-/// All that ga knows of a domain: a genome, the one paid call `evaluate` (pure: called from several threads
-/// at once, its outcome is remembered; it may throw), and the objectives that read its outcome.
-/// objectives().front() is the one `score()` takes; there is at least one.
+/// All that ga knows of a domain: a genome, the paid call `evaluate`, and objectives of its outcome.
+/// `evaluate` is pure: it is called from several threads and its outcomes are remembered; it may throw. There
+/// is at least one objective; `score()` uses the first.
 template <class P>
 concept Problem = requires(const P& problem, const typename P::Genome& genome) {
     requires std::copyable<typename P::Genome>;
@@ -33,23 +33,22 @@ concept Problem = requires(const P& problem, const typename P::Genome& genome) {
     { problem.objectives() } -> std::same_as<const std::vector<Objective<typename P::Outcome>>&>;
 };
 
-/// Optional: an evaluation with noise. Each replicate is another draw, and a pure function of its number;
-/// `evaluate(genome)` is replicate 0. What `average` needs.
+/// Optional: an evaluation with noise, for `average`. Each replicate is a pure function of its number;
+/// `evaluate(genome)` is replicate 0.
 template <class P>
 concept Noisy = Problem<P> &&
     requires(const P& problem, const typename P::Genome& genome, std::uint64_t replicate) {
     { problem.evaluate(genome, replicate) } -> std::same_as<typename P::Outcome>;
 };
 
-/// Optional: the bytes that identify a genome, where ga cannot read its bits or where several genomes have
-/// one outcome.
+/// Optional: bytes as identity of a genome, if ga cannot read its bits or several genomes have one outcome.
 template <class P>
 concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
     { problem.key(genome) } -> std::convertible_to<std::string>;
 };
 
-/// Optional: the final form of a genome once it is evaluated; `score` puts it in the genome's place. It must
-/// have the genome's own key, so that forgetting an outcome never changes a result.
+/// Optional: the final form of a genome after its evaluation, by which `score` replaces it. It must have the
+/// genome's key, so that forgetting an outcome does not affect a result.
 template <class P>
 concept Settling = requires(const P& problem, const typename P::Genome& genome,
                             const typename P::Outcome& outcome) {
@@ -64,11 +63,11 @@ concept ConvertsGenes = requires(const P& problem, const typename P::Genome& gen
     { problem.with_genes(genome, genes) } -> std::same_as<typename P::Genome>;
 };
 
-/// A problem with real genes: it converts its genomes, or they are vectors of double themselves.
+/// A problem with real genes: it converts its genomes, or they are vectors of double.
 template <class P>
 concept HasGenes = ConvertsGenes<P> || std::same_as<typename P::Genome, std::vector<double>>;
 
-/// The genome's genes by the problem's `genes`, or the genome itself where it is a vector of numbers.
+/// The genome's genes by the problem's `genes`, or the genome itself if it is a vector of double.
 template <HasGenes P>
 std::vector<double> genes_of(const P& problem, const typename P::Genome& genome) {
     if constexpr (ConvertsGenes<P>)
@@ -76,7 +75,7 @@ std::vector<double> genes_of(const P& problem, const typename P::Genome& genome)
     else
         return genome;
 }
-/// The genome with its genes replaced: undoes genes_of.
+/// The genome with other genes; the inverse of genes_of.
 template <HasGenes P>
 typename P::Genome with_genes(const P& problem, const typename P::Genome& genome, std::vector<double> genes) {
     if constexpr (ConvertsGenes<P>)
@@ -85,10 +84,11 @@ typename P::Genome with_genes(const P& problem, const typename P::Genome& genome
         return genes;
 }
 
-/// Residuals and their derivatives; complete in ga/refinement/sensitivity.hpp, for those who refine.
+/// Residuals and their derivatives; defined in ga/refinement/sensitivity.hpp.
 struct Sensitivity;
 
-/// Optional: the one derivative from which `refine` builds every form (squares, minimax, or a domain's own).
+/// Optional: the derivative from which `refine` builds every form (squares, minimax, or a form of the
+/// domain).
 template <class P>
 concept Sensitive = HasGenes<P> &&
     requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
@@ -102,16 +102,16 @@ concept Differentiable = HasGenes<P> &&
     { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
 };
 
-/// Optional: by how much an outcome violates the problem's constraints, a number or one per constraint; 0 or
-/// less if it holds them. Individuals are then compared by Deb's rules (2000): one that holds them before one
-/// that does not, a smaller sum of violations before a greater, then the fitness.
+/// Optional: the violation of the problem's constraints by an outcome, one number or one per constraint; 0 or
+/// less if they hold. Individuals are then compared by Deb's rules (2000): feasible before infeasible, a
+/// smaller sum of violations before a greater, then the fitness.
 template <class P>
 concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
     requires std::convertible_to<decltype(problem.violation(outcome)), double> ||
         std::convertible_to<decltype(problem.violation(outcome)), std::vector<double>>;
 };
 
-/// One violation per constraint.
+/// The violations, one per constraint.
 template <Constrained P>
 std::vector<double> violations_of(const P& problem, const typename P::Outcome& outcome) {
     if constexpr (std::convertible_to<decltype(problem.violation(outcome)), double>)
@@ -120,7 +120,7 @@ std::vector<double> violations_of(const P& problem, const typename P::Outcome& o
         return problem.violation(outcome);
 }
 
-/// Optional: the bytes an outcome takes in memory, where it owns more than itself.
+/// Optional: the memory of an outcome in bytes, if it owns more than itself.
 template <class P>
 concept Weighed = requires(const P& problem, const typename P::Outcome& outcome) {
     { problem.bytes(outcome) } -> std::convertible_to<std::size_t>;
@@ -128,27 +128,27 @@ concept Weighed = requires(const P& problem, const typename P::Outcome& outcome)
 
 /// A gene that may move, between its bounds.
 struct Variable {
-    std::size_t gene; ///< index into the problem's genes
+    std::size_t gene; ///< index of the gene
     double lower;     ///< in the gene's unit
     double upper;     ///< no less than `lower`
 };
 
-/// Which genes of a genome may move, and how far: a named choice that refinement takes.
+/// A named choice of genes for refinement: which genes may move, and how far.
 template <class G>
 struct Variables {
-    std::string name;                                  ///< as pipelines call it: "genes=NAME"
-    std::function<std::vector<Variable>(const G&)> of; ///< of a genome
+    std::string name;                                  ///< its name in pipelines: "genes=NAME"
+    std::function<std::vector<Variable>(const G&)> of; ///< for a genome
 };
 
-/// Optional: genes that operators may move with their bounds, in order; refinement's choice called `all`. It
-/// may return a reference.
+/// Optional: the genes that operators may move, with their bounds, in ascending order; also refinement's
+/// choice `all`. It may return a reference.
 template <class P>
 concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
     { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
 };
 
-/// The problem's bounds. Throws UsageError where they are not in the order of genes, each once, or a lower
-/// one is above the upper.
+/// The problem's bounds. Throws UsageError if genes are not in ascending order, or a lower bound is above the
+/// upper.
 template <Bounded P>
 decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome) {
     decltype(auto) all = problem.bounds(genome);
@@ -168,40 +168,40 @@ concept Sampled = requires(const P& problem, Stream& stream) {
     { problem.sample(stream) } -> std::same_as<typename P::Genome>;
 };
 
-/// Optional: a problem's own mutation of each gene with probability `rate`; true when one changed.
+/// Optional: the problem's mutation, of each gene with probability `rate`; true if one changed.
 template <class P>
 concept MutatesItself = requires(const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
     { problem.mutate(genome, rate, stream) } -> std::same_as<bool>;
 };
 
-/// Optional: a problem's own uniform cross-over.
+/// Optional: the problem's uniform cross-over.
 template <class P>
 concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome, Stream& stream) {
     problem.cross_uniform(genome, genome, stream);
 };
 
-/// Optional: a problem's own cross-over at points, where genomes are more than positions.
+/// Optional: the problem's cross-over at n points, if genomes are more than sequences.
 template <class P>
 concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
                                    Stream& stream) {
     problem.cross_points(genome, genome, n, stream);
 };
 
-/// Optional: how far apart two genomes are, 0 for equal ones, the same both ways.
+/// Optional: the distance of two genomes, symmetric and 0 for equal ones.
 template <class P>
 concept Measured = requires(const P& problem, const typename P::Genome& genome) {
     { problem.distance(genome, genome) } -> std::convertible_to<double>;
 };
 
-/// A feature of a genome that costs nothing to compare with an evaluation, by which surfaces, shapes or
-/// programs of the same worth may differ. A pure function; called from several threads.
+/// A feature of a genome, much cheaper than an evaluation, in which solutions of equal fitness may differ. A
+/// pure function; called from several threads.
 template <class G>
 struct Descriptor {
-    std::string name;                   ///< as pipelines call it
-    std::function<double(const G&)> of; ///< of a genome
-    double lower;                       ///< of the range that is divided into cells
-    double upper;                       ///< of that range, above `lower`
-    /// Its derivatives with respect to all genes; where there is none, differences stand for them.
+    std::string name;                   ///< its name in pipelines
+    std::function<double(const G&)> of; ///< for a genome
+    double lower;                       ///< lower end of the range that is divided into cells
+    double upper;                       ///< upper end of that range, above `lower`
+    /// Its derivatives with respect to all genes; if empty, finite differences are used.
     std::function<std::vector<double>(const G&)> gradient = {};
 };
 
@@ -211,13 +211,13 @@ concept Describing = requires(const P& problem) {
     { problem.descriptors() } -> std::same_as<const std::vector<Descriptor<typename P::Genome>>&>;
 };
 
-/// Whether a member pointer's or a static member's type is a function's.
+/// Whether a member pointer's or a static member's type is that of a function.
 template <class Member>
 constexpr bool is_function_member =
     std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// A compile-time error that names a member which is there but does not fit its concept, as a misspelt
-/// signature would otherwise be passed over. Overloaded and templated members cannot be seen.
+/// Gives a compile-time error with the name of a member that does not fit its concept; otherwise a wrong
+/// signature would be ignored. Overloaded and templated members are not checked.
 template <class P>
 constexpr bool members_fit() {
 #define GA_MEMBER_FITS(member, Concept)                                                                      \
@@ -245,7 +245,7 @@ constexpr bool members_fit() {
     return true;
 }
 
-/// The identity under which the genome's outcome is remembered.
+/// The fingerprint under which the genome's outcome is remembered.
 template <Problem P>
 Fingerprint identify(const P& problem, const typename P::Genome& genome) {
     if constexpr (Keyed<P>)

@@ -9,8 +9,8 @@
 
 namespace ga {
 
-/// Positions 0 to n-1 in the order that `before(a, b)` gives; equals in their own order. The comparison's
-/// type is erased, so that sorting is compiled once.
+/// Positions 0 to n-1 in the order of `before(a, b)`; ties in ascending order. The comparison's type is
+/// erased, so that sorting is compiled once.
 inline std::vector<std::size_t> in_order(std::size_t n,
                                          const std::function<bool(std::size_t, std::size_t)>& before) {
     std::vector<std::size_t> order(n);
@@ -20,10 +20,10 @@ inline std::vector<std::size_t> in_order(std::size_t n,
     return order;
 }
 
-/// Values of several objectives, greater is better.
+/// Values of several objectives, higher is better.
 using Point = std::vector<double>;
 
-/// As good in every objective and better in one.
+/// Whether a is as good as b in every objective and better in one.
 inline bool dominates(const Point& a, const Point& b) {
     bool better = false;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -34,9 +34,9 @@ inline bool dominates(const Point& a, const Point& b) {
     return better;
 }
 
-/// The front each point belongs to, from 0: a point of front r is dominated once the fronts before r are
-/// taken away (Deb, Pratap, Agarwal and Meyarivan 2002). Points are met in an order in which none is
-/// dominated by a later one, so each is compared with earlier ones only (Zhang, Tian, Cheng and Jin 2015).
+/// The front of each point, from 0 (Deb, Pratap, Agarwal and Meyarivan 2002): without fronts 0 to r-1, no
+/// point dominates those of front r. Points are sorted so that no later point dominates an earlier one; each
+/// is compared only with earlier points (Zhang, Tian, Cheng and Jin 2015).
 inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
     const std::vector<std::size_t> order =
         in_order(points.size(), [&](std::size_t a, std::size_t b) { return points[a] > points[b]; });
@@ -56,8 +56,8 @@ inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
     return rank;
 }
 
-/// How much room each point has among those of its own front: the sum over objectives of the distance between
-/// its two neighbours, over the front's range; infinite at a front's ends (Deb et al. 2002).
+/// The crowding distance of each point in its front (Deb et al. 2002): the distance between its two
+/// neighbours relative to the front's range, summed over objectives. It is infinite at the ends of a front.
 inline std::vector<double> crowding_distances(const std::vector<Point>& points,
                                               const std::vector<std::size_t>& ranks) {
     std::vector<double> room(points.size(), 0);

@@ -13,17 +13,17 @@ struct LevenbergMarquardt {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
     int evaluations = 30; ///< at most, after the start; >= 1
-    /// After this many of them each step minimises the largest residual of the linear model, not the squares:
-    /// rows are weighed by Lawson's rounds (1961), and the step is judged by max|r|. 0 for never.
+    /// After this many evaluations each step minimises the largest residual of the linear model instead of
+    /// the squares. Lawson's iteration (1961) weights the rows, and max|r| decides whether a step is
+    /// accepted. 0 for never.
     int sharpen = 0;
 
-    ///@{
-    /// What every method has (method_of).
+    ///@{ What every method has (method_of).
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));
         visit(self.sharpen,
-              whole("sharpen", "0", 0, "after so many, the largest residual counts; 0 for never")
+              whole("sharpen", "0", 0, "after this many, the largest residual counts; 0 for never")
                   .keyed()
                   .quiet());
     }
@@ -81,11 +81,11 @@ struct LevenbergMarquardt {
     static constexpr int lawson_rounds = 20;
     static constexpr double least_weight = 1e-6;
 
-    /// A point in the box and what is left of the residuals there if they are linear.
+    /// A point in the box and the residuals there by the linear model.
     struct Step {
         Eigen::VectorXd to, left;
     };
-    /// The damped step of weighted least squares; none if it stays where it is.
+    /// The damped step of weighted least squares; none if it does not move.
     static std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at,
                                          const Eigen::VectorXd& weights, double damping,
                                          const Landscape& land) {

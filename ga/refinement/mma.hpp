@@ -4,11 +4,11 @@
 
 namespace ga {
 
-/// One number of residuals that a search maximises, and its derivatives with respect to them.
+/// A function of the residuals that a search maximises, with its derivatives.
 struct Reading {
-    double value; ///< greater is better
-    double merit; ///< by which the best point is chosen, greater is better
-    std::vector<std::pair<Eigen::Index, double>> slopes; ///< d value / d r_k for the rows k where it is not 0
+    double value;                                        ///< higher is better
+    double merit;                                        ///< ranks points, higher is better
+    std::vector<std::pair<Eigen::Index, double>> slopes; ///< rows k and d value / d r_k, if it is not 0
 };
 
 /// Minus the largest |r_k|; its slope is that of the first row that attains it.
@@ -19,7 +19,7 @@ inline Reading least_worst(const Eigen::VectorXd& residuals) {
 }
 
 /// Maximises a reading of the residuals by the globally convergent method of moving asymptotes (Svanberg
-/// 2002; NLopt's LD_MMA). The reading is the problem's own; by default `least_worst`.
+/// 2002; NLopt's LD_MMA).
 /// @param evaluations  at most, after the start; inner iterations count
 inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
                                         const std::function<Reading(const Eigen::VectorXd&)>& read) {
@@ -46,14 +46,13 @@ inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
     return best.x;
 }
 
-/// `mma n`: the method above on `least_worst`. A domain with another reading makes a method of its own so.
+/// `mma n`: maximised_by_mma with `least_worst`. A domain can make a method with another reading.
 struct Mma {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 
     int evaluations = 1; ///< at most, after the start; >= 1
 
-    ///@{
-    /// What every method has (method_of).
+    ///@{ What every method has (method_of).
     static Words words() { return {"mma", "refinement", "GCMMA on the largest |r|, one row at a time"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
     Eigen::VectorXd improve(const Landscape& land) const {
@@ -64,5 +63,75 @@ struct Mma {
 
 /// @param evaluations  at most, after the start; >= 1
 inline ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations}); }
+
+/// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
+/// LD_MMA). The problem is smooth: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
+/// variable. `mma` sees one row at a time; this method sees all.
+struct Minimax {
+    static constexpr bool on_residuals = true; ///< and on their derivatives
+
+    int evaluations = 1; ///< at most, after the start; >= 1. Inner iterations count.
+
+    ///@{ What every method has (method_of).
+    static Words words() { return {"minimax", "refinement", "GCMMA on the smallest t with -t <= r <= t"}; }
+    static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
+
+    Eigen::VectorXd improve(const Landscape& land) const {
+        const Eigen::Index n = land.start.size();
+        const std::optional<Sensitivity> first =
+            land.exhausted() ? std::nullopt : land.sensitivity(land.start);
+        if (!first)
+            return land.start;
+        const Eigen::Index rows = first->residuals.size();
+        const double worst = first->residuals.cwiseAbs().maxCoeff();
+        if (worst == 0)
+            return land.start;
+        // The first step is about half of the box, so the box of t is as narrow as possible.
+        Eigen::VectorXd lower(n + 1), upper(n + 1), start(n + 1);
+        lower << land.lower, 0.0;
+        upper << land.upper, worst;
+        start << land.start, worst;
+        NloptSearch search(nlopt::LD_MMA, lower, upper, evaluations + 1);
+        // By default LD_MMA solves each step's dual to 1e-14, which takes 160 times as long for the same
+        // result.
+        search->set_param("dual_ftol_rel", 1e-6);
+        BestPoint best{land.start, -worst};
+        bool at_start = true; // the sensitivity there is known
+        search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
+            if (gradient)
+                Eigen::Map<Eigen::VectorXd>(gradient, n + 1) = Eigen::VectorXd::Unit(n + 1, n);
+            return x[n];
+        });
+        search.constrain(
+            static_cast<unsigned>(2 * rows), [&](const Eigen::VectorXd& x, double* c, double* gradient) {
+                using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+                Eigen::Map<Eigen::VectorXd> values(c, 2 * rows);
+                Eigen::Map<Rows> slopes(gradient, gradient ? 2 * rows : 0, gradient ? n + 1 : 0);
+                values.setConstant(HUGE_VAL);
+                slopes.setZero();
+                if (!at_start && land.exhausted()) {
+                    search->force_stop();
+                    return;
+                }
+                const std::optional<Sensitivity> at = at_start ? first : land.sensitivity(x.head(n));
+                at_start = false;
+                if (!at)
+                    return;
+                values << at->residuals.array() - x[n], -at->residuals.array() - x[n];
+                if (gradient) {
+                    slopes.topLeftCorner(rows, n) = at->jacobian;
+                    slopes.bottomLeftCorner(rows, n) = -at->jacobian;
+                    slopes.col(n).setConstant(-1);
+                }
+                best.offer(x.head(n), -at->residuals.cwiseAbs().maxCoeff());
+            });
+        search.from(start);
+        return best.x;
+    }
+    ///@}
+};
+
+/// @param evaluations  at most, after the start; >= 1
+inline ResidualMethod minimax(int evaluations) { return method_of(Minimax{evaluations}); }
 
 } // namespace ga

@@ -9,25 +9,25 @@
 
 namespace ga {
 
-/// Runs one NLopt optimisation (NLopt 2.7) over the landscape's box, or a box given, and heeds its traps: an
-/// exception of a callback is kept, the search stopped, the exception thrown again; rounding limits end a
-/// search quietly. The optimiser is never copied, since its callbacks point at it.
+/// Runs one NLopt optimisation (NLopt 2.7) in a box. An exception of a callback stops the search and is
+/// thrown again at its end; rounding limits end a search without an error. The optimiser is never copied,
+/// because its callbacks point at it.
 class NloptSearch {
   public:
-    /// A search in the box with at most so many evaluations.
+    /// A search in the box with at most `evaluations` evaluations.
     NloptSearch(nlopt::algorithm algorithm, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                 int evaluations)
         : search_(algorithm, static_cast<unsigned>(lower.size())) {
         search_.set_lower_bounds({lower.begin(), lower.end()});
         search_.set_upper_bounds({upper.begin(), upper.end()});
         search_.set_maxeval(evaluations);
-        // A bound optimum with a tolerance on x alone never stops.
+        // With a tolerance only on x, an optimum at a bound never stops the search.
         search_.set_ftol_rel(1e-12);
         search_.set_ftol_abs(1e-14);
     }
     NloptSearch(const NloptSearch&) = delete;
 
-    /// NLopt's own object, for settings of the method.
+    /// NLopt's object, for settings of the method.
     nlopt::opt* operator->() { return &search_; }
 
     /// Minimises value(x, gradient), where gradient is null or to be filled.
@@ -56,7 +56,7 @@ class NloptSearch {
             this, std::vector<double>(m, 0.0));
     }
 
-    /// Searches from a point. What the search found is what its callbacks saw; its own answer is not needed.
+    /// Searches from a point. The callbacks see all results; NLopt's result is not used.
     void from(const Eigen::VectorXd& start) {
         std::vector<double> x(start.begin(), start.end());
         double value = 0;
@@ -103,10 +103,10 @@ inline int algorithm_number(const std::string& name) {
         ++found;
     if (found == NLOPT_NUM_ALGORITHMS)
         throw UsageError("refine nlopt: unknown algorithm '" + name +
-                         "'; expected one of NLopt's, e.g. LN_COBYLA");
+                         "'; use one of NLopt's, e.g. LN_COBYLA");
     if (name.find("AUGLAG") != std::string::npos || name.find("MLSL") != std::string::npos)
         throw UsageError("refine nlopt: algorithm '" + name +
-                         "' needs a second optimiser; expected one that works alone, e.g. LN_COBYLA");
+                         "' needs a second optimiser; use one that works alone, e.g. LN_COBYLA");
     return found;
 }
 
@@ -115,11 +115,10 @@ inline int algorithm_number(const std::string& name) {
 struct Nlopt {
     static constexpr bool on_residuals = false; ///< it sees the fitness
 
-    std::string algorithm = "LN_COBYLA"; ///< NLopt's own name; LD_ and GD_ algorithms need a gradient
+    std::string algorithm = "LN_COBYLA"; ///< NLopt's name; LD_ and GD_ algorithms need a gradient
     int evaluations = 1;                 ///< at most, after the start; >= 1
 
-    ///@{
-    /// What every method has (method_of).
+    ///@{ What every method has (method_of).
     static Words words() { return {"nlopt", "refinement", "any algorithm of NLopt on the fitness"}; }
     static void describe(auto& self, auto visit) {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
@@ -138,7 +137,7 @@ struct Nlopt {
         NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper,
                            evaluations + 1);
         BestPoint best{land.start};
-        Eigen::VectorXd violations; // of the last point whose evaluation did not fail
+        Eigen::VectorXd violations; // at the last point with a successful evaluation
         if (land.constrained && takes_constraints() && !land.exhausted())
             violations = land.constrained(land.start).second;
         const Eigen::Index rows = violations.size();
@@ -148,7 +147,7 @@ struct Nlopt {
                     violations = there;
                 Eigen::Map<Eigen::VectorXd>(c, rows) = violations;
             });
-        int used = 0; // not every algorithm keeps to its limit
+        int used = 0; // some algorithms exceed their limit
         search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
             if (used++ > evaluations || land.exhausted()) {
                 search->force_stop();
@@ -180,7 +179,7 @@ struct Nlopt {
     ///@}
 };
 
-/// The refinement `nlopt NAME n`. Throws UsageError on a name that is no algorithm that works alone.
+/// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.
 /// @param evaluations  at most, after the start; >= 1
 inline Method nlopt_method(const std::string& name, int evaluations) {
     return method_of(Nlopt{name, evaluations});

@@ -5,18 +5,17 @@
 
 namespace ga {
 
-/// What refinement by a method asks of a problem.
+/// A problem that a method of refinement works for.
 template <class P, class M>
 concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_from<M, ResidualMethod>);
 
-/// One individual's search: it asks the door for what its method wants to know of points in the box.
+/// One individual's search: makes the requests of its method for points in the box.
 template <Problem P>
 class Search {
   public:
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< the problem's
 
-    /// `moving` are the genes that move, `limit` the questions that may be asked. All must outlive the
-    /// search.
+    /// `moving` are the genes that move, `limit` the maximum number of requests. All must outlive the search.
     Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
            const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
@@ -31,7 +30,7 @@ class Search {
                 objective_ = i;
     }
 
-    /// The genome to which the method moved; none where it stayed.
+    /// The genome to which the method moved; none if it did not move.
     std::optional<Genome> by(const Method& method, std::uint64_t seed) {
         const auto n = static_cast<Eigen::Index>(moving_.size());
         if (n == 0)
@@ -52,7 +51,8 @@ class Search {
         };
         if constexpr (Constrained<P>)
             land.constrained = [this](const Eigen::VectorXd& x) {
-                if (seen_at_.size() != x.size() || seen_at_ != x) { // asked for the fitness, then again
+                if (seen_at_.size() != x.size() ||
+                    seen_at_ != x) { // called for the fitness, then for the constraints
                     seen_fitness_ = fitness(x);
                     seen_at_ = x;
                 }
@@ -75,28 +75,28 @@ class Search {
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
-    /// Asks, unless the run has to stop or all that may be asked is asked; then it stays unanswered.
-    void ask(EvaluationRequest<P>& inquiry) {
+    /// Makes a request, unless the run has to stop or the limit is reached; then it stays unanswered.
+    void ask(EvaluationRequest<P>& request) {
         if (stopped_ || asked_ >= limit_)
             return;
         ++asked_;
         try {
-            door_.serve(inquiry);
+            door_.serve(request);
         } catch (const Stopped&) {
             stopped_ = true;
-        } catch (const NothingLeft&) { // a failure like any other here
+        } catch (const NothingLeft&) { // here a failure like any other
         }
     }
 
-    /// The fitness at a point and, of constraints, the violations there; unknown if it was not evaluated.
+    /// The fitness at a point, and the violations of constraints there; unknown if it was not evaluated.
     Fitness fitness(const Eigen::VectorXd& x) {
         const Genome genome = at(x);
         Fitness found;
         violations_.resize(0);
-        EvaluationRequest<P> inquiry;
-        inquiry.questions.push_back({&genome});
-        inquiry.use = [&] {
-            const auto* answer = inquiry.questions.front().answer;
+        EvaluationRequest<P> request;
+        request.questions.push_back({&genome});
+        request.use = [&] {
+            const auto* answer = request.questions.front().answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return;
             found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
@@ -108,15 +108,15 @@ class Search {
                                                                     static_cast<Eigen::Index>(each.size()));
                 }
         };
-        ask(inquiry);
+        ask(request);
         return found;
     }
-    /// The slope at a point; what it has not was not found.
+    /// The slope at a point; unknown parts are empty.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
         Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
-        EvaluationRequest<P> inquiry;
-        inquiry.slopes.push_back(&slope);
-        ask(inquiry);
+        EvaluationRequest<P> request;
+        request.slopes.push_back(&slope);
+        ask(request);
         return slope;
     }
     Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
@@ -153,24 +153,27 @@ class Search {
     std::vector<double> genes_;
     std::size_t objective_ = 0;
     bool stopped_ = false;
-    Eigen::VectorXd violations_; ///< where the fitness was asked last
-    Eigen::VectorXd seen_at_;    ///< the point that `constrained` was asked last
+    Eigen::VectorXd violations_; ///< at the last evaluated point
+    Eigen::VectorXd seen_at_;    ///< the last point of `constrained`
     Fitness seen_fitness_;       ///< there
 };
 
-/// Moves the chosen genes of every individual by a local method, individuals side by side (`Rounds`), and
-/// scores the answers; an individual that did not get better stays as it was. Bounds and the choice of genes
-/// are those of the genome as it was when the individual was first refined. Failed individuals are left
-/// alone.
+/// The choice of every gene within the problem's bounds.
+struct EveryGene {
+    std::string name = "all"; ///< as in a stage's text
+};
+
+/// Moves the chosen genes of every individual by a local method, individuals in parallel (`Rounds`), and
+/// scores the results. An individual that does not improve stays unchanged; so do failed ones. Bounds and
+/// choice of genes are those of the original genome, before the first refinement.
 template <class M, class Choice>
 struct Refine : Operator {
-    M method;         ///< what moves them
-    Choice variables; ///< ChosenGenes<G>, or EveryGene
+    M method;         ///< moves the genes
+    Choice variables; ///< Variables<G>, or EveryGene
 
     /// `refine method genes=variables`.
     Refine(M m, Choice v) : method(std::move(m)), variables(std::move(v)) {}
-    ///@{
-    /// What every operator has (Operator).
+    ///@{ What every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
     void check(CheckState& known) const { known.need_one_objective(text()); }
 
@@ -190,7 +193,7 @@ struct Refine : Operator {
         for (auto& individual : population)
             if (!individual.fitness.has_failed())
                 jobs.push_back(&individual);
-        // What is left of the budget is shared out beforehand, after one evaluation for each answer.
+        // The remaining budget is divided first, after one evaluation for each result.
         const auto count = static_cast<long>(jobs.size());
         if (context.ledger().spent(count)) {
             context.state.in_hand = population;
@@ -201,8 +204,12 @@ struct Refine : Operator {
         std::vector<std::optional<G>> found(jobs.size());
         Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, EvaluationQueue<P>& door) {
             const auto& individual = *jobs[i];
-            auto moving = variables.template on<P>(context.problem(), individual.origin ? *individual.origin
-                                                                                        : individual.genome);
+            const G& original = individual.origin ? *individual.origin : individual.genome;
+            std::vector<Variable> moving;
+            if constexpr (std::same_as<Choice, EveryGene>)
+                moving = checked_bounds(context.problem(), original);
+            else
+                moving = variables.of(original);
             std::erase_if(moving,
                           [](const Variable& variable) { return !(variable.lower < variable.upper); });
             const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
@@ -227,7 +234,7 @@ struct Refine : Operator {
         } catch (const Stopped& stopped) {
             stop = stopped;
         }
-        // A search that was cut short is no answer of this stage; what it found stands as the best so far.
+        // An interrupted search is not a result of this stage; the best point so far is kept.
         if (!stop && context.watch().expired())
             stop = Stopped{context.watch().reason()};
         for (std::size_t i = 0; i < jobs.size(); ++i)
@@ -242,33 +249,10 @@ struct Refine : Operator {
     ///@}
 };
 
-/// A named choice of variables as refinement uses it.
-template <class G>
-struct ChosenGenes {
-    std::string name;                                  ///< as text writes it
-    std::function<std::vector<Variable>(const G&)> of; ///< of a genome
-    /// The choice for that genome.
-    template <class P>
-    std::vector<Variable> on(const P&, const G& genome) const {
-        return of(genome);
-    }
-};
-
-/// Every gene within the problem's own bounds.
-struct EveryGene {
-    std::string name = "all"; ///< as text writes it
-    /// The problem's bounds for that genome.
-    template <Bounded P>
-    std::vector<Variable> on(const P& problem, const typename P::Genome& genome) const {
-        return checked_bounds(problem, genome);
-    }
-};
-
 /// The stage `refine method genes=NAME`.
 template <class M, class G>
-requires std::derived_from<M, Method> Refine<M, ChosenGenes<G>> refine(M method,
-                                                                       const Variables<G>& variables) {
-    return {std::move(method), {variables.name, variables.of}};
+requires std::derived_from<M, Method> Refine<M, Variables<G>> refine(M method, Variables<G> variables) {
+    return {std::move(method), std::move(variables)};
 }
 /// The stage `refine method`: every gene within the problem's bounds.
 template <class M>

@@ -3,7 +3,6 @@
 /// @file
 /// Refinement by every method of the engine. Apart from ga/ga.hpp, because it needs Eigen and NLopt.
 #include "ga/refinement/levenberg_marquardt.hpp"
-#include "ga/refinement/minimax.hpp"
 #include "ga/refinement/mma.hpp"
 #include "ga/refinement/nlopt.hpp"
 #include "ga/refinement/refine.hpp"

@@ -10,28 +10,28 @@
 
 namespace ga {
 
-/// One outcome to be found: a genome, and the place for its outcome or for the reason that it has none.
+/// One call of `evaluate`: a genome, and the place for its outcome or the reason of its failure.
 template <Problem P>
 struct Call {
     const typename P::Genome* genome;        ///< to be evaluated
-    Evaluation<typename P::Outcome>* answer; ///< left as it is when the run must end first
-    std::uint64_t replicate = 0;             ///< of a noisy evaluation
+    Evaluation<typename P::Outcome>* answer; ///< left unchanged if the run must end first
+    std::uint64_t replicate = 0;             ///< number of the replicate of a noisy evaluation
 };
 
-/// One derivative to be found: of residuals (for a problem with `sensitivity`) or of the fitness (with
-/// `gradient`). Answered by one of the three.
+/// One request for a derivative: of residuals (for a problem with `sensitivity`) or of the fitness (with
+/// `gradient`). The answer is one of the last three members.
 template <Problem P>
 struct Slope {
-    typename P::Genome genome;                      ///< where
-    Name objective;                                 ///< of which objective
+    typename P::Genome genome;                      ///< the point
+    Name objective;                                 ///< name of the objective
     bool of_residuals = true;                       ///< otherwise of the fitness
     std::shared_ptr<const Sensitivity> sensitivity; ///< residuals and their derivatives
-    std::vector<double> gradient;                   ///< of the fitness, one a gene
-    Reason failure;                                 ///< why there is none
+    std::vector<double> gradient;                   ///< derivative of the fitness, one per gene
+    Reason failure;                                 ///< why the derivative is missing
 };
 
-/// The outcome or the reason that there is none: an evaluation with its failure caught. Pending where the
-/// problem itself ended it, by throwing Stopped.
+/// The outcome of `evaluate`, or the reason of its failure. Pending if the problem itself stopped it, by
+/// throwing Stopped.
 template <Problem P>
 Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome,
                                           std::uint64_t replicate = 0) {
@@ -46,7 +46,7 @@ Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Ge
         return reason_caught();
     }
 }
-/// Answers a request for a derivative by the problem's own member.
+/// Answers a request for a derivative by the problem's member.
 template <Problem P>
 void differentiate(const P& problem, Slope<P>& slope) {
     try {
@@ -70,30 +70,29 @@ void differentiate(const P& problem, Slope<P>& slope) {
     }
 }
 
-/// How the paid calls are made: here, on threads, in other processes, on other machines, by a surrogate.
-/// Replace it to make them elsewhere; what is remembered, counted and paid is the engine's, in front of it.
-/// It is asked from one thread at a time, and its answers must not depend on the order in which it makes
-/// them.
+/// Makes the paid calls. Derive from it to make them elsewhere: in processes, on other machines, by a
+/// surrogate. The engine manages memory, counts and budget in front of it. It is called from one thread at a
+/// time. Its answers must not depend on the order of its calls.
 template <Problem P>
 class Evaluator {
   public:
     virtual ~Evaluator() = default;
-    /// Answers the calls, or those begun before the watch expires.
+    /// Answers the calls that begin before the watch expires.
     virtual void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) = 0;
     /// Answers requests for derivatives.
     virtual void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) {
         for (Slope<P>* slope : slopes)
             differentiate(problem, *slope);
     }
-    /// job(0) .. job(n-1), in no particular order: work beside evaluations.
+    /// Runs job(0) .. job(n-1), in any order: other work than evaluations.
     virtual void each(std::size_t n, const std::function<void(std::size_t)>& job) {
         for (std::size_t i = 0; i < n; ++i)
             job(i);
     }
-    virtual int threads() const { return 1; } ///< that `each` spreads over
+    virtual int threads() const { return 1; } ///< used by `each`
 };
 
-/// One call after the other, on the thread that asks.
+/// Makes one call after the other, on the calling thread.
 template <Problem P>
 class Serial : public Evaluator<P> {
   public:
@@ -104,11 +103,11 @@ class Serial : public Evaluator<P> {
     }
 };
 
-/// Calls spread over threads, each taking the next: calls of uneven cost keep every thread busy.
+/// Spreads the calls over threads. Each thread takes the next call, so that all are busy if costs differ.
 template <Problem P>
 class OnThreads : public Evaluator<P> {
   public:
-    /// On so many threads, 0 for as many as OpenMP has.
+    /// @param threads  number of threads; 0 for OpenMP's default
     explicit OnThreads(int threads) : threads_(thread_count(threads)) {}
 
     void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
@@ -129,16 +128,16 @@ class OnThreads : public Evaluator<P> {
     int threads_;
 };
 
-/// Another evaluator that keeps the genomes of all calls, for tests and for looking on.
+/// Records the genomes of all calls to another evaluator, for tests.
 template <Problem P>
 class Recording : public Evaluator<P> {
   public:
-    /// Records what `by`, which must outlive it, is asked.
+    /// Records the calls to `by`, which must outlive it.
     explicit Recording(Evaluator<P>& by) : by_(by) {}
 
-    std::vector<typename P::Genome> evaluated;      ///< in the order they were asked for
-    std::vector<typename P::Genome> differentiated; ///< likewise
-    std::vector<std::size_t> batches;               ///< calls a batch
+    std::vector<typename P::Genome> evaluated;      ///< in the order of the calls
+    std::vector<typename P::Genome> differentiated; ///< in the order of the requests
+    std::vector<std::size_t> batches;               ///< calls per batch
 
     void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
         batches.push_back(calls.size());

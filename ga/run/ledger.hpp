@@ -10,119 +10,119 @@ namespace ga {
 template <Problem P>
 using PopulationOf = Population<typename P::Genome>;
 
-/// Whether a request to stop is heeded at once or after the questions in hand.
+/// Whether a stop request takes effect at once or after the current questions.
 enum class Patience { none, finish };
 
-/// Questions that are answered together: outcomes of genomes, and derivatives.
+/// Questions that are answered together: outcomes of genomes and derivatives.
 template <Problem P>
 struct EvaluationRequest {
-    using Genome = typename P::Genome;   ///< of the problem
-    using Outcome = typename P::Outcome; ///< of the problem
+    using Genome = typename P::Genome;   ///< the problem's
+    using Outcome = typename P::Outcome; ///< the problem's
 
     /// One genome's outcome.
     struct Question {
-        const Genome* genome;                        ///< must outlive the answer
-        bool counts = true;                          ///< against the budget
-        std::uint64_t replicate = 0;                 ///< of a noisy evaluation
-        Fingerprint print = {};                      ///< set by the door
-        const Evaluation<Outcome>* answer = nullptr; ///< set by the door; unanswered where the run had to end
+        const Genome* genome;        ///< must outlive the answer
+        bool counts = true;          ///< whether it counts against the budget
+        std::uint64_t replicate = 0; ///< number of the replicate of a noisy evaluation
+        Fingerprint print = {};      ///< set by the queue
+        const Evaluation<Outcome>* answer =
+            nullptr; ///< set by the queue; null or pending if the run had to end
     };
 
-    std::vector<Question> questions;    ///< in an order that decides what is paid first
+    std::vector<Question> questions;    ///< paid in this order
     std::vector<Slope<P>*> slopes;      ///< derivatives
-    Patience patience = Patience::none; ///< of the stop
-    std::function<void()> use = {}; ///< reads the answers, which stand until it returns; on the door's thread
-    bool spent = false;             ///< set by the door: the budget had no room for all of it
-    std::exception_ptr error = {};  ///< set by the door: Stopped, NothingLeft, or what `use` threw
+    Patience patience = Patience::none; ///< see Patience
+    std::function<void()> use =
+        {};             ///< reads the answers, which are valid until it returns; called on the queue's thread
+    bool spent = false; ///< set by the queue: the budget was too small for all questions
+    std::exception_ptr error = {}; ///< set by the queue: Stopped, NothingLeft, or the exception of `use`
 };
 
-/// Where everything that is paid for is asked. The ledger is one; a block that works on threads of its own
-/// puts another before it.
+/// Takes all requests for evaluations. The ledger is one; a block that runs several threads puts another in
+/// front of it.
 template <Problem P>
 class EvaluationQueue {
   public:
     virtual ~EvaluationQueue() = default;
-    /// Answers inquiries together, in their order.
-    virtual void serve(std::span<EvaluationRequest<P>* const> inquiries) = 0;
-    /// Answers one, and throws what stands against it.
-    void serve(EvaluationRequest<P>& inquiry) {
-        EvaluationRequest<P>* const one[] = {&inquiry};
+    /// Answers several requests together, in their order.
+    virtual void serve(std::span<EvaluationRequest<P>* const> requests) = 0;
+    /// Answers one request and throws its error.
+    void serve(EvaluationRequest<P>& request) {
+        EvaluationRequest<P>* const one[] = {&request};
         serve(std::span<EvaluationRequest<P>* const>(one));
-        if (inquiry.error)
-            std::rethrow_exception(std::exchange(inquiry.error, nullptr));
+        if (request.error)
+            std::rethrow_exception(std::exchange(request.error, nullptr));
     }
 };
 
-/// The engine's books, in front of an evaluator: what is remembered is never asked again, budgets are kept to
-/// the call, failures are counted. Questions are answered in their order, so the number of threads decides
-/// nothing.
+/// Manages memory, budget and counts in front of an evaluator. Known outcomes are not evaluated again;
+/// budgets are exact to one call. Questions are answered in their order, so the number of threads does not
+/// matter.
 template <Problem P>
 class Ledger : public EvaluationQueue<P> {
   public:
-    using Genome = typename P::Genome;   ///< of the problem
-    using Outcome = typename P::Outcome; ///< of its evaluations
+    using Genome = typename P::Genome;   ///< the problem's
+    using Outcome = typename P::Outcome; ///< the outcome of its evaluations
     using EvaluationQueue<P>::serve;
 
-    /// The problem, the evaluator and the budget must outlive it. `memory_bytes` bounds what is remembered,
-    /// not the result.
+    /// The problem, the evaluator and the budget must outlive it. `memory_bytes` limits the memory and does
+    /// not affect a result.
     Ledger(const P& problem, Evaluator<P>& evaluator, std::size_t memory_bytes, const Budget& budget)
-        : problem_(problem), evaluator_(evaluator), budget_(budget), watch_(budget), memory_(memory_bytes) {}
+        : memory(memory_bytes), problem_(problem), evaluator_(evaluator), budget_(budget), watch_(budget) {}
 
-    void serve(std::span<EvaluationRequest<P>* const> inquiries) override {
+    void serve(std::span<EvaluationRequest<P>* const> requests) override {
         calls_.clear();
         slopes_.clear();
-        for (EvaluationRequest<P>* inquiry : inquiries)
-            look_up(*inquiry);
+        for (EvaluationRequest<P>* request : requests)
+            look_up(*request);
         const bool patient =
-            std::any_of(inquiries.begin(), inquiries.end(),
+            std::any_of(requests.begin(), requests.end(),
                         [](const EvaluationRequest<P>* each) { return each->patience == Patience::finish; });
         evaluate(patient);
         const bool cut_short = book();
-        for (EvaluationRequest<P>* inquiry : inquiries) {
-            answer(*inquiry, cut_short);
-        }
+        for (EvaluationRequest<P>* request : requests)
+            answer(*request, cut_short);
     }
 
-    /// Whether the budget has no room for more evaluations than these.
+    /// Whether the budget allows at most this number of further evaluations.
     bool spent(long evaluations) const { return budget_.evaluations - counters.asked <= evaluations; }
 
-    const P& problem() const { return problem_; }          ///< what is evaluated
-    Evaluator<P>& evaluator() const { return evaluator_; } ///< who makes the calls
-    const Budget& budget() const { return budget_; }       ///< what may be paid
-    const Watch& watch() const { return watch_; }          ///< since the ledger was made
-    /// The budget of a ledger that goes on from this one's counters.
+    const P& problem() const { return problem_; }          ///< the problem to evaluate
+    Evaluator<P>& evaluator() const { return evaluator_; } ///< makes the calls
+    const Budget& budget() const { return budget_; }       ///< limits of the run
+    const Watch& watch() const { return watch_; }          ///< the time since the ledger was made
+    /// The budget for a ledger that continues with this one's counters.
     Budget left() const { return {budget_.evaluations, budget_.seconds - watch_.seconds(), budget_.stop}; }
 
-    Counters counters; ///< what was paid
+    Counters counters;      ///< spent by the run so far
+    Memory<Outcome> memory; ///< the known evaluations
 
-    /// Tells a ledger whether an evaluation succeeded before it was made, and the largest outcome then.
+    /// Restores from an earlier ledger whether an evaluation succeeded, and the largest outcome.
     void resume(bool succeeded, std::size_t heaviest) {
         succeeded_ |= succeeded;
         heaviest_ = std::max(heaviest_, heaviest);
     }
-    /// Takes note of what an evaluation was worth.
+    /// Records whether an evaluation succeeded, or the first failure.
     void note(const Fitness& fitness) {
         succeeded_ |= !fitness.has_failed();
         if (!first_failure_ && fitness.has_failed())
             first_failure_ = reason(fitness.reason());
     }
 
-    /// Keeps the memory to its bound. Called between two stages only: a stage that is interrupted is
-    /// repeated, and what it has paid for is told from what was known before it.
-    void forget_old() { memory_.forget_old(heaviest_ + bookkeeping); }
+    /// Keeps the memory within its bound. Called only between two stages: an interrupted stage is repeated,
+    /// so its evaluations must stay distinct from earlier ones.
+    void forget_old() { memory.forget_old(heaviest_ + bookkeeping); }
     std::size_t heaviest() const { return heaviest_; } ///< bytes of the largest outcome or reason so far
 
-    /// Throws NothingLeft where all that was evaluated failed.
+    /// Throws NothingLeft if every evaluation failed.
     void expect_success() const {
         if (!succeeded_ && first_failure_)
             throw NothingLeft("every one of " + std::to_string(counters.evaluations) +
                               " evaluations failed; the first: " + *first_failure_);
     }
 
-    const Memory<Outcome>& memory() const { return memory_; } ///< outcomes that are known
-    Memory<Outcome>& memory() { return memory_; }             ///< the same, to be restored from a checkpoint
-    /// Hands in an evaluation that was paid for in a stage whose counts were lost: it counts as paid when it
-    /// is asked for.
+    /// Adds an evaluation that was paid in a stage whose counts were lost. It counts as paid when it is
+    /// requested.
     void prepay(const Fingerprint& print, Evaluation<Outcome> evaluation) {
         prepaid_.at(print) = std::move(evaluation);
     }
@@ -131,28 +131,28 @@ class Ledger : public EvaluationQueue<P> {
     static constexpr std::size_t bookkeeping =
         sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
 
-    /// Counts the questions, and puts those whose answer is not known among the calls.
-    void look_up(EvaluationRequest<P>& inquiry) {
+    /// Counts the questions, and adds a call for each unknown answer.
+    void look_up(EvaluationRequest<P>& request) {
         std::size_t within = 0;
         const auto pay = [&] {
-            inquiry.spent |= counters.asked >= budget_.evaluations;
-            counters.asked += inquiry.spent ? 0 : 1;
-            return !inquiry.spent;
+            request.spent |= counters.asked >= budget_.evaluations;
+            counters.asked += request.spent ? 0 : 1;
+            return !request.spent;
         };
-        inquiry.spent = false;
-        for (auto& question : inquiry.questions) {
+        request.spent = false;
+        for (auto& question : request.questions) {
             if (question.counts && !pay())
                 break;
             question.print = identify(problem_, *question.genome);
             if (question.replicate > 0)
                 question.print = {fold(question.print.high, question.replicate),
                                   fold(question.print.low, question.replicate)};
-            memory_.prefetch(question.print);
+            memory.young.prefetch(question.print);
             ++within;
         }
         for (std::size_t i = 0; i < within; ++i) {
-            auto& question = inquiry.questions[i];
-            Evaluation<Outcome>& place = memory_.at(question.print);
+            auto& question = request.questions[i];
+            Evaluation<Outcome>& place = memory.at(question.print);
             question.answer = &place;
             auto* const pending = std::get_if<Pending>(&place);
             if (!pending || pending->queued) {
@@ -162,7 +162,7 @@ class Ledger : public EvaluationQueue<P> {
                 calls_.push_back({question.genome, &place, question.replicate});
             }
         }
-        for (Slope<P>* slope : inquiry.slopes) {
+        for (Slope<P>* slope : request.slopes) {
             if (!pay())
                 break;
             ++counters.gradients;
@@ -179,7 +179,7 @@ class Ledger : public EvaluationQueue<P> {
             evaluator_.slopes(problem_, slopes_, watch_);
     }
 
-    /// Counts what was evaluated, forgets what was not; true when something was not.
+    /// Counts the evaluations that were made and resets pending ones; true if any is pending.
     bool book() {
         bool interrupted = false;
         for (const Call<P>& call : calls_)
@@ -194,23 +194,23 @@ class Ledger : public EvaluationQueue<P> {
         return interrupted;
     }
 
-    void answer(EvaluationRequest<P>& inquiry, bool cut_short) {
+    void answer(EvaluationRequest<P>& request, bool cut_short) {
         const bool open =
             cut_short &&
-            std::any_of(inquiry.questions.begin(), inquiry.questions.end(), [](const auto& question) {
+            std::any_of(request.questions.begin(), request.questions.end(), [](const auto& question) {
                 return question.answer && std::holds_alternative<Pending>(*question.answer);
             });
         try {
-            if (inquiry.use)
-                inquiry.use();
+            if (request.use)
+                request.use();
             if (open)
                 throw Stopped{stop_reason_.value_or(watch_.reason())};
-            if (inquiry.spent)
+            if (request.spent)
                 throw Stopped{"evaluation budget spent"};
-            if (counters.asked > 1) // a lone start may fail
+            if (counters.asked > 1) // a single start may fail
                 expect_success();
         } catch (...) {
-            inquiry.error = std::current_exception();
+            request.error = std::current_exception();
         }
     }
 
@@ -224,11 +224,8 @@ class Ledger : public EvaluationQueue<P> {
     }
     void count(const Evaluation<Outcome>& evaluation) {
         ++counters.evaluations;
-        if (const Outcome* outcome = std::get_if<Outcome>(&evaluation)) {
-            heaviest_ = std::max(heaviest_, weight(*outcome));
-        } else {
-            heaviest_ = std::max(heaviest_, std::get<Reason>(evaluation)->size());
-        }
+        const Outcome* outcome = std::get_if<Outcome>(&evaluation);
+        heaviest_ = std::max(heaviest_, outcome ? weight(*outcome) : std::get<Reason>(evaluation)->size());
     }
     std::size_t weight(const Outcome& outcome) const {
         if constexpr (Weighed<P>)
@@ -243,17 +240,17 @@ class Ledger : public EvaluationQueue<P> {
     Evaluator<P>& evaluator_;
     Budget budget_;
     Watch watch_;
-    Memory<Outcome> memory_;
     Table<Evaluation<Outcome>> prepaid_;
     std::vector<Call<P>> calls_;
     std::vector<Slope<P>*> slopes_;
     std::size_t heaviest_ = 0;
     bool succeeded_ = false;
-    std::optional<std::string> stop_reason_; ///< what the problem threw Stopped with
+    std::optional<std::string> stop_reason_; ///< the reason with which the problem threw Stopped
     Reason first_failure_;
 };
 
-/// The fitness an objective reads from an evaluation; failed when there is none or it is not finite.
+/// The fitness that an objective reads from an evaluation; failed if it is not finite or the evaluation
+/// failed.
 template <Problem P>
 Fitness fitness_of(const P& problem, const Evaluation<typename P::Outcome>& evaluation,
                    const Objective<typename P::Outcome>& objective, Name name) {

@@ -10,17 +10,17 @@
 
 namespace ga {
 
-/// Runs job(i, door) for i = 0 .. n-1, each on a thread of its own, and serves what they ask in rounds:
-/// whenever every job that is not done waits for an answer, their inquiries go to `through` together, in the
-/// jobs' order and from the caller's thread. So searches that ask one thing at a time fill every thread of
-/// the evaluator, what two of them ask is paid once, and no bit depends on which of them was quicker. `after`
-/// is called after every round. An exception ends no other job; that of the smallest i is thrown when all are
-/// done. At most `room` jobs run at the same time, and as many again in all rounds that these jobs run inside
-/// them, so that nested islands do not use up the system's threads.
+/// Runs job(i, queue) for i = 0 .. n-1, each on a separate thread, and answers their requests in rounds. When
+/// every unfinished job waits for an answer, their requests go to `through` together. They go in the jobs'
+/// order and from the caller's thread. So jobs with one request at a time use all threads of the evaluator,
+/// equal requests are paid once, and the result does not depend on which job is faster. `after` is called
+/// after every round. An exception does not stop the other jobs; that of the smallest i is thrown at the end.
+/// At most `room` jobs run at the same time, and as many again in all rounds inside them, so that nested
+/// islands do not exhaust the system's threads.
 template <Problem P>
 class Rounds {
   public:
-    /// See above.
+    /// Runs the jobs (see the class).
     template <class Job>
     static void run(std::size_t n, EvaluationQueue<P>& through, Job job,
                     const std::function<void()>& after = {}) {
@@ -43,7 +43,7 @@ class Rounds {
     }
 
   private:
-    /// Jobs that may run at the same time in rounds that this thread begins.
+    /// Maximum number of jobs at the same time in rounds that this thread begins.
     static std::size_t& room() {
         thread_local std::size_t room = 64;
         return room;
@@ -52,8 +52,8 @@ class Rounds {
     class Seat : public EvaluationQueue<P> {
       public:
         using EvaluationQueue<P>::serve;
-        void serve(std::span<EvaluationRequest<P>* const> inquiries) override {
-            asked = inquiries;
+        void serve(std::span<EvaluationRequest<P>* const> requests) override {
+            asked = requests;
             rounds->wait();
             answered.acquire();
         }
@@ -69,7 +69,7 @@ class Rounds {
             seat.rounds = this;
     }
 
-    /// One job less is busy.
+    /// Marks one job as waiting or done.
     void wait() {
         const std::lock_guard lock(guard_);
         if (--busy_ == 0)
@@ -99,7 +99,7 @@ class Rounds {
             } catch (const std::system_error&) {
                 seats_[i].error = std::make_exception_ptr(
                     UsageError("the system gives no thread for search " + std::to_string(from + i + 1) +
-                               " of those that run side by side; expected fewer islands or more memory"));
+                               " of those that run in parallel; use fewer islands or more memory"));
                 seats_[i].done = true;
                 wait();
             }
@@ -130,8 +130,8 @@ class Rounds {
             if (after)
                 after();
         } catch (...) {
-            for (EvaluationRequest<P>* inquiry : all)
-                inquiry->error = std::current_exception();
+            for (EvaluationRequest<P>* request : all)
+                request->error = std::current_exception();
         }
         lock.lock();
         busy_ = waiting.size();

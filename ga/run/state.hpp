@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <any>
 #include <functional>
 #include <list>
 #include <map>
@@ -12,18 +13,18 @@
 
 namespace ga {
 
-/// Where a run stands: the path of the stage, its random streams, its generation. Streams are keyed by the
-/// seed, the path without the variant's own name, the generation and an index, and by nothing else.
+/// The stage that runs: its path, its random streams and its generation. A stream's key depends only on the
+/// seed, the path without the variant's name, the generation and an index.
 template <class G>
 class StagePosition {
   public:
-    /// At the root. `variant` is the first word of every path, `seed` that of every stream.
+    /// The root. `variant` is the first word of every path; `seed` keys every stream.
     StagePosition(const std::string& variant, std::uint64_t seed) {
         const std::uint64_t key = fold(0, seed);
         places_.push_back({Name(variant), 0, key, key, {}});
     }
 
-    /// Random numbers for the index-th piece of work of the stage that runs, in this generation.
+    /// Random numbers for the index-th task of the current stage, in this generation.
     Stream stream(std::size_t index) const { return Stream(fold(places_.back().key, index)); }
 
     /// The enclosing blocks, then the stage's name with its ordinal among equal names.
@@ -36,7 +37,7 @@ class StagePosition {
         }
         return path;
     }
-    /// Of each enclosing block of generations, outermost first, from 0.
+    /// The generation of each enclosing block, outermost first, from 0.
     std::vector<std::size_t> generations() const {
         std::vector<std::size_t> generations;
         for (const Place& place : places_)
@@ -44,70 +45,62 @@ class StagePosition {
                 generations.push_back(*place.generation);
         return generations;
     }
-    /// Of the innermost block of generations, from 0; 0 outside any.
+    /// The innermost block's generation, from 0; 0 outside any block.
     std::size_t generation() const {
-        for (auto place = places_.rbegin(); place != places_.rend(); ++place)
-            if (place->generation)
-                return *place->generation;
-        return 0;
+        const std::vector<std::size_t> all = generations();
+        return all.empty() ? 0 : all.back();
     }
-    /// The best of the population at the start of the innermost generation, as many as `elite` and `plus`
-    /// read; `epsilon` changes their fitness.
+    /// The best individuals at the start of the innermost generation, as many as `elite` and `plus` read;
+    /// `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
-    /// Stands on a place of the pipeline while it lives. Ordinal 0 is not shown.
+    /// Marks a place of the pipeline as the current one during its lifetime. Ordinal 0 is not shown.
     class Scope {
       public:
         /// Enters the place of that name.
-        Scope(StagePosition& where, Name name, std::size_t ordinal) : where_(where) {
-            const std::uint64_t key = fold(fold(where.places_.back().inner, name.text()), ordinal);
-            where.places_.push_back({name, ordinal, key, key, {}});
+        Scope(StagePosition& position, Name name, std::size_t ordinal) : position_(position) {
+            const std::uint64_t key = fold(fold(position.places_.back().inner, name.text()), ordinal);
+            position.places_.push_back({name, ordinal, key, key, {}});
         }
         Scope(const Scope&) = delete;
-        ~Scope() { where_.places_.pop_back(); }
+        ~Scope() { position_.places_.pop_back(); }
 
       private:
-        StagePosition& where_;
+        StagePosition& position_;
     };
-    /// Counts a pass through the block that runs while it lives: stages inside draw other random numbers in
-    /// each.
+    /// One pass through the current block, during its lifetime: the stages inside draw different random
+    /// numbers in each pass.
     class Round {
       public:
-        /// Begins pass `number`, from 0.
-        Round(StagePosition& where, std::size_t number) : where_(where) {
-            Place& place = where.places_.back();
+        /// Begins pass `number`, from 0. Stages read `start`, which must outlive it, as the generation's
+        /// start; if it is null they read the enclosing block's.
+        Round(StagePosition& position, std::size_t number, Population<G>* start = nullptr)
+            : position_(position), has_start_(start != nullptr) {
+            Place& place = position.places_.back();
             place.generation = number;
             place.inner = fold(place.key, number);
+            if (has_start_)
+                position.starts_.push_back(start);
         }
         Round(const Round&) = delete;
         ~Round() {
-            where_.places_.back().generation.reset();
-            where_.places_.back().inner = where_.places_.back().key;
+            position_.places_.back().generation.reset();
+            position_.places_.back().inner = position_.places_.back().key;
+            if (has_start_)
+                position_.starts_.pop_back();
         }
 
       private:
-        StagePosition& where_;
-    };
-    /// A round whose stages may read what is kept of its start.
-    class Generation : Round {
-      public:
-        /// `start`, which must outlive it, is what stages may read.
-        Generation(StagePosition& where, std::size_t number, Population<G>& start)
-            : Round(where, number), where_(where) {
-            where.starts_.push_back(&start);
-        }
-        ~Generation() { where_.starts_.pop_back(); }
-
-      private:
-        StagePosition& where_;
+        StagePosition& position_;
+        bool has_start_;
     };
 
   private:
     struct Place {
         Name name;
         std::size_t ordinal;
-        std::uint64_t key;   ///< of the stage's own random numbers
-        std::uint64_t inner; ///< of the stages inside it
+        std::uint64_t key;   ///< keys the stage's random numbers
+        std::uint64_t inner; ///< keys the stages inside it
         std::optional<std::size_t> generation;
     };
 
@@ -115,126 +108,113 @@ class StagePosition {
     std::vector<Population<G>*> starts_;
 };
 
-/// The state of an operator, whatever its type, as checkpoints and copies of a run handle it.
-class AnyState {
-  public:
-    virtual ~AnyState() = default;
-    virtual std::unique_ptr<AnyState> clone() const = 0; ///< a copy
-    virtual void write(nlohmann::json& j) const = 0;     ///< as a checkpoint holds it
-    virtual const nlohmann::json* stored() const {
-        return nullptr;
-    } ///< where it was read and not yet understood
-};
-
-/// A state of type S, which to_json and from_json write and read without loss.
-template <class S>
-class StateOf : public AnyState {
-  public:
-    S value{}; ///< the state
-
-    std::unique_ptr<AnyState> clone() const override { return std::make_unique<StateOf>(*this); }
-    void write(nlohmann::json& j) const override { to_json(j, value); }
-};
-
-/// A state that is copied with what holds it.
+/// The state of an operator, of any type S that to_json and from_json write and read without loss. It is
+/// copied with the run.
 class HeldState {
+    using Stored = std::shared_ptr<const nlohmann::json>;
+
   public:
     HeldState() = default;
-    /// Takes a state.
-    explicit HeldState(std::unique_ptr<AnyState> state) : state_(std::move(state)) {}
-    /// A copy of its own.
-    HeldState(const HeldState& other) : state_(other.state_ ? other.state_->clone() : nullptr) {}
-    HeldState(HeldState&&) = default; ///< takes the other's
-    /// A copy of its own.
-    HeldState& operator=(HeldState other) {
-        state_ = std::move(other.state_);
-        return *this;
-    }
-    const AnyState& operator*() const { return *state_; } ///< the state
+    /// A state as a checkpoint stores it; its operator reads it when it runs.
+    explicit HeldState(Stored stored) : value_(std::move(stored)) {}
 
-    /// The state as an S: new where there was none, understood where it was read from a checkpoint. Throws
-    /// UsageError where what was read is no S.
+    /// The state as an S, a new one at first. Throws UsageError if the checkpoint stores something else.
     template <class S>
     S& as() {
-        if (auto* own = dynamic_cast<StateOf<S>*>(state_.get()))
-            return own->value;
-        auto made = std::make_unique<StateOf<S>>();
-        if (state_ && state_->stored())
+        if (S* known = std::any_cast<S>(&value_))
+            return *known;
+        S made{};
+        if (const Stored* stored = std::any_cast<Stored>(&value_))
             try {
-                from_json(*state_->stored(), made->value);
-            } catch (const std::exception&) { // the reader's words help nobody
+                from_json(**stored, made);
+            } catch (const std::exception&) {
                 expect_fit(false);
             }
-        S& value = made->value;
-        state_ = std::move(made);
-        return value;
+        write_ = [](const std::any& value, nlohmann::json& j) { to_json(j, *std::any_cast<S>(&value)); };
+        return value_.emplace<S>(std::move(made));
+    }
+    /// Writes it as a checkpoint stores it.
+    template <class Json>
+    void write(Json& j) const {
+        if (const Stored* stored = std::any_cast<Stored>(&value_))
+            j = **stored;
+        else
+            write_(value_, j);
     }
 
   private:
-    std::unique_ptr<AnyState> state_;
+    std::any value_;
+    void (*write_)(const std::any&, nlohmann::json&) = nullptr;
 };
 
-/// What an observer sees after a stage.
+/// Reads the parts of a value, in order, from the array that its to_json has written.
+template <class Json, class... Parts>
+void read_parts(const Json& j, Parts&... parts) {
+    std::size_t i = 0;
+    (j.at(i++).get_to(parts), ...);
+}
+
+/// A stage's result, as observers see it.
 template <class G>
 struct Event {
-    const std::string& path;             ///< where the stage stands, e.g. "sog/refine.2"
-    std::vector<std::size_t> generation; ///< of each enclosing repeat, outermost first, from 0
+    const std::string& path;             ///< the stage's, e.g. "sog/refine.2"
+    std::vector<std::size_t> generation; ///< one per enclosing repeat, outermost first, from 0
     const Population<G>& population;     ///< as the stage left it
-    const Counters& counters;            ///< what the run has paid for so far
-    double seconds;                      ///< since the run began
-    bool derived = false;                ///< under a problem derived from the run's own (run_derived)
+    const Counters& counters;            ///< spent by the run so far
+    double seconds;                      ///< time since the run began
+    bool derived = false;                ///< under a problem derived from the run's (run_derived)
 };
 
-/// Called after every stage, on the thread that runs the pipeline; for islands after their round, one island
-/// after the other.
+/// Called after every stage on the thread that runs the pipeline. For islands it is called after their round,
+/// one island after the other.
 template <class G>
 using Observer = std::function<void(const Event<G>&)>;
 
-/// All that a block of stages must know to go on from where it stands. The frames of the blocks that are open
-/// are the whole state of a run, so a checkpoint is their list.
+/// All that a block of stages needs to continue from its current point. The frames of the open blocks are the
+/// whole state of a run, so a checkpoint is their list.
 template <class G>
 struct Frame {
-    std::size_t next = 0;                     ///< the block's own count: the stage or generation to come
-    Population<G> population;                 ///< on its way through the block
-    std::vector<Population<G>> kept;          ///< populations the block holds aside
-    std::vector<std::vector<double>> numbers; ///< numbers the block and its rules hold aside
-    std::map<std::string, HeldState> states;  ///< of the operators inside, by their path
+    std::size_t next = 0;                     ///< the block's count: the stage or generation to come
+    Population<G> population;                 ///< the one that has reached this point
+    std::vector<Population<G>> kept;          ///< populations that the block stores
+    std::vector<std::vector<double>> numbers; ///< numbers that the block and its rules store
+    std::map<std::string, HeldState> states;  ///< states of the operators inside, by path
 };
 
-/// A run between two stages: all it needs to go on.
+/// A run between two stages: all it needs to continue.
 template <class G>
 struct Snapshot {
-    std::list<Frame<G>> frames;        ///< of the open blocks, outermost first; empty when the run is done
-    Counters counters;                 ///< paid for so far
+    std::list<Frame<G>> frames;        ///< one per open block, outermost first; empty when the run is done
+    Counters counters;                 ///< spent so far
     Identity next_identity = 0;        ///< the next child's
     std::optional<Individual<G>> best; ///< under the problem's first objective
     std::vector<std::string> notes;    ///< remarks so far
-    double seconds = 0;                ///< spent so far, in all the processes that carried the run
-    std::size_t remembered = 0;        ///< how many evaluations of the memory's young half were known then
-    std::size_t heaviest = 0;          ///< bytes of the largest outcome or reason then
+    double seconds = 0;                ///< spent so far, in all processes of the run
+    std::size_t remembered = 0;        ///< evaluations in the memory's young half at that time
+    std::size_t heaviest = 0;          ///< bytes of the largest outcome or reason so far
 };
 
-/// What a run needs to be resumed: the frames of open blocks, the identities given out, the best so far,
-/// the notes, and what was in hand when it had to stop.
+/// All that a run needs to be resumed: frames of open blocks, identities, the best so far and the notes. A
+/// run that stops also leaves its population here.
 template <class G>
 class RunState {
   public:
     /// @param next  the first new individual's identity; greater than any in the population
-    /// @param step  between two identities given out
+    /// @param step  between two new identities
     explicit RunState(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
 
     Identity next_identity;               ///< the next new individual's
     Identity identity_step;               ///< from one to the next
-    std::list<Frame<G>> frames;           ///< of the open blocks, outermost first
-    std::list<Frame<G>> saved;            ///< of blocks that will open again after a resume
-    std::vector<Frame<G>*> loops;         ///< of those whose stages run again and again
+    std::list<Frame<G>> frames;           ///< one per open block, outermost first
+    std::list<Frame<G>> saved;            ///< frames of blocks that will open again after a resume
+    std::vector<Frame<G>*> loops;         ///< frames of blocks whose stages run repeatedly
     std::optional<Individual<G>> best;    ///< under the problem's first objective
-    std::optional<Population<G>> in_hand; ///< of a run that has to stop
-    double earlier_seconds = 0;           ///< of the processes before this one
+    std::optional<Population<G>> in_hand; ///< the population of a run that has to stop
+    double earlier_seconds = 0;           ///< in the processes before this one
 
-    /// A remark; after the first hundred they are counted alone.
+    /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {
-        if (notes_.size() < most_notes)
+        if (notes_.size() < max_notes)
             notes_.push_back(std::move(text));
         else
             ++more_notes_;
@@ -246,70 +226,71 @@ class RunState {
             all.push_back("and " + std::to_string(more_notes_) + " more remarks");
         return all;
     }
-    /// Takes up the notes of a run that goes on.
+    /// Sets the notes of a resumed run.
     void resume_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
 
-    /// Holds a block's frame while it lives: a new one, or the saved one when a run is resumed.
+    /// Holds a block's frame during its lifetime: a new one, or the saved one when a run is resumed.
     class OpenFrame {
       public:
-        /// Opens it with the population to begin with; a resumed frame brings its own.
-        OpenFrame(RunState& kept, Population<G> population, bool loops = false) : kept_(kept), loops_(loops) {
-            const std::size_t depth = kept.frames.size();
-            resumed_ = depth < kept.saved.size();
+        /// Opens it with the first population; a resumed frame brings another. `loops` marks a block whose
+        /// stages run repeatedly.
+        OpenFrame(RunState& run, Population<G> population, bool loops = false) : run_(run), loops_(loops) {
+            const std::size_t depth = run.frames.size();
+            resumed_ = depth < run.saved.size();
             if (resumed_) {
-                kept.frames.push_back(std::move(*std::next(kept.saved.begin(), static_cast<long>(depth))));
-                if (depth + 1 == kept.saved.size())
-                    kept.saved.clear();
+                run.frames.push_back(std::move(*std::next(run.saved.begin(), static_cast<long>(depth))));
+                if (depth + 1 == run.saved.size())
+                    run.saved.clear();
             } else {
-                kept.frames.push_back({});
-                kept.frames.back().population = std::move(population);
+                run.frames.push_back({});
+                run.frames.back().population = std::move(population);
             }
-            frame_ = &kept.frames.back();
+            frame_ = &run.frames.back();
             if (loops)
-                kept.loops.push_back(frame_);
+                run.loops.push_back(frame_);
         }
         OpenFrame(const OpenFrame&) = delete;
         ~OpenFrame() {
             if (loops_)
-                kept_.loops.pop_back();
-            kept_.frames.pop_back();
+                run_.loops.pop_back();
+            run_.frames.pop_back();
         }
         Frame<G>* operator->() { return frame_; } ///< the frame
         Frame<G>& operator*() { return *frame_; } ///< the frame
-        bool resumed() const { return resumed_; } ///< whether the block goes on from a checkpoint
+        bool resumed() const { return resumed_; } ///< whether the block continues from a checkpoint
 
       private:
-        RunState& kept_;
+        RunState& run_;
         Frame<G>* frame_;
         bool loops_, resumed_;
     };
 
   private:
-    static constexpr std::size_t most_notes = 100;
+    static constexpr std::size_t max_notes = 100;
 
     std::vector<std::string> notes_;
     std::size_t more_notes_ = 0;
 };
 
-/// Keeps a run on its way so that it can go on after its process has ended.
+/// Writes a run down while it proceeds, so that it can continue after its process has ended.
 template <Problem P>
 class Checkpointer {
   public:
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< the problem's
     using Taken = Snapshot<Genome>;    ///< a run between two stages
 
     virtual ~Checkpointer() = default;
-    /// Called before the pipeline starts, with the run's identity: what was kept of it, if anything was; the
-    /// ledger gets its memory back.
+    /// Called with the run's identity before the pipeline starts. Returns the stored run, if there is one;
+    /// the ledger gets its memory back.
     virtual std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) = 0;
-    /// The pipeline's answer, when the run that `begin` found had ended already.
+    /// The pipeline's answer, if the run that `begin` found had already ended.
     virtual std::optional<Population<Genome>> answer() const = 0;
-    /// Whether it is time to write the run down, so many seconds after it began.
+    /// Whether it is time to write, this many seconds after the run began.
     virtual bool due(double seconds) const = 0;
-    /// Writes the run down; with its answer when it is done.
+    /// Writes the run; with its answer when it is done.
     virtual void write(const Taken& snapshot, const Ledger<P>& ledger,
                        const Population<Genome>* answer = nullptr) = 0;
-    /// What could not be kept, in words; empty when all was.
+    /// Says what could not be written; empty if everything was.
     virtual std::string trouble() const { return {}; }
 };
 

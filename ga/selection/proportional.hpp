@@ -6,11 +6,11 @@
 
 namespace ga {
 
-/// How much each counts by its fitness above that of the worst (windowing, so that any fitness will do and
-/// the worst is never chosen); all the same where all are equal. Failed individuals, and those that violate
-/// constraints where others do not, count nothing.
+/// Weights by the fitness above the worst (windowing), so that any fitness is allowed and the worst is never
+/// chosen. If all are equal, the weights are equal. Failed individuals have weight 0; so have infeasible ones
+/// if there are feasible ones.
 struct ByFitness {
-    /// In [0, 1], one an individual.
+    /// In [0, 1], one per individual.
     template <class G>
     std::vector<double> of(const Population<G>& population) const {
         const bool any_feasible = std::any_of(population.begin(), population.end(), [](const auto& each) {
@@ -40,7 +40,7 @@ struct ByFitness {
     static void describe(auto&, auto) {} ///< no parameters
 };
 
-/// Roulette: every place by a spin of its own.
+/// Roulette: one spin for every place.
 struct Roulette : ByFitness {
     static constexpr bool one_spin = false; ///< a spin for every place
     /// In the listing.
@@ -48,22 +48,23 @@ struct Roulette : ByFitness {
         return {"roulette", "selection", "chooses in proportion to the fitness above the worst"};
     }
 };
-/// Stochastic universal sampling (Baker 1987): all places by equally spaced marks on one spin, which leaves
-/// no individual more than one place from its due.
+/// Stochastic universal sampling (Baker 1987): equally spaced marks on one spin fill all places. Every
+/// individual gets its expected number of places, rounded up or down.
 struct Universal : ByFitness {
     static constexpr bool one_spin = true; ///< one for all places
     /// In the listing.
-    static Words words() { return {"sus", "selection", "the same by equally spaced marks on one spin"}; }
+    static Words words() {
+        return {"sus", "selection", "like roulette, by equally spaced marks on one spin"};
+    }
 };
 
-/// Linear ranking (Baker 1985): the best counts `pressure`, the worst 2 - pressure, on a straight line
-/// between.
+/// Linear ranking (Baker 1985): the best has weight `pressure`, the worst 2 - pressure, linear between them.
 struct ByRank {
     static constexpr bool one_spin = false; ///< a spin for every place
 
-    double pressure = 1.5; ///< of the best, above 1 and at most 2
+    double pressure = 1.5; ///< weight of the best, above 1 and at most 2
 
-    /// In [0, pressure], one an individual.
+    /// In [0, pressure], one per individual.
     template <class G>
     std::vector<double> of(const Population<G>& population) const {
         const std::vector<std::size_t> order = ranking(population);
@@ -73,7 +74,7 @@ struct ByRank {
             weights[order[place]] = pressure - 2 * (pressure - 1) * static_cast<double>(place) / last;
         return weights;
     }
-    /// Any policy ranks.
+    /// Works under any policy.
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
     /// In the listing.
     static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
@@ -83,12 +84,11 @@ struct ByRank {
     }
 };
 
-/// Chooses in proportion to weights, with replacement, as many as there are.
+/// Fills the population by choosing in proportion to weights, with replacement.
 template <class Weights>
 struct Proportional : Operator {
-    Weights weights; ///< how much each counts: Roulette, Universal, ByRank or Sharing
-    ///@{
-    /// What every operator has (Operator).
+    Weights weights; ///< Roulette, Universal, ByRank or Sharing
+    ///@{ What every operator has (Operator).
     static Words words() { return Weights::words(); }
     static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
     void check(CheckState& known) const { weights.check(known, text_of(*this)); }
@@ -113,7 +113,7 @@ struct Proportional : Operator {
             const auto end = std::upper_bound(ends.begin(), ends.end() - 1, mark * ends.back());
             places[i] = static_cast<std::size_t>(end - ends.begin());
         }
-        // One spin meets the individuals in order: neighbours must not be mates for that.
+        // One spin gives copies of an individual neighbouring places; shuffled, they do not always mate.
         for (std::size_t i = n; Weights::one_spin && i > 1; --i)
             std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);

@@ -9,27 +9,27 @@
 
 namespace ga {
 
-/// What a stopping rule sees before each generation of its block.
+/// The state of a block before each generation, for its stopping rules.
 template <class G>
 struct Progress {
-    std::size_t generation;          ///< how many were made
-    long asked;                      ///< evaluations asked for since the block began
-    double seconds;                  ///< since the block began, in all the processes that carried it
-    const Population<G>& population; ///< as it is
+    std::size_t generation;          ///< number of completed generations
+    long asked;                      ///< evaluations requested since the block began
+    double seconds;                  ///< time since the block began, in all processes of the run
+    const Population<G>& population; ///< before the generation
 };
 
-/// Numbers that a rule keeps from one generation to the next; a checkpoint holds them.
+/// Numbers that a rule stores from one generation to the next; checkpoints contain them.
 using Numbers = std::vector<double>;
 
-/// A stopping rule is a small struct deriving from this tag, with words() and describe() as an operator has,
-/// and
+/// A stopping rule is a small struct that derives from this tag. It has words() and describe() like an
+/// operator, and
 /// @code
 ///     template <class G> bool operator()(const Progress<G>&, Numbers& memory) const;
 /// @endcode
-/// Besides, it may have
+/// It may also have
 /// @code
-///     void check(const CheckState&, const std::string& stage) const;   what it needs
-///     static constexpr bool sure = true;                          it holds some day, whatever the stages do
+///     void check(const CheckState&, const std::string& stage) const;   checks its needs
+///     static constexpr bool sure = true;                               it certainly holds at some time
 /// @endcode
 struct StoppingRule {};
 
@@ -38,9 +38,9 @@ template <class G>
 struct Rule {
     std::string text; ///< "stagnation 5"
     std::function<void(const CheckState&, const std::string&)>
-        check;                                               ///< what it needs, if anything; named stage
-    std::function<bool(const Progress<G>&, Numbers&)> holds; ///< whether the block ends
-    bool sure = false;                                       ///< it holds some day
+        check; ///< checks the needs of the rule, if it has any; named stage
+    std::function<bool(const Progress<G>&, Numbers&)> holds; ///< whether to end the block
+    bool sure = false;                                       ///< it certainly holds at some time
 };
 
 /// The rule for one type of genome.
@@ -54,10 +54,10 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
     return made;
 }
 
-/// Whether the population is better than the block's has been before, by its policy: the best of it by Deb's
-/// rules, under several objectives the hypervolume of its front above the first front's minimum less a tenth
-/// of its range, estimated from four objectives on (dominated_share). Keeps that in `memory`: violation,
-/// worth, and the generation that was better last.
+/// Whether the population is better than in all earlier generations of the block. Under one objective its
+/// best individual counts, by Deb's rules. Under several the hypervolume of its front counts, above the first
+/// front's minimum minus a tenth of its range; for four objectives or more it is estimated (dominated_share).
+/// Stores in `memory` the violation, the worth and the last generation that improved.
 template <class G>
 bool improves(const Progress<G>& now, Numbers& memory) {
     if (memory.empty())

@@ -9,11 +9,11 @@
 
 namespace ga {
 
-/// The values an operator is made with, each checked against its parameter.
+/// The arguments of an operator, each checked against its parameter.
 class Arguments {
   public:
-    /// Fills parameters with what a stage was given: KEY=VALUE by name, the others in the order of the
-    /// parameters.
+    /// Assigns a stage's arguments to parameters: KEY=VALUE by name, arguments without a key in the order of
+    /// the parameters.
     /// @param stage  what the stage is called in messages
     /// @param where  what the text is called in messages
     [[gnu::cold]] Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
@@ -60,7 +60,7 @@ class Arguments {
             words.push_back(argument.value);
         return words;
     }
-    /// Puts the values into what describes itself with these parameters, and checks what they make together.
+    /// Assigns the values to an object with these parameters and validates it.
     template <class T>
     [[gnu::cold]] void fill(T& described) const {
         put(fields_of(described));
@@ -72,7 +72,7 @@ class Arguments {
         throw TextError(where_, values_.at(name).front().column, message);
     }
 
-    /// The number that is the whole of the text; nothing where it is none.
+    /// The text as a number; none if it is not entirely a number.
     static std::optional<double> parsed(const std::string& text) {
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -5,10 +5,10 @@
 #include "ga/text/vocabulary.hpp"
 
 /// @file
-/// Text pipelines compiled once for a problem, in one of a program's files, since they are most of what the
-/// compiler has to do: `GA_PIPELINES_ELSEWHERE(Knapsack)` behind the problem's definition in its header, and
-/// `GA_PIPELINES_HERE(Knapsack)` in one source file; both at global scope. Without them every file that reads
-/// text pipelines compiles them anew.
+/// Compiles the text pipelines of a problem in only one file of a program, because they take the compiler
+/// longest. Write `GA_PIPELINES_ELSEWHERE(Knapsack)` behind the problem's definition in its header and
+/// `GA_PIPELINES_HERE(Knapsack)` in one source file, both at global scope. Without them every file that reads
+/// text pipelines compiles them again.
 
 /// The vocabulary, the parser and `run` of a problem are compiled elsewhere.
 #define GA_PIPELINES_ELSEWHERE(P) GA_PIPELINES_OF(extern template, P)

@@ -4,11 +4,11 @@
 
 namespace ga {
 
-/// Every operator under its group, with its parameters, their defaults and ranges, and one line of meaning;
-/// then the combinations and choices of genes that operators take by name.
+/// Lists every operator under its group, with one line of meaning and its parameters with defaults and
+/// ranges. The named combinations and choices of genes follow.
 template <Problem P>
 std::string listing(const Registry<P>& registry) {
-    constexpr std::size_t column = 44; // of the meanings
+    constexpr std::size_t column = 44; // column of the meanings
     std::string text, group;
     const auto line = [&](const std::string& indent, const std::string& left, const std::string& right) {
         const std::string start = indent + left;

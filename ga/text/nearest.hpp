@@ -7,8 +7,8 @@
 
 namespace ga {
 
-/// How many letters must be put in, left out, changed or exchanged with their neighbour to make a word of
-/// another (optimal string alignment; Damerau 1964).
+/// The distance of two words: the number of letters to insert, remove, change or exchange with their
+/// neighbour (optimal string alignment; Damerau 1964).
 [[gnu::cold]] inline std::size_t edits(const std::string& a, const std::string& b) {
     std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
     std::iota(last.begin(), last.end(), std::size_t{0});
@@ -25,7 +25,7 @@ namespace ga {
     return last[b.size()];
 }
 
-/// "; did you mean 'best'?" for the nearest of the names, or what is allowed where none is near.
+/// "; did you mean 'best'?" for the nearest name, or a list of the names if none is similar.
 [[gnu::cold]] inline std::string suggestion(const std::string& given, const std::vector<std::string>& names) {
     const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
         return edits(given, a) < edits(given, b);

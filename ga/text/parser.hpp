@@ -4,25 +4,24 @@
 
 namespace ga {
 
-/// Named pipelines that may stand as stages in each other: the [variants] of an experiment.
+/// Named pipelines, which other pipelines may use as stages: the [variants] of an experiment.
 using Variants = std::map<std::string, std::string>;
 
-/// Makes pipelines of text. Each stage keeps where it was written, so that a pipeline which cannot work is
-/// refused at its column too.
+/// Makes pipelines from text. Each stage stores its column in the text for later error messages.
 template <Problem P>
 class Parser {
   public:
-    /// Throws UsageError on a variant called like an operator.
+    /// Throws UsageError if a variant has the name of an operator.
     [[gnu::cold]] explicit Parser(Registry<P> registry, Variants variants = {})
         : registry_(std::move(registry)), variants_(std::move(variants)) {
         const auto names = registry_.names();
         for (const auto& [name, text] : variants_)
             if (std::find(names.begin(), names.end(), name) != names.end())
-                throw UsageError("variant '" + name + "' has an operator's name; expected another");
+                throw UsageError("variant '" + name + "' has an operator's name; choose another");
     }
 
     /// @param text   a pipeline
-    /// @param where  what messages call it
+    /// @param where  its name in messages
     [[gnu::cold]] Stage<P> parse(const std::string& text, const std::string& where = "pipeline") {
         begin();
         return read(text, where);
@@ -39,7 +38,7 @@ class Parser {
   private:
     static constexpr std::size_t most_stages = 10000;
 
-    /// What the text before left, whether it was read or refused, is no part of the next.
+    /// Forgets the previous text, whether it was read or refused.
     [[gnu::cold]] void begin() {
         open_.clear();
         stages_ = 0;
@@ -91,7 +90,7 @@ class Parser {
         }
     }
 
-    /// The operator a stage names; a family's member is taken out of the arguments.
+    /// The operator that a stage names. The name of a family's member is removed from the arguments.
     [[gnu::cold]] const typename Registry<P>::Entry* operator_of(StageText& stage,
                                                                  const std::string& where) const {
         const std::vector<std::string> members = registry_.members(stage.name);
@@ -144,7 +143,7 @@ class Parser {
                         throw TextError(where, argument.column,
                                         "stage '" + entry.name + "': '" + parameter.name +
                                             "' lacks its value; expected " + parameter.expected());
-                argument.key = argument.value; // refused by name
+                argument.key = argument.value; // Arguments will refuse it
             }
     }
 
@@ -172,7 +171,7 @@ class Parser {
         return named(text.name);
     }
 
-    /// The stage, which says where it was written.
+    /// Returns the stage with its column.
     [[gnu::cold]] Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
         if (++stages_ > most_stages)
             throw TextError(where, text.column, "more than 10000 stages, with those of variants");
@@ -190,7 +189,7 @@ class Parser {
     Registry<P> registry_;
     Variants variants_;
     std::vector<std::string> open_; ///< variants that are being expanded
-    std::size_t stages_ = 0;        ///< made of the text in hand
+    std::size_t stages_ = 0;        ///< number of stages of the current text
 };
 
 } // namespace ga

@@ -5,7 +5,7 @@
 
 namespace ga {
 
-/// The choice of genes that a stage names; every gene within the problem's bounds where none is named.
+/// The stage that refines the named choice of genes; `all` is every gene within the problem's bounds.
 template <Problem P, class M>
 Stage<P> refined(M method, const Arguments& a, const Registry<P>& registry) {
     std::vector<std::string> names;
@@ -22,7 +22,7 @@ Stage<P> refined(M method, const Arguments& a, const Registry<P>& registry) {
     a.refuse("genes", "unknown genes '" + a.word("genes") + "'" + suggestion(a.word("genes"), names));
 }
 
-/// Adds `refine NAME` by a method that describes itself (method_of).
+/// Adds `refine NAME` for a method that describes itself (method_of).
 template <class V, Problem P>
 void add_method(Registry<P>& registry) {
     using M = decltype(method_of(V()));

@@ -6,31 +6,31 @@
 
 namespace ga {
 
-/// What text pipelines for one type of problem are made of: operators by name, and the names operators take
-/// for combinations and choices of genes. `vocabulary<P>()` gives the engine's own; a domain adds its words.
+/// The words of text pipelines for one type of problem: operators, combinations and choices of genes.
+/// `vocabulary<P>()` has those of the engine; a domain adds more.
 template <Problem P>
 class Registry {
   public:
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< the problem's
     /// The pipelines in braces behind a stage.
     using Bodies = std::vector<Stage<P>>;
-    /// Makes the stage of its arguments.
+    /// Makes a stage from its arguments.
     using Make = std::function<Stage<P>(const Arguments&, const Bodies&, const Registry&)>;
 
-    /// An operator as text knows it. A name of two words ("cross sbx") is a member of the family "cross"; a
-    /// member called like the family is what the family's name alone stands for.
+    /// An operator for text. A name of two words ("cross sbx") is a member of the family "cross". A member
+    /// with only the family's name is its default.
     struct Entry {
         std::string name;                  ///< one word, or two
         std::string group;                 ///< heading in the listing
         std::string meaning;               ///< one line
         std::vector<Parameter> parameters; ///< in the order they may be given without their names
-        std::string lacks = {};      ///< what the genome or problem would need for it; empty when it works
-        std::size_t bodies = 0;      ///< pipelines in braces it takes, 0 or 1
-        bool pairs_of_words = false; ///< arguments read "fitness 0.99" for fitness=0.99
-        Make make = {};              ///< empty where it lacks something
+        std::string lacks = {};            ///< need that the genome or problem lacks; empty if it works
+        std::size_t bodies = 0;            ///< pipelines in braces it takes, 0 or 1
+        bool pairs_of_words = false;       ///< arguments read "fitness 0.99" for fitness=0.99
+        Make make = {};                    ///< empty if it lacks something
     };
 
-    /// Adds an operator whose stage make(arguments, bodies, registry) gives. Throws UsageError when the name
+    /// Adds an operator; make(arguments, bodies, registry) returns its stage. Throws UsageError if the name
     /// is taken.
     [[gnu::cold]] void add(Entry entry, Make make) {
         if (find(entry.name))
@@ -38,17 +38,22 @@ class Registry {
         entry.make = std::move(make);
         entries_.push_back(std::move(entry));
     }
-    /// Adds an operator that describes itself.
+    /// Adds an operator that describes itself. If it has a member `body`, that is the pipeline in braces.
     template <Described Op>
     [[gnu::cold]] void add() {
+        constexpr bool is_block = requires(Op op) { op.body; };
+        Entry entry = entry_of<Op>();
+        entry.bodies = is_block ? 1 : 0;
         add(
-            entry_of<Op>(), +[](const Arguments& a, const Bodies&, const Registry&) {
+            std::move(entry), +[](const Arguments& a, const Bodies& bodies, const Registry&) {
                 Op op;
+                if constexpr (is_block)
+                    op.body = bodies[0];
                 a.fill(op);
                 return Stage<P>(std::move(op));
             });
     }
-    /// The same where `possible`; elsewhere it is listed with what the genome or the problem lacks.
+    /// Adds an operator if `possible`; otherwise it is only listed, with the need that the problem lacks.
     template <bool possible, Described Op>
     void add_if(const std::string& lacks) {
         if constexpr (possible) {
@@ -59,15 +64,11 @@ class Registry {
             add(std::move(entry), {});
         }
     }
-    /// The entry of what describes itself.
+    /// The entry of a type that describes itself.
     template <Described T>
     [[gnu::cold]] static Entry entry_of() {
-        return entry_of(T::words(), parameters_of<T>());
-    }
-    /// The entry of these words and parameters.
-    [[gnu::cold]] static Entry entry_of(Words words, std::vector<Parameter> parameters) {
-        return {std::move(words.name), std::move(words.group), std::move(words.meaning),
-                std::move(parameters)};
+        const Words words = T::words();
+        return {words.name, words.group, words.meaning, parameters_of<T>()};
     }
     /// Adds a stopping rule, which `until` takes by its name.
     template <class R>
@@ -98,7 +99,7 @@ class Registry {
         add({std::move(name), std::move(group), std::move(meaning), {}},
             [stage = Stage<P>(std::move(op))](const auto&...) { return stage; });
     }
-    /// Adds a way to combine two individuals, which `pair` takes by its name.
+    /// Adds a combination of two individuals, which `pair` takes by its name.
     void add(Combine<Genome> combine, std::string meaning) {
         combines_.push_back({std::move(combine), std::move(meaning)});
     }
@@ -113,14 +114,14 @@ class Registry {
     /// With their meanings.
     const std::vector<std::pair<Variables<Genome>, std::string>>& variables() const { return variables_; }
 
-    /// Null where there is none of that name.
+    /// Null if the name is unknown.
     const Entry* find(const std::string& name) const {
         for (const auto& entry : entries_)
             if (entry.name == name)
                 return &entry;
         return nullptr;
     }
-    /// First words of all names, each once.
+    /// The first words of all names, without duplicates.
     std::vector<std::string> names() const {
         std::vector<std::string> names = {"pair"};
         for (const auto& entry : entries_)
@@ -128,7 +129,7 @@ class Registry {
                 names.push_back(first);
         return names;
     }
-    /// Second words of a family's names.
+    /// The second words of a family's names.
     std::vector<std::string> members(const std::string& family) const {
         std::vector<std::string> members;
         for (const auto& entry : entries_)

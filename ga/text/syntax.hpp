@@ -10,7 +10,7 @@ namespace ga {
 
 /// One argument of a stage: VALUE, or KEY=VALUE.
 struct ArgumentText {
-    std::string key;        ///< empty where only a value was given
+    std::string key;        ///< empty if only a value was given
     std::string value;      ///< as it was written
     std::size_t column = 0; ///< from 1
 };
@@ -19,7 +19,7 @@ struct StageText;
 /// Stages from left to right.
 using PipelineText = std::vector<StageText>;
 
-/// One stage as it is written, its words not yet understood.
+/// One stage as it is written, before its words are understood.
 struct StageText {
     std::string name;                    ///< its first word
     std::size_t column = 0;              ///< from 1
@@ -30,10 +30,10 @@ struct StageText {
 /// Reads  pipeline := stage {"|" stage};
 ///        stage := NAME {arg} ["{" pipeline "}"] | "pair(" pipeline "," pipeline "," NAME ")";
 ///        arg := NUMBER | WORD | KEY=VALUE
-/// Throws TextError at the column where something else was expected.
+/// Throws TextError with the column of an error.
 class Syntax {
   public:
-    /// `where` is what the text is called in errors.
+    /// @param where  name of the text in errors
     Syntax(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {
         if (text.size() > longest)
             throw TextError(where_, longest, "the text is longer than 1000000 characters");
@@ -120,7 +120,7 @@ class Syntax {
             fail("unexpected " + quoted() + "; expected " + symbol);
         next();
     }
-    /// Moves on to the next symbol or word; an empty token stands for the end.
+    /// Reads the next symbol or word; an empty token is the end.
     [[gnu::cold]] void next() {
         while (at_ < text_.size() && is_space(text_[at_]))
             ++at_;

@@ -11,8 +11,14 @@ const char* const real_genes = "real genes: genes and with_genes, or a vector of
 const char* const positions = "genes at positions: a random-access range";
 const char* const exchangeable = "genes that may change places";
 
+} // namespace words
+
+/// The engine's operators for a type of problem. Operators that do not work for its genome are listed with
+/// their need. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
+/// learning operators and niches.
 template <Problem P>
-void add_selection(Registry<P>& registry) {
+Registry<P> vocabulary() {
+    Registry<P> registry;
     registry.template add<Score>();
     registry.template add_if<Noisy<P>, Average>("a noisy evaluation (evaluate(genome, replicate))");
     registry.template add<Best>();
@@ -25,98 +31,41 @@ void add_selection(Registry<P>& registry) {
     registry.template add<Random>();
     registry.template add<Pareto>();
     registry.template add<Front>();
-}
 
-/// `cross WAY`.
-template <class Way, Problem P>
-void add_cross(Registry<P>& registry, const char* lacks) {
-    registry.template add_if<Crosses<Way, P>, Cross<Way>>(lacks);
-}
-/// `mutate RATE WAY`.
-template <class Way, Problem P>
-void add_mutate(Registry<P>& registry, const char* lacks) {
-    registry.template add_if<Mutates<Way, P>, Mutate<Way>>(lacks);
-}
-
-template <Problem P>
-void add_variation(Registry<P>& registry) {
-    add_cross<OnePoint>(registry, positions);
-    add_cross<Points>(registry, positions);
-    add_cross<Uniform>(registry, positions);
-    add_cross<Blend>(registry, real_genes);
-    add_cross<SimulatedBinary>(registry, real_genes);
-    add_cross<Order>(registry, "a permutation for a genome");
-    add_mutate<Natural>(registry, "a mutation of its own or genes");
-    add_mutate<Gaussian>(registry, real_genes);
-    add_mutate<UniformStep>(registry, real_genes);
-    add_mutate<Polynomial>(registry, "real genes with bounds");
-    add_mutate<Reset>(registry, "bits, or genes with bounds");
-    add_mutate<Swap>(registry, exchangeable);
-    add_mutate<Reverse>(registry, exchangeable);
+    registry.template add_if<Crosses<OnePoint, P>, Cross<OnePoint>>(words::positions);
+    registry.template add_if<Crosses<Points, P>, Cross<Points>>(words::positions);
+    registry.template add_if<Crosses<Uniform, P>, Cross<Uniform>>(words::positions);
+    registry.template add_if<Crosses<Blend, P>, Cross<Blend>>(words::real_genes);
+    registry.template add_if<Crosses<SimulatedBinary, P>, Cross<SimulatedBinary>>(words::real_genes);
+    registry.template add_if<Crosses<Order, P>, Cross<Order>>("a permutation for a genome");
+    registry.template add_if<Mutates<Natural, P>, Mutate<Natural>>("a member mutate, or genes");
+    registry.template add_if<Mutates<Gaussian, P>, Mutate<Gaussian>>(words::real_genes);
+    registry.template add_if<Mutates<UniformStep, P>, Mutate<UniformStep>>(words::real_genes);
+    registry.template add_if<Mutates<Polynomial, P>, Mutate<Polynomial>>("real genes with bounds");
+    registry.template add_if<Mutates<Reset, P>, Mutate<Reset>>("bits, or genes with bounds");
+    registry.template add_if<Mutates<Swap, P>, Mutate<Swap>>(words::exchangeable);
+    registry.template add_if<Mutates<Reverse, P>, Mutate<Reverse>>(words::exchangeable);
     registry.template add_if<Sampled<P>, Sample>("a problem that samples genomes");
-}
 
-template <Problem P>
-void add_replacement(Registry<P>& registry) {
     registry.template add<Elite>();
     registry.template add<Plus>();
     registry.template add<JoinParents>();
     registry.template add<Steady>();
-}
 
-template <Problem P>
-void add_blocks(Registry<P>& registry) {
-    using Body = Stage<P>;
-    using Make = Step<P> (*)(const Arguments&, const Body&, const Registry<P>&);
-    const auto add = [&](const char* name, const char* meaning, std::vector<Parameter> parameters, Make make,
-                         bool pairs = false) {
-        registry.add({name, "blocks", meaning, std::move(parameters), {}, 1, pairs},
-                     [make](const Arguments& a, const auto& bodies, const Registry<P>& r) {
-                         return Stage<P>(make(a, bodies[0], r));
-                     });
-    };
-    add("repeat", "n generations of the pipeline in braces", {whole("n", std::nullopt, 1, "how many")},
-        [](const Arguments& a, const Body& body, const auto&) {
-            return repeat(a.count("n"), body).template step<P>();
-        });
-    add(
-        "until", "generations until the first condition holds", {},
-        [](const Arguments& a, const Body& body, const Registry<P>& r) {
-            using Rules = RuleList<typename P::Genome>;
-            return Generations<Body, Rules>(body, Rules{r.rules(a)}).template step<P>();
-        },
-        true);
+    registry.template add<Repeat<Stage<P>>>();
+    registry.add({"until", "blocks", "generations until the first condition holds", {}, {}, 1, true},
+                 [](const Arguments& a, const std::vector<Stage<P>>& bodies, const Registry<P>& r) {
+                     using Rules = RuleList<typename P::Genome>;
+                     return Stage<P>(Generations<Stage<P>, Rules>(bodies[0], Rules{r.rules(a)}));
+                 });
     registry.template add_rule<AfterGenerations>();
     registry.template add_rule<AfterEvaluations>();
     registry.template add_rule<AfterSeconds>();
     registry.template add_rule<AtFitness>();
     registry.template add_rule<AtStagnation>();
     registry.template add_rule<AtConvergence>();
-    add("restarts", "runs the pipeline n times on the same population and joins the answers",
-        {whole("n", std::nullopt, 1, "how many")}, [](const Arguments& a, const Body& body, const auto&) {
-            return restarts(a.count("n"), body).template step<P>();
-        });
-    add("islands", "n parts of the population evolve apart, a generation a round, with migrants on a ring",
-        {whole("n", std::nullopt, 2, "islands").up_to(static_cast<double>(Islands<Body>::most)),
-         whole("rounds", "10", 1, "generations of each"),
-         whole("migrants", "1", 0, "of the best, copied to the next island after each round")},
-        [](const Arguments& a, const Body& body, const auto&) {
-            return islands(a.count("n"), {a.count("rounds"), a.count("migrants")}, body).template step<P>();
-        });
-}
-
-} // namespace words
-
-/// The engine's own operators for a type of problem. Those its genome cannot do are listed with what they
-/// need. Refinement is added by ga/text/refinement_vocabulary.hpp, what learns and keeps niches by
-/// ga/text/adaptation_vocabulary.hpp.
-template <Problem P>
-Registry<P> vocabulary() {
-    Registry<P> registry;
-    words::add_selection(registry);
-    words::add_variation(registry);
-    words::add_replacement(registry);
-    words::add_blocks(registry);
+    registry.template add<Restarts<Stage<P>>>();
+    registry.template add<Islands<Stage<P>>>();
     return registry;
 }
 

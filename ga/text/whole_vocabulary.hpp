@@ -5,8 +5,8 @@
 
 namespace ga {
 
-/// Every operator of the engine: vocabulary() with refinement, and with what learns or keeps niches. Includes
-/// Eigen and NLopt.
+/// Every operator of the engine: vocabulary() with refinement, learning operators and niches. Includes Eigen
+/// and NLopt.
 template <Problem P>
 Registry<P> whole_vocabulary() {
     return with_adaptation(with_refinement(vocabulary<P>()));

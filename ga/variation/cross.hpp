@@ -1,26 +1,32 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
+#include "ga/problem/permutation.hpp"
+#include "ga/problem/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
 
 namespace ga {
 
-/// A way to cross two genomes in place: words() and describe() as an operator has, and, constrained by what
-/// it uses of the problem, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
+/// A method to cross two genomes in place. It has words() and describe() like an operator and, constrained by
+/// the members of the problem that it uses, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
 template <class Way, class P>
 concept Crosses = Problem<P> &&
     requires(const Way& way, const P& problem, typename P::Genome& genome, Stream& stream) {
     way(problem, genome, genome, stream);
 };
 
-/// Crosses neighbours, first with second, third with fourth and so on, each pair with probability `rate`; an
-/// odd last one stays. The two children take their parents' places, unscored. `random` before it shuffles who
-/// meets whom.
+/// Crosses neighbours: the first with the second, the third with the fourth and so on, each pair with
+/// probability `rate`. An odd last one stays. The two children replace their parents, unscored. Put `random`
+/// before it to shuffle the pairs.
 template <class Way>
 struct Cross : Operator {
-    Way way;         ///< how two genomes are crossed (Crosses)
-    double rate = 1; ///< probability of each pair, [0, 1]
-    ///@{
-    /// What every operator has (Operator).
+    Way way;         ///< crosses two genomes (Crosses)
+    double rate = 1; ///< probability for each pair, [0, 1]
+    ///@{ What every operator has (Operator).
     static Words words() {
         const Words of_way = Way::words();
         return {"cross " + of_way.name, "cross-over", of_way.meaning};
@@ -34,7 +40,7 @@ struct Cross : Operator {
     template <class P>
     requires Crosses<Way, P> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
-        Stream next = context.stream(0); // made ahead, while the processor waits for the one before
+        Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
         for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
             Stream stream = std::exchange(next, context.stream(i + 2));
             if (rate < 1 && !stream.chance(rate))
@@ -55,5 +61,284 @@ template <class Way>
 Cross<Way> cross(Way way, double rate = 1) {
     return checked(Cross<Way>{{}, std::move(way), rate});
 }
+
+/// A genome that is a sequence of genes at positions, so that two genomes may exchange genes.
+template <class G>
+concept Positional = std::ranges::random_access_range<G> && requires(G& genome, std::size_t i) {
+    genome.size();
+    std::swap_ranges(genome.begin(), genome.end(), genome.begin());
+    *genome.begin() = *genome.begin(); // the signature of swap does not require it
+};
+
+/// Lets edit(std::span<double>) change a genome's real genes; in place if the genome is a vector of them.
+template <HasGenes P, class Edit>
+void edit_genes(const P& problem, typename P::Genome& genome, Edit edit) {
+    if constexpr (ConvertsGenes<P>) {
+        std::vector<double> genes = problem.genes(genome);
+        edit(std::span<double>(genes));
+        genome = problem.with_genes(genome, genes);
+    } else {
+        edit(std::span<double>(genome));
+    }
+}
+
+/// The genes that may move, with their bounds: the problem's list, or all genes without bounds.
+template <HasGenes P>
+decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) {
+    if constexpr (Bounded<P>) {
+        return checked_bounds(problem, genome);
+    } else {
+        std::vector<Variable> all(genes_of(problem, genome).size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = {i, -HUGE_VAL, HUGE_VAL};
+        return all;
+    }
+}
+
+/// Calls cross(x, y, variable) for the real genes that may move in both parents. The variable has the bounds
+/// that both parents allow, widened to include the parents' genes.
+template <HasGenes P, class Cross>
+void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Cross cross) {
+    const auto& of_first = variables_of(problem, a);
+    const auto& of_second = variables_of(problem, b);
+    edit_genes(problem, a, [&](std::span<double> first) {
+        edit_genes(problem, b, [&](std::span<double> second) {
+            std::size_t other = 0;
+            for (Variable variable : of_first) {
+                while (other < of_second.size() && of_second[other].gene < variable.gene)
+                    ++other;
+                if (variable.gene >= first.size() || variable.gene >= second.size() ||
+                    other == of_second.size() || of_second[other].gene != variable.gene)
+                    continue;
+                double &x = first[variable.gene], &y = second[variable.gene];
+                variable.lower = std::min({std::max(variable.lower, of_second[other].lower), x, y});
+                variable.upper = std::max({std::min(variable.upper, of_second[other].upper), x, y});
+                cross(x, y, variable);
+            }
+        });
+    });
+}
+
+/// Cuts two sequences at the same n different places and exchanges every second piece. Only the length of the
+/// shorter sequence is used; if it is too short for n cuts, there are as many as fit.
+template <class Sequence>
+void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream) {
+    const std::size_t length = std::min<std::size_t>(a.size(), b.size());
+    if (length < 2)
+        return;
+    const auto exchange = [&](std::size_t from, std::size_t to) {
+        const auto at = [](auto& sequence, std::size_t i) {
+            return sequence.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        std::swap_ranges(at(a, from), at(a, to), at(b, from));
+    };
+    if (n == 1)
+        return exchange(1 + stream.below(length - 1), length);
+    std::vector<std::size_t> cuts(length - 1);
+    std::iota(cuts.begin(), cuts.end(), std::size_t{1});
+    const std::size_t count = std::min(n, cuts.size());
+    for (std::size_t i = 0; i < count; ++i)
+        std::swap(cuts[i], cuts[i + stream.below(cuts.size() - i)]);
+    cuts.resize(count);
+    std::sort(cuts.begin(), cuts.end());
+    cuts.push_back(length);
+    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2)
+        exchange(cuts[i], cuts[i + 1]);
+}
+
+/// n-point cross-over of genomes (Holland 1975; De Jong 1975) by exchange_at_points, or by the problem's
+/// `cross_points`.
+struct Points {
+    std::size_t n = 2; ///< cuts, >= 1
+
+    ///@{ What every cross-over has (Crosses).
+    static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
+
+    template <Problem P>
+    requires(CrossesAtPoints<P> || Positional<typename P::Genome>) void
+    operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        if constexpr (CrossesAtPoints<P>)
+            problem.cross_points(a, b, n, stream);
+        else
+            exchange_at_points(a, b, n, stream);
+    }
+    ///@}
+};
+
+/// Cross-over with one cut.
+struct OnePoint {
+    ///@{ What every cross-over has (Crosses).
+    static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires Crosses<Points, P>
+    void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        Points{1}(problem, a, b, stream);
+    }
+    ///@}
+};
+
+/// `one_point` of cross.
+inline OnePoint one_point() { return {}; }
+/// `n_points n` of cross, n >= 1.
+inline Points n_points(std::size_t n) { return {n}; }
+
+/// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
+/// genome.
+struct Uniform {
+    ///@{ What every cross-over has (Crosses).
+    static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires(CrossesUniformly<P> || Positional<typename P::Genome>) void
+    operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        if constexpr (CrossesUniformly<P>) {
+            problem.cross_uniform(a, b, stream);
+        } else {
+            const std::size_t length = std::min<std::size_t>(a.size(), b.size());
+            std::uint64_t coins = 0;
+            for (std::size_t i = 0; i < length; ++i, coins >>= 1) {
+                if (i % 64 == 0)
+                    coins = stream();
+                if (coins & 1) {
+                    auto kept = a[i]; // elements of vector<bool> cannot be swapped by reference
+                    a[i] = b[i];
+                    b[i] = kept;
+                }
+            }
+        }
+    }
+    ///@}
+};
+
+/// `uniform` of cross.
+inline Uniform uniform() { return {}; }
+
+/// Order cross-over (Davis 1985). Each child keeps a piece of one parent in place. The other numbers follow
+/// from the end of that piece, in the order of the other parent. Permutations of unequal length stay as they
+/// are.
+struct Order {
+    ///@{ What every cross-over has (Crosses).
+    static Words words() {
+        return {"order", "cross-over",
+                "keeps a piece of one permutation in place and the other's order elsewhere"};
+    }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires std::same_as<typename P::Genome, Permutation>
+    void operator()(const P&, Permutation& a, Permutation& b, Stream& stream) const {
+        const std::size_t n = a.size();
+        if (n != b.size() || n < 2)
+            return;
+        std::size_t from = stream.below(n), to = stream.below(n);
+        if (from > to)
+            std::swap(from, to);
+        const Permutation first = child(a, b, from, to + 1);
+        b = child(b, a, from, to + 1);
+        a = first;
+    }
+    ///@}
+
+  private:
+    static Permutation child(const Permutation& keeper, const Permutation& other, std::size_t from,
+                             std::size_t to) {
+        const std::size_t n = keeper.size();
+        Permutation child = keeper;
+        std::vector<bool> taken(n);
+        for (std::size_t i = from; i < to; ++i)
+            taken[keeper.order[i]] = true;
+        std::size_t place = to % n;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::uint32_t next = other.order[(to + i) % n];
+            if (taken[next])
+                continue;
+            child.order[place] = next;
+            place = (place + 1) % n;
+        }
+        return child;
+    }
+};
+
+/// `order` of cross.
+inline Order order() { return {}; }
+
+/// BLX-alpha (Eshelman and Schaffer 1993): each child's gene is uniform between the parents' genes. The
+/// interval extends alpha times their distance beyond each parent and is cut at the bounds.
+struct Blend {
+    double alpha = 0.5; ///< relative to the parents' distance, >= 0
+
+    ///@{ What every cross-over has (Crosses).
+    static Words words() {
+        return {"blend", "cross-over", "draws each gene uniformly around the parents' (BLX-alpha)"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.alpha, number("alpha", "0.5", 0, no_limit, "how far beyond, in their distance"));
+    }
+
+    template <HasGenes P>
+    void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        cross_genes(problem, a, b, [&](double& x, double& y, const Variable& variable) {
+            const double low = std::min(x, y), high = std::max(x, y), reach = alpha * (high - low);
+            for (double* child : {&x, &y})
+                *child =
+                    std::clamp(stream.uniform(low - reach, high + reach), variable.lower, variable.upper);
+        });
+    }
+    ///@}
+};
+
+/// @param alpha  relative to the parents' distance, >= 0
+inline Blend blend(double alpha = 0.5) { return {alpha}; }
+
+/// Simulated binary cross-over (Deb and Agrawal 1995, with bounds as in NSGA-II's code), of each gene with
+/// probability 1/2. Children lie symmetrically about the parents' mean. They spread like binary strings after
+/// one-point cross-over.
+struct SimulatedBinary {
+    double eta = 15; ///< greater values put children nearer to their parents
+
+    ///@{ What every cross-over has (Crosses).
+    static Words words() {
+        return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.eta, number("eta", "15", 0, no_limit, "the greater, the nearer to the parents"));
+    }
+
+    template <HasGenes P>
+    void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
+        cross_genes(problem, a, b, [&](double& x, double& y, const Variable& variable) {
+            if (stream.chance(0.5))
+                cross(x, y, variable, stream);
+        });
+    }
+    ///@}
+
+  private:
+    void cross(double& x, double& y, const Variable& variable, Stream& stream) const {
+        const double low = std::min(x, y), high = std::max(x, y), distance = high - low;
+        const double u = stream.uniform();
+        const bool exchanged = stream.chance(0.5);
+        if (!(distance > 1e-14 * std::max(1.0, std::abs(low) + std::abs(high))))
+            return;
+        // The density of the spread is cut at the bounds.
+        const auto spread = [&](double room) {
+            const double alpha = 2 - std::pow(1 + 2 * room / distance, -(eta + 1)); // 2 without a bound
+            return std::pow(u <= 1 / alpha ? u * alpha : 1 / (2 - u * alpha), 1 / (eta + 1));
+        };
+        const auto inside = [&](double gene) { return std::clamp(gene, variable.lower, variable.upper); };
+        const double middle = (low + high) / 2;
+        const double below = inside(middle - spread(low - variable.lower) * distance / 2);
+        const double above = inside(middle + spread(variable.upper - high) * distance / 2);
+        x = exchanged ? above : below;
+        y = exchanged ? below : above;
+    }
+};
+
+/// @param eta  distribution index, >= 0; greater values put children nearer to their parents
+inline SimulatedBinary sbx(double eta = 15) { return {eta}; }
 
 } // namespace ga

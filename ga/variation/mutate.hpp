@@ -1,32 +1,27 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
+#include "ga/variation/cross.hpp"
 
 namespace ga {
 
-/// A way to mutate a genome in place, each gene by its chance: words() and describe() as an operator has,
-/// and, constrained by what it uses of the problem, `bool operator()(const P&, Genome&, const Chance&,
-/// Stream&) const`, true when a gene changed.
+/// A method to mutate a genome in place, each gene by its chance. It has words() and describe() like an
+/// operator and, constrained by the members of the problem that it uses,
+/// @code
+///     bool operator()(const P&, Genome&, const Chance&, Stream&) const;   true if a gene changed
+/// @endcode
 template <class Way, class P>
 concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typename P::Genome& genome,
                                          const Chance& chance, Stream& stream) {
     { way(problem, genome, chance, stream) } -> std::same_as<bool>;
 };
 
-/// "mutate 0.1 gaussian 0.2".
-[[gnu::cold]] inline std::string mutation_text(double rate, const std::string& name,
-                                               const std::string& values) {
-    return "mutate " + number(rate) + (name.empty() ? "" : " " + name) + (values.empty() ? "" : " " + values);
-}
-
-/// Mutates every individual. One that changes loses its fitness; if it was scored, it becomes a child of its
-/// old self.
+/// Mutates every individual. An individual that changes loses its fitness; if it was scored, it becomes a
+/// child of itself.
 template <class Way>
 struct Mutate : Operator {
-    double rate = 0; ///< probability of each gene, [0, 1]
-    Way way;         ///< how a genome is changed (Mutates)
-    ///@{
-    /// What every operator has (Operator).
+    double rate = 0; ///< probability for each gene, [0, 1]
+    Way way;         ///< changes a genome (Mutates)
+    ///@{ What every operator has (Operator).
     static Words words() {
         const Words of_way = Way::words();
         return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
@@ -35,14 +30,20 @@ struct Mutate : Operator {
         visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));
         Way::describe(self.way, visit);
     }
-    std::string text() const { return mutation_text(rate, Way::words().name, values_in_words(way)); }
+    std::string text() const {
+        std::string text = "mutate " + number(rate);
+        Way copy = way;
+        for (const std::string& part : {Way::words().name, values_in_words(fields_of(copy))})
+            text += (part.empty() ? "" : " ") + part;
+        return text;
+    }
     void check(CheckState& known) const { known.scored.reset(); }
 
     template <class P>
     requires Mutates<Way, P> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
         const Chance chance(rate);
-        Stream next = context.stream(0); // made ahead, while the processor waits for the one before
+        Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];
             Stream stream = std::exchange(next, context.stream(i + 1));
@@ -55,5 +56,258 @@ struct Mutate : Operator {
     }
     ///@}
 };
+
+/// Replaces the real genes that `chance` picks by change(gene, variable); true if one has changed.
+template <HasGenes P, class Change>
+bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream,
+                  Change change) {
+    bool changed = false;
+    edit_genes(problem, genome, [&](std::span<double> genes) {
+        const auto& variables = variables_of(problem, genome);
+        chance.each(variables.size(), stream, [&](std::size_t i) {
+            if (variables[i].gene >= genes.size())
+                return;
+            double& gene = genes[variables[i].gene];
+            const double before = gene;
+            gene = change(before, variables[i]);
+            changed |= gene != before;
+        });
+    });
+    return changed;
+}
+
+/// Reflects a value once at the bound that it exceeds, then cuts it at the bounds.
+inline double reflected(double value, const Variable& variable) {
+    if (value < variable.lower)
+        value = 2 * variable.lower - value;
+    if (value > variable.upper)
+        value = 2 * variable.upper - value;
+    return std::clamp(value, variable.lower, variable.upper);
+}
+
+/// The unit of relative steps: the width between the bounds, or 1 if one of them is infinite.
+inline double width(const Variable& variable) {
+    const double width = variable.upper - variable.lower;
+    return std::isfinite(width) ? width : 1;
+}
+
+/// Adds a random step to a gene, reflected at the bounds: normal with standard deviation `size`, or uniform
+/// within plus or minus `size`.
+template <bool normal>
+struct GeneStep {
+    double size = 0.1; ///< in widths between the bounds, > 0
+    ///@{ What every mutation has (Mutates).
+    static Words words() {
+        return {normal ? "gaussian" : "uniform", "mutation",
+                normal ? "adds a normal step" : "adds a uniform step"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.size, number(normal ? "sigma" : "step", "0.1", above_zero, no_limit,
+                                normal ? "standard deviation, in widths between bounds"
+                                       : "largest step, in widths between bounds"));
+    }
+
+    template <HasGenes P>
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
+                    Stream& stream) const {
+        return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
+            const double draw = normal ? stream.normal() : stream.uniform(-1, 1);
+            return reflected(gene + size * width(variable) * draw, variable);
+        });
+    }
+    ///@}
+};
+using Gaussian = GeneStep<true>;     ///< `mutate RATE gaussian`
+using UniformStep = GeneStep<false>; ///< `mutate RATE uniform`
+
+/// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds with a density
+/// that falls as (1 - |step| / width)^eta. A gene outside its bounds starts at the nearer bound. If a bound
+/// is infinite, the width is 1; the other bound is never passed.
+struct Polynomial {
+    double eta = 20; ///< a greater eta gives smaller steps
+    ///@{ What every mutation has (Mutates).
+    static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.eta, number("eta", "20", above_zero, no_limit, "greater values give smaller steps"));
+    }
+
+    template <HasGenes P>
+    requires Bounded<P>
+    bool operator()(const P& problem, typename P::Genome& genome, const Chance& chance,
+                    Stream& stream) const {
+        return mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
+            const double u = stream.uniform(), power = eta + 1, width = ga::width(variable);
+            if (!(width > 0))
+                return gene;
+            gene = std::clamp(gene, variable.lower, variable.upper);
+            const auto beyond = [&](double room) {
+                return room < width ? std::pow(1 - room / width, power) : 0;
+            };
+            const double below = beyond(gene - variable.lower), above = beyond(variable.upper - gene);
+            const double step = u < 0.5 ? std::pow(2 * u + (1 - 2 * u) * below, 1 / power) - 1
+                                        : 1 - std::pow(2 * (1 - u) + (2 * u - 1) * above, 1 / power);
+            return std::clamp(gene + step * width, variable.lower, variable.upper);
+        });
+    }
+    ///@}
+};
+
+/// Genes that are whole numbers or bits.
+template <class G>
+concept Discrete = std::ranges::random_access_range<G> && std::integral<std::ranges::range_value_t<G>> &&
+    requires(G& genome) {
+    genome[0] = genome[0];
+};
+template <class G>
+concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, bool>);
+
+/// Replaces a gene at random: a real one uniformly between its bounds, a whole number by another value. A bit
+/// is flipped. A real gene with an infinite bound stays as it is.
+struct Reset {
+    ///@{ What every mutation has (Mutates).
+    static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires(BitString<typename P::Genome> ||
+             (Bounded<P> && (Discrete<typename P::Genome> || HasGenes<P>))) bool
+    operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
+        bool changed = false;
+        if constexpr (BitString<typename P::Genome>) {
+            chance.each(genome.size(), stream, [&](std::size_t i) {
+                genome[i] = !genome[i];
+                changed = true;
+            });
+        } else if constexpr (Discrete<typename P::Genome>) {
+            using Gene = std::ranges::range_value_t<typename P::Genome>;
+            const auto& variables = checked_bounds(problem, genome);
+            chance.each(variables.size(), stream, [&](std::size_t i) {
+                const Variable& variable = variables[i];
+                if (variable.upper < variable.lower + 1 || variable.gene >= genome.size())
+                    return;
+                const auto others = static_cast<std::size_t>(variable.upper - variable.lower);
+                const auto value = static_cast<Gene>(static_cast<Gene>(variable.lower) +
+                                                     static_cast<Gene>(stream.below(others)));
+                Gene& gene = genome[variable.gene];
+                gene = static_cast<Gene>(value + (value >= gene ? 1 : 0));
+                changed = true;
+            });
+        } else {
+            changed =
+                mutate_genes(problem, genome, chance, stream, [&](double gene, const Variable& variable) {
+                    const bool bounded = std::isfinite(variable.upper - variable.lower);
+                    return bounded ? stream.uniform(variable.lower, variable.upper) : gene;
+                });
+        }
+        return changed;
+    }
+    ///@}
+};
+
+/// The genes of a genome that may change places.
+template <class G>
+auto& places(G& genome) {
+    if constexpr (std::same_as<G, Permutation>)
+        return genome.order;
+    else
+        return genome;
+}
+template <class G>
+concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G, std::vector<double>>;
+
+/// Calls change(i, j) for each gene i that `chance` picks, with another gene j at random; true if it did.
+template <class Genes, class Change>
+bool with_another(const Genes& genes, const Chance& chance, Stream& stream, Change change) {
+    bool changed = false;
+    if (genes.size() < 2)
+        return false;
+    chance.each(genes.size(), stream, [&](std::size_t i) {
+        change(i, (i + 1 + stream.below(genes.size() - 1)) % genes.size());
+        changed = true;
+    });
+    return changed;
+}
+
+/// Exchanges the gene with another one.
+struct Swap {
+    ///@{ What every mutation has (Mutates).
+    static Words words() { return {"swap", "mutation", "exchanges the gene with another of the genome"}; }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires Ordered<typename P::Genome>
+    bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
+        auto& genes = places(genome);
+        return with_another(genes, chance, stream, [&](std::size_t i, std::size_t j) {
+            const auto kept = genes[i];
+            genes[i] = genes[j];
+            genes[j] = kept;
+        });
+    }
+    ///@}
+};
+
+/// Reverses the piece between the gene and another one. For a tour this exchanges two edges.
+struct Reverse {
+    ///@{ What every mutation has (Mutates).
+    static Words words() {
+        return {"reverse", "mutation", "reverses the piece between the gene and another"};
+    }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires Ordered<typename P::Genome>
+    bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
+        auto& genes = places(genome);
+        return with_another(genes, chance, stream, [&](std::size_t i, std::size_t j) {
+            const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
+            std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
+        });
+    }
+    ///@}
+};
+
+/// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise permutations get a
+/// swap, real genes a gaussian step of a tenth of the width, bits and whole numbers a reset.
+struct Natural {
+    ///@{ What every mutation has (Mutates).
+    static Words words() {
+        return {"", "mutation", "the genome's natural mutation: the problem's, swap, reset or gaussian 0.1"};
+    }
+    static void describe(auto&, auto) {}
+
+    template <Problem P>
+    requires(MutatesItself<P> || Mutates<Reset, P> || HasGenes<P> || Ordered<typename P::Genome>) bool
+    operator()(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
+        if constexpr (MutatesItself<P>)
+            return problem.mutate(genome, chance.probability(), stream);
+        else if constexpr (std::same_as<typename P::Genome, Permutation>)
+            return Swap()(problem, genome, chance, stream);
+        else if constexpr (HasGenes<P>)
+            return Gaussian{0.1}(problem, genome, chance, stream);
+        else
+            return Reset()(problem, genome, chance, stream);
+    }
+    ///@}
+};
+
+/// `gaussian sigma` of mutate.
+inline Gaussian gaussian(double sigma = 0.1) { return {sigma}; }
+/// `uniform step` of mutate.
+inline UniformStep uniform_step(double step = 0.1) { return {step}; }
+/// @param eta  distribution index; a greater one gives smaller steps
+inline Polynomial polynomial(double eta = 20) { return {eta}; }
+/// `reset` of mutate.
+inline Reset reset() { return {}; }
+/// `swap` of mutate.
+inline Swap swap() { return {}; }
+/// `reverse` of mutate.
+inline Reverse reverse() { return {}; }
+
+/// @param rate  a gene's chance to mutate, 0 to 1
+template <class Way = Natural>
+Mutate<Way> mutate(double rate, Way way = {}) {
+    return checked(Mutate<Way>{{}, rate, std::move(way)});
+}
 
 } // namespace ga

@@ -4,11 +4,10 @@
 
 namespace ga {
 
-/// Puts n new individuals drawn at random by the problem in the place of the population.
+/// Replaces the population by n new individuals, which the problem draws at random.
 struct Sample : Operator {
-    std::size_t n = 1; ///< how many, >= 1
-    ///@{
-    /// What every operator has (Operator).
+    std::size_t n = 1; ///< number of individuals, >= 1
+    ///@{ What every operator has (Operator).
     static constexpr bool begins = true;
     static Words words() {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
@@ -16,9 +15,8 @@ struct Sample : Operator {
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(CheckState& known) const { known.scored.reset(); }
 
-    template <Problem P>
-    requires Sampled<P> PopulationOf<P>
-    operator()(PopulationOf<P>, Context<P>& context) const {
+    template <Sampled P>
+    PopulationOf<P> operator()(PopulationOf<P>, Context<P>& context) const {
         PopulationOf<P> fresh;
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);

@@ -6,7 +6,7 @@
 
 namespace app::testing {
 
-/// What the first group of a regular expression holds at each of its places in a text.
+/// The first group of each match of a regular expression in a text.
 inline std::vector<std::string> found(const std::string& text, const std::string& pattern) {
     const std::regex expression(pattern);
     std::vector<std::string> all;

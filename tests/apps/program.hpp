@@ -17,11 +17,11 @@ using tests::Folder;
 struct Ended {
     int code;
     std::string out, err;
-    double seconds; ///< by the wall's clock
+    double seconds; ///< wall time
     long error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
 
-/// Refused in one line that holds some words.
+/// Requires exit code 2 and one line that contains `words`.
 inline void check_refused(const Ended& ended, const std::string& words) {
     INFO(ended.err);
     CHECK(ended.code == 2);
@@ -29,9 +29,9 @@ inline void check_refused(const Ended& ended, const std::string& words) {
     CHECK_THAT(ended.err, Catch::Contains(words));
 }
 
-constexpr int killed = 128 + SIGKILL; ///< exit code of a program that was
+constexpr int killed = 128 + SIGKILL; ///< exit code of a killed program
 
-/// Runs the built program in a folder, as a shell would; under `by`, e.g. "timeout -s KILL 0.1".
+/// Runs the built program in a folder by a shell, after the words `by`, e.g. "timeout -s KILL 0.1".
 inline Ended rugosa(const std::string& words, const std::filesystem::path& where,
                     const std::string& by = "") {
     const Folder logs;
@@ -45,24 +45,28 @@ inline Ended rugosa(const std::string& words, const std::filesystem::path& where
             rough::read_whole(logs / "err"), passed.count()};
 }
 
-/// The same, once it has ended with exit code 0.
+/// Requires exit code 0.
 inline Ended succeeded(Ended ended) {
     INFO(ended.out << ended.err);
     REQUIRE(ended.code == 0);
     return ended;
 }
-/// The same for a design, which ends with 3 if its answer is not as similar as required.
+/// Runs the program in a folder and requires exit code 0.
+inline Ended done(const Folder& folder, const std::string& words) {
+    return succeeded(rugosa(words, folder.path()));
+}
+/// Requires exit code 0, or 3 of a design whose answer is not as similar as required.
 inline Ended answered(Ended ended) {
     INFO(ended.out << ended.err);
     REQUIRE((ended.code == 0 || ended.code == 3));
     return ended;
 }
 
-/// Runs it in an empty folder.
+/// Runs the program in an empty folder.
 inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().path()); }
 
-/// Runs it and asks it to stop so many seconds after a folder, or a file with something in it, has appeared:
-/// not before it has begun, however slow the machine. Gives its exit code; what it said is in the file log.
+/// Runs the program, and asks it to stop `seconds` after the folder or non-empty file `sign` has appeared.
+/// Returns its exit code; its output is in the file log.
 inline int rugosa_stopped(double seconds, const std::string& sign, const std::string& words,
                           const std::filesystem::path& where) {
     const Folder folder;

@@ -9,18 +9,22 @@
 
 namespace app::testing {
 
-/// What a run has left in its folder.
-inline nlohmann::json result_in(const std::filesystem::path& folder) {
-    return nlohmann::json::parse(rough::read_whole(folder / "result.json"));
+inline nlohmann::json json_in(const std::filesystem::path& file) {
+    return nlohmann::json::parse(rough::read_whole(file));
 }
 
-/// What a run that ended well has left there.
+/// The result.json of a run's folder.
+inline nlohmann::json result_in(const std::filesystem::path& folder) {
+    return json_in(folder / "result.json");
+}
+
+/// The result.json in the folder of a run that ended well.
 inline nlohmann::json result_of(const Ended& ended, const std::filesystem::path& folder) {
     answered(ended);
     return result_in(folder);
 }
 
-/// A value without the times in it, at any depth.
+/// A value without its times, at any depth.
 inline nlohmann::json without_times(nlohmann::json value) {
     if (value.is_object()) {
         value.erase("seconds");
@@ -40,7 +44,7 @@ inline nlohmann::json timeless(nlohmann::json result) {
     return without_times(std::move(result));
 }
 
-/// The rows of numbers in a CSV file behind its header, which is some words where they are given.
+/// The rows of numbers in a CSV file. If `header` is not empty, the file must have it.
 inline std::vector<std::vector<double>> rows_of(const std::filesystem::path& file,
                                                 const std::string& header = "") {
     std::istringstream text(rough::read_whole(file));
@@ -63,7 +67,7 @@ inline const std::string curve_header = "displacement_mm,pressure_MPa,contact_fr
                                         "tangent_stiffness_MPa_per_mm,kkt_residual,"
                                         "interface_stiffness_MPa_per_mm";
 
-/// A genome of one wave, as a file has it.
+/// The file of a genome of one wave.
 inline const std::string one_wave =
     R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
 

@@ -1,10 +1,9 @@
-// Prints measurements of the engine without a verdict:
-// - the overhead for each evaluation (ns): 20 real genes, population 100, 1000 generations, trivial fitness,
-// one
-//   thread. `as sga` and `as de` have the operators and numbers of libpagmo's algorithms.
-// - libpagmo's overhead, if this was built with libpagmo.
-// - the best value after 100,000 evaluations of Rastrigin's function of 20 genes, over 20 seeds.
-// - the speed-up on two threads, for a population whose fitness takes 1 ms.
+// Prints measurements of the engine:
+// - the overhead per evaluation (ns) for 20 real genes, population 100, 1000 generations, one thread and a
+//   trivial fitness; `as sga` and `as de` have the operators and numbers of libpagmo's algorithms
+// - the overhead of libpagmo, if this was built with libpagmo
+// - the best value after 100,000 evaluations of Rastrigin's function of 20 genes, over 20 seeds
+// - the speed-up on two threads, for a population whose fitness takes 1 ms
 
 #include "ga/adaptation/adaptation.hpp"
 #include "ga/ga.hpp"

@@ -8,9 +8,9 @@
 #include "domain/database/build.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/fractal.hpp"
 #include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 

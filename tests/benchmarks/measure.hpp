@@ -6,7 +6,7 @@
 
 namespace rough::testing {
 
-/// Of this thread: what other work on the machine takes is not counted.
+/// Processor time of this thread, without other work on the machine.
 inline double processor_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -2,7 +2,7 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/response/sensitivity.hpp"
+#include "domain/response/curve.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -23,8 +23,8 @@ inline ResponseJacobian jacobian_of(const Genome& genome, const Model& model) {
         [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
-/// Checks derivatives against central differences in every gene. A probe across a change of the contact set
-/// or of an extreme node has no derivative to follow; at least a third of the probes must be free of it.
+/// Checks derivatives against central differences in every gene. A probe is omitted if the contact set or an
+/// extreme node changes in between. At least a third of the probes must remain.
 inline void check_derivatives(const Genome& genome, const Model& model,
                               const std::vector<Derivative>& derivatives) {
     const auto corners = [&](const Genome& moved, const Response& response) {

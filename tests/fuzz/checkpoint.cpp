@@ -6,7 +6,7 @@
 
 namespace {
 
-/// A run that is stopped within its blocks, and what it had kept by then.
+/// A run that is stopped within its blocks, and its checkpoint.
 struct Begun {
     tests::Folder folder;
     rough::DesignProblem problem;
@@ -39,7 +39,7 @@ struct Begun {
     }
 };
 
-/// Goes on from a file and writes none: a disk is slow.
+/// Resumes from a file without writing new ones, which would be slow.
 struct Resumed : ga::Checkpoints<rough::DesignProblem> {
     using Checkpoints::Checkpoints;
     bool due(double) const override { return false; }
@@ -47,7 +47,7 @@ struct Resumed : ga::Checkpoints<rough::DesignProblem> {
                const ga::Population<rough::Genome>*) override {}
 };
 
-/// What was kept, altered as the bytes tell: four a change, of them two for the place.
+/// A checkpoint with changes given by the bytes: four bytes per change, two of them for the place.
 std::string altered(std::string kept, std::string_view bytes) {
     for (; bytes.size() >= 4 && !kept.empty(); bytes.remove_prefix(4)) {
         const auto byte = [&](std::size_t i) {
@@ -77,7 +77,7 @@ std::string altered(std::string kept, std::string_view bytes) {
 
 } // namespace
 
-/// Under a whole seal, as a checksum keeps all else from being read.
+/// The altered checkpoint gets a valid checksum; otherwise it would be refused unread.
 FUZZ(checkpoint) {
     static const Begun begun;
     const std::string kept = altered(begun.kept, bytes);
@@ -86,6 +86,6 @@ FUZZ(checkpoint) {
     Resumed keeper(begun.folder / "run", "", true);
     try {
         begun.run(keeper, 200);
-    } catch (const ga::NothingLeft&) { // of altered genomes, none may have an answer
+    } catch (const ga::NothingLeft&) { // all altered genomes may fail
     }
 }

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-/// A word a line.
+/// One word per line.
 FUZZ(command_line) {
     std::vector<std::string> words;
     std::istringstream lines{std::string(bytes)};

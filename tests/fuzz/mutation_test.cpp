@@ -11,16 +11,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int mutants_a_seed = 1000;
-constexpr std::size_t longest = 100'000;
+constexpr int mutants_per_seed = 1000;
+constexpr std::size_t max_bytes = 100'000;
 
-/// What readers stumble over: extremes, half words, brackets, bytes that are no text.
+/// Bytes that may break readers: extreme numbers, parts of words, brackets, invalid text.
 constexpr std::array<std::string_view, 20> pieces{
     "0",        "-1",  "1e9", "1e308", "1e-320", "nan",  "99999999999999999999",
     "[[[[[[[[", "}",   "\"",  "\\u",   "\xFF",   "\xFE", "\xF0\x9F",
     "\r\n\r\n", ",,;", "= ",  "#",     "(",      "|"};
 
-/// One to four changes: a bit, a byte, a piece put in, a stretch left out or told twice, an early end.
+/// One to four changes: a bit, a byte, an inserted piece, a removed or repeated part, an early end.
 std::string mutant(std::string bytes, ga::Stream& random) {
     const auto below = [&](std::size_t n) {
         return std::min(static_cast<std::size_t>(random.uniform() * static_cast<double>(n)), n - 1);
@@ -51,13 +51,13 @@ std::string mutant(std::string bytes, ga::Stream& random) {
             break;
         }
     }
-    bytes.resize(std::min(bytes.size(), longest));
+    bytes.resize(std::min(bytes.size(), max_bytes));
     return bytes;
 }
 
 } // namespace
 
-TEST_CASE("a reader takes altered bytes or says what is wrong with them, nothing else") {
+TEST_CASE("a reader reads altered bytes or refuses them with its error") {
     REQUIRE(fuzz::readers().size() == 11);
     for (const fuzz::Reader& reader : fuzz::readers()) {
         std::vector<fs::path> seeds;
@@ -69,7 +69,7 @@ TEST_CASE("a reader takes altered bytes or says what is wrong with them, nothing
             const std::string bytes = rough::read_whole(seed);
             INFO(seed.string());
             CHECK_NOTHROW(reader.read(bytes));
-            for (int i = 0; i < mutants_a_seed; ++i) {
+            for (int i = 0; i < mutants_per_seed; ++i) {
                 ga::Stream random(ga::fold(ga::fold(std::uint64_t{1}, seed.filename().string()),
                                            static_cast<std::uint64_t>(i)));
                 const std::string altered = mutant(bytes, random);

@@ -11,13 +11,13 @@
 
 namespace fuzz {
 
-/// A reader under attack: it is given bytes, and takes them or throws InputError or UsageError, nothing else.
+/// A reader to test. It may read given bytes or throw InputError or UsageError, and nothing else.
 struct Reader {
-    std::string name; ///< of its seeds' folder too
+    std::string name; ///< also the name of the folder of its seeds
     std::function<void(std::string_view)> read;
 };
 
-/// All of this program: one where libFuzzer drives it, else every one.
+/// The readers of this program: one under libFuzzer, else all.
 inline std::vector<Reader>& readers() {
     static std::vector<Reader> all;
     return all;
@@ -28,7 +28,7 @@ inline bool add(const char* name, void (*read)(std::string_view)) {
     return true;
 }
 
-/// Gives bytes to a reader; what it throws beyond its word goes on.
+/// Gives bytes to a reader. Other exceptions than the allowed ones are not caught.
 inline void feed(const Reader& reader, std::string_view bytes) {
     try {
         reader.read(bytes);
@@ -37,7 +37,7 @@ inline void feed(const Reader& reader, std::string_view bytes) {
     }
 }
 
-/// The bytes as a file, for readers of files; the same place each time.
+/// The bytes as a file, always at the same place.
 inline std::filesystem::path as_file(std::string_view bytes) {
     static const tests::Folder folder;
     return folder.write("input", std::string(bytes));
@@ -55,7 +55,7 @@ inline std::filesystem::path as_file(std::string_view bytes) {
 #define RUGOSA_FUZZ_ENTRY
 #endif
 
-/// FUZZ(name) { … bytes … }: a reader by that name, with seeds in corpus/name.
+/// FUZZ(name) { … bytes … }: a reader of that name, with seeds in corpus/name.
 #define FUZZ(name)                                                                                           \
     static void read_##name(std::string_view bytes);                                                         \
     [[maybe_unused]] static const bool added_##name = fuzz::add(#name, read_##name);                         \

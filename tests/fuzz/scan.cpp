@@ -2,7 +2,7 @@
 
 #include "tests/fuzz/reader.hpp"
 
-/// The first byte chooses how the scan is asked for, so that its seeds begin with one.
+/// The first byte sets the options, so the seeds begin with it.
 FUZZ(scan) {
     if (bytes.empty())
         return;

@@ -55,50 +55,6 @@ TEST_CASE("the distributions equal those of Boost.Random bit by bit") {
     CHECK(all);
 }
 
-TEST_CASE("uniform, normal and whole numbers follow their distributions") {
-    std::vector<double> uniform, shifted, normal;
-    std::vector<long> counts(7);
-    for (std::uint64_t key = 0; key < 20000; ++key) { // the first of many streams
-        uniform.push_back(Stream(fold(1, key)).uniform());
-        shifted.push_back((Stream(fold(2, key)).uniform(-3, 5) + 3) / 8);
-        normal.push_back(Stream(fold(3, key)).normal());
-        ++counts[Stream(fold(4, key)).below(7)];
-    }
-    const auto line = [](double x) { return x; };
-    CHECK(distance(uniform, line) < 1.95); // 0.1 % of right ones are further
-    CHECK(distance(shifted, line) < 1.95);
-    CHECK(distance(normal, [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }) < 1.95);
-    double chi_squared = 0;
-    for (const long count : counts)
-        chi_squared += std::pow(static_cast<double>(count) - 20000 / 7.0, 2) / (20000 / 7.0);
-    CHECK(chi_squared < 22.5); // 6 degrees of freedom, 0.1 %
-    CHECK(Stream(5).below(1) == 0);
-}
-
-TEST_CASE("a chance picks each index independently with its probability") {
-    for (const double p : {0.0, 0.003, 0.2, 0.9, 1.0}) {
-        const Chance chance(p);
-        CHECK(chance.probability() == p);
-        const std::size_t n = 50000;
-        std::vector<bool> picked(n);
-        Stream stream(9);
-        chance.each(n, stream, [&](std::size_t i) { picked.at(i) = true; });
-        double count = 0, both = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            count += picked[i] ? 1 : 0;
-            both += i > 0 && picked[i] && picked[i - 1] ? 1 : 0;
-        }
-        const auto size = static_cast<double>(n);
-        CHECK(std::abs(count - p * size) <= 4 * std::sqrt(p * (1 - p) * size));
-        CHECK(std::abs(both - p * p * (size - 1)) <= 10 * std::sqrt(p * p * (1 - p) * size) + p * p);
-    }
-    Stream stream(1);
-    std::vector<std::size_t> first;
-    for (int i = 0; i < 4000; ++i)
-        Chance(0.3).each(1, stream, [&](std::size_t at) { first.push_back(at); });
-    CHECK(std::abs(static_cast<double>(first.size()) - 1200) < 4 * std::sqrt(4000 * 0.3 * 0.7));
-}
-
 TEST_CASE("parallel work finishes, then throws its first exception in order") {
     for (const int threads : {1, 4}) {
         std::atomic<int> done = 0;

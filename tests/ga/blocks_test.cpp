@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <map>
 
 using namespace ga;
@@ -74,7 +75,7 @@ TEST_CASE("a migrant replaces the worst of the next island") {
 }
 
 TEST_CASE("islands inside islands never give one identity to two individuals") {
-    std::map<Identity, Vector> genomes; // of all individuals that ever were
+    std::map<Identity, Vector> genomes; // genomes of all individuals of the run
     const Observer<Vector> observer = [&](const auto& event) {
         for (const auto& each : event.population)
             CHECK(genomes.try_emplace(each.identity, each.genome).first->second == each.genome);
@@ -89,6 +90,28 @@ TEST_CASE("islands inside islands never give one identity to two individuals") {
     CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
 }
 
+TEST_CASE("nested islands run on a bounded number of threads, with the same bits for any") {
+    std::string first;
+    for (const int threads : {1, 3}) {
+        std::atomic<long> most = 0; // threads of the process during an evaluation
+        Reals problem;
+        problem.f = [&](const Vector& x) {
+            const auto tasks = std::filesystem::directory_iterator("/proc/self/task");
+            const long count = std::distance(begin(tasks), end(tasks));
+            for (long seen = most; count > seen && !most.compare_exchange_weak(seen, count);)
+                ;
+            return x;
+        };
+        const auto result = run("sample 400 | score | islands 20 rounds=2 migrants=1 { "
+                                "islands 20 rounds=1 migrants=1 { mutate 0.5 | score } }",
+                                problem, {}, {.threads = threads});
+        CHECK(result.population.size() == 400);
+        CHECK(most <= 64 + 64 + 8);
+        CHECK((first.empty() || bits_of(result) == first));
+        first = bits_of(result);
+    }
+}
+
 TEST_CASE("islands without migrants need no score") {
     CHECK(run("sample 4 | islands 2 rounds=2 migrants=0 { mutate 1 } | score", Reals{}).population.size() ==
           4);
@@ -96,7 +119,7 @@ TEST_CASE("islands without migrants need no score") {
                     UsageError);
 }
 
-TEST_CASE("islands note remarks under their own paths") {
+TEST_CASE("remarks of islands have the island's path") {
     CHECK(run("score | islands 2 rounds=1 migrants=0 { score | above 50 at_least=2 }", given(),
               individuals({1, 2, 3, 4, 5, 6}))
               .notes ==
@@ -113,7 +136,7 @@ TEST_CASE("restarts join the answers of different runs") {
 
 TEST_CASE("a pair takes each child once and skips parents without a child") {
     const auto result = run("score | pair(score, score, mean) | score", CurveFit{}, CurveFit::start(3));
-    CHECK(result.population.size() == 3); // of nine pairs three are of one parent and three are repeated
+    CHECK(result.population.size() == 3); // three of nine pairs have one parent and three are repeated
     CHECK(result.population[0].parents == Parents(0, 1));
 }
 
@@ -129,5 +152,5 @@ TEST_CASE("a stage with too few individuals ends the run and says how many") {
     ends("de", "de.1: 3 individuals; expected 4 at least");
     ends("pair(score | best 2, score, none)", "pair.1: 2 and 3 individuals gave no child by none");
     ends("repeat 2 { map-elites none | score }",
-         "repeat.1/map-elites.1: nobody has descriptors that are numbers");
+         "repeat.1/map-elites.1: no individual has descriptors that are numbers");
 }

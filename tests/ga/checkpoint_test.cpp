@@ -36,7 +36,7 @@ Reals slow() {
     return problem;
 }
 
-/// What an observer has seen, which checkpoints keep.
+/// Events of an observer, which checkpoints store.
 std::vector<std::string> seen;
 const Observer<Vector> observer = [](const auto& event) {
     seen.push_back(event.path + " " + std::to_string(event.counters.asked));
@@ -191,7 +191,7 @@ TEST_CASE("individuals of every kind are written and read without loss") {
     Population<Vector> start = population<Vector>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
     start[0].fitness = Fitness(Name(std::string("a")), 0.1 + 0.2);
     start.push_back(start[1]);
-    start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}, 0.25);
+    start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}).constrained({0.25});
     start[0].parents = Parents(4, 7);
     start[0].origin = std::make_shared<const Vector>(3, 1e300);
     start[1].fitness = Fitness::failed(Name(std::string("a")), std::make_shared<const std::string>("no"));
@@ -214,7 +214,7 @@ TEST_CASE("a checkpoint of another run is refused") {
     Checkpoints<Reals> kept(file, "a", false), same(file, "a", true), other(file, "b", true);
     run("sample 3 | score", Reals{}, {}, {}, {}, &kept);
     const std::string message = "checkpoint '" + file.string() +
-                                "' is of another run; expected the same pipeline, seed, start and settings";
+                                "' is of another run; use the same pipeline, seed, start and settings";
     CHECK_THROWS_WITH(run("sample 3 | score", Reals{}, {}, {}, {}, &other), message);
     CHECK_THROWS_WITH(run("sample 4 | score", Reals{}, {}, {}, {}, &same), message);
     CHECK_THROWS_WITH(run("sample 3 | score", Reals{}, {}, {.seed = 2}, {}, &same), message);
@@ -280,19 +280,8 @@ TEST_CASE("a forged checkpoint that nests too deep or does not fit is refused") 
         json altered = good;
         altered[json::json_pointer(place)] = value;
         CHECK_THROWS_WITH(forged(file, altered, evolving),
-                          "the checkpoint does not fit its pipeline; expected one that was written by it");
+                          "the checkpoint does not fit its pipeline; use one that this pipeline has written");
     }
-}
-
-TEST_CASE("a forged checkpoint with a gene fewer than its origin is refused") {
-    const tests::Folder folder;
-    const std::string pipeline = "sample 3 | score | repeat 3 { refine nlopt LN_COBYLA 4 }";
-    json altered = stopped(folder / "run", pipeline);
-    for (auto& frame : altered["snapshot"][0])
-        for (auto& individual : frame[1])
-            individual[0].erase(0);
-    CHECK_THROWS_WITH(forged(folder / "run", altered, pipeline),
-                      "refine: gene 5 is to move, the genome has 5");
 }
 
 TEST_CASE("a forged state of an operator that learns is refused or harmless") {
@@ -301,7 +290,7 @@ TEST_CASE("a forged state of an operator that learns is refused or harmless") {
     for (const std::string pipeline : {"sample 1 | score | repeat 30 { cma-es | score }",
                                        "sample 10 | score | repeat 30 { l-shade | score | duel }"}) {
         const json good = stopped(folder / "run", pipeline, problem, 40), flat = good.flatten();
-        std::set<std::string> places; // of the state and all its parts: /snapshot/0/FRAME/4/OPERATOR/...
+        std::set<std::string> places; // the state and all its parts: /snapshot/0/FRAME/4/OPERATOR/...
         for (const auto& [leaf, value] : flat.items())
             if (const std::size_t name = leaf.find("~1"); name != std::string::npos)
                 for (std::size_t end = leaf.size(); end > name && end != std::string::npos;
@@ -320,7 +309,7 @@ TEST_CASE("a forged state of an operator that learns is refused or harmless") {
                     CHECK(result.best);
                 } catch (const UsageError& error) {
                     CHECK(std::string(error.what()) ==
-                          "the checkpoint does not fit its pipeline; expected one that was written by it");
+                          "the checkpoint does not fit its pipeline; use one that this pipeline has written");
                     ++refused;
                 }
             }
@@ -328,7 +317,7 @@ TEST_CASE("a forged state of an operator that learns is refused or harmless") {
     }
 }
 
-TEST_CASE("a checkpoint follows no link, and a failed write does not stop the run") {
+TEST_CASE("a checkpoint does not follow links, and a failed write does not stop the run") {
     const tests::Folder folder;
     write(folder / "victim", "precious");
     fs::create_symlink(folder / "victim", folder / "run.tmp");

@@ -1,8 +1,4 @@
-#include "ga/adaptation/differential_evolution.hpp"
-#include "ga/adaptation/epsilon.hpp"
-#include "ga/checkpoint/checkpoint.hpp"
-#include "ga/ga.hpp"
-#include "ga/refinement/refinement.hpp"
+#include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,23 +6,17 @@ using namespace ga;
 
 namespace {
 
-/// Minimises x + y on a ring of width 0.002 about the circle of radius 2 with y at least 0.1 below the axis:
-/// the answer is about (-sqrt 2, -sqrt 2). One violation is in millions, so that a sum would not see others.
-struct Ring {
-    using Genome = std::vector<double>;
-    using Outcome = std::array<double, 2>;
-
-    std::vector<Objective<Outcome>> list = {{"sum", [](const Outcome& o) { return o[0] + o[1]; }, true}};
-
-    Outcome evaluate(const Genome& x) const { return {x[0], x[1]}; }
-    const std::vector<Objective<Outcome>>& objectives() const { return list; }
-    std::vector<double> violation(const Outcome& o) const {
-        const double off = std::abs(o[0] * o[0] + o[1] * o[1] - 4);
-        return {off - 0.002, 1e6 * (o[1] + 0.1)};
-    }
-    std::vector<Variable> bounds(const Genome&) const { return {{0, -4, 4}, {1, -4, 4}}; }
-    Genome sample(Stream& stream) const { return {stream.uniform(-4, 4), stream.uniform(-4, 4)}; }
-};
+/// Minimises x + y on a ring of width 0.002 about the circle of radius 2, with y at least 0.1 below the axis.
+/// The solution is about (-sqrt 2, -sqrt 2). One violation is in millions, so it dominates a sum.
+Reals ring() {
+    Reals problem;
+    problem.n = 2, problem.lower = -4, problem.upper = 4;
+    problem.list = {{"sum", [](const Vector& x) { return x[0] + x[1]; }, true}};
+    problem.excess = [](const Vector& x) {
+        return Vector{std::abs(x[0] * x[0] + x[1] * x[1] - 4) - 0.002, 1e6 * (x[1] + 0.1)};
+    };
+    return problem;
+}
 
 const Name sum_of("sum");
 
@@ -49,12 +39,10 @@ TEST_CASE("the epsilon rule finds a thin feasible set more often than Deb's rule
     const auto near = [](const auto& result) {
         return result.best->fitness.feasible() && result.best->value() < -2.82;
     };
-    const auto vary = differential_evolution() | score();
+    const std::string start = "sample 20 | score | repeat 60 { de | score | ";
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        by_rules +=
-            near(run<Ring>(sample(20) | score() | repeat(60, vary | duel()), Ring{}, {}, {.seed = seed}));
-        by_levels += near(run<Ring>(sample(20) | score() | repeat(60, vary | epsilon(45) | duel()), Ring{},
-                                    {}, {.seed = seed}));
+        by_rules += near(run(start + "duel }", ring(), {}, {.seed = seed}));
+        by_levels += near(run(start + "epsilon 45 | duel }", ring(), {}, {.seed = seed}));
     }
     CHECK(by_levels > by_rules);
     CHECK(by_levels >= 8);
@@ -71,11 +59,9 @@ TEST_CASE("levels of the epsilon rule end with their block, and with a run that 
         }
         return !result.population.empty();
     };
-    const auto body = mutate(0.5) | score() | epsilon(1000);
-    CHECK(strict_again(run<Ring>(sample(20) | score() | repeat(5, body), Ring{}, {})));
-    RunOptions options;
-    options.budget.evaluations = 70;
-    const auto stopped = run<Ring>(sample(20) | score() | repeat(5, body), Ring{}, {}, options);
+    const std::string pipeline = "sample 20 | score | repeat 5 { mutate 0.5 | score | epsilon 1000 }";
+    CHECK(strict_again(run(pipeline, ring())));
+    const auto stopped = run(pipeline, ring(), {}, {.budget = {.evaluations = 70}});
     CHECK(!stopped.stopped.empty());
     CHECK(strict_again(stopped));
 }
@@ -90,19 +76,15 @@ TEST_CASE("violations and levels survive a checkpoint") {
 }
 
 TEST_CASE("refinement by NLopt follows constraints into the feasible set and along its edge") {
-    const auto refined = [](const std::string& algorithm, std::vector<double> start, int evaluations) {
-        return run<Ring>(score() | refine(nlopt_method(algorithm, evaluations)), Ring{},
-                         population<Ring::Genome>({start}))
-            .population[0];
+    const auto refined = [](const std::string& method, const Vector& start) {
+        return run("score | refine nlopt " + method, ring(), population<Vector>({start}));
     };
-    const auto found = refined("LN_COBYLA", {-3.5, 3}, 300);
+    const auto found = refined("LN_COBYLA 300", {-3.5, 3}).population[0];
     CHECK(found.fitness.feasible());
     CHECK(found.value() < -2.8);
-    CHECK(refined("GN_ISRES", {3, 3}, 3000).fitness.violation() <
-          Fitness(sum_of, 0).constrained(Ring().violation({3, 3})).violation());
-    const auto blind = refined("LN_NELDERMEAD", {3, 3}, 300); // takes no constraints: nothing to go by
-    CHECK(blind.genome == std::vector<double>{3, 3});
-    CHECK(
-        run<Ring>(score() | refine(nlopt_method("LN_COBYLA", 40)), Ring{}, population<Ring::Genome>({{3, 3}}))
-            .counters.evaluations <= 42);
+    CHECK(refined("GN_ISRES 3000", {3, 3}).population[0].fitness.violation() <
+          Fitness(sum_of, 0).constrained(ring().excess({3, 3})).violation());
+    // without constraints in the method, all points are equal
+    CHECK(refined("LN_NELDERMEAD 300", {3, 3}).population[0].genome == Vector{3, 3});
+    CHECK(refined("LN_COBYLA 40", {3, 3}).counters.evaluations <= 42);
 }

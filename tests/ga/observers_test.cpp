@@ -93,7 +93,7 @@ TEST_CASE("a log and a hall of fame continue when the run is resumed") {
         stopped = run(pipeline, problem, {}, {.budget = {.evaluations = budget}},
                       {log.observer(problem), hall.observer()}, &checkpoints)
                       .stopped;
-        if (budget % 3 == 0) // some were killed, the others interrupted: these leave a table
+        if (budget % 3 == 0) // an interrupted run leaves a table, a killed one does not
             log.close();
         if (stopped.empty()) {
             log.close();

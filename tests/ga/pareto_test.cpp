@@ -118,16 +118,16 @@ Reals schaffer() {
                     {"worth", [](const Vector& f) { return -f[0] - f[1]; }}};
     return problem;
 }
-/// The same with the constraint |x| >= 1.
+/// Schaffer's problem with the constraint |x| >= 1.
 Reals walled() {
     Reals problem = schaffer();
-    problem.excess = [](const Vector& f) { return 1 - f[0]; };
+    problem.excess = [](const Vector& f) { return Vector{1 - f[0]}; };
     return problem;
 }
 
 } // namespace
 
-TEST_CASE("a search minimises when its objective says so") {
+TEST_CASE("a search minimises an objective that is to be minimised") {
     const auto result = run("sample 30 | score f1 | best 3", schaffer());
     CHECK(result.population[0].value() <= result.population[1].value());
     CHECK(result.best->value() == result.population[0].value());

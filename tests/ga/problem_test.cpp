@@ -35,21 +35,25 @@ std::vector<Identity> identities(const Population<int>& individuals) {
 } // namespace
 
 TEST_CASE("merits follow Deb's rules when individuals violate constraints or fail") {
-    CHECK(worth({Fitness(one, 100, false, 2), Fitness(one, 1), Fitness(one, 3), Fitness(one, 100, false, 0.5),
-                 Fitness::failed(one, reason("broke")), Fitness(one, 3), Fitness(one, 7, false, 2)}) ==
+    CHECK(worth({Fitness(one, 100).constrained({2}), Fitness(one, 1), Fitness(one, 3),
+                 Fitness(one, 100).constrained({0.5}), Fitness::failed(one, reason("broke")), Fitness(one, 3),
+                 Fitness(one, 7).constrained({2})}) ==
           std::vector<double>{-4, -2, -1, -3, -HUGE_VAL, -1, -4});
-    CHECK(worth({Fitness(one, 1, true, 1), Fitness(one, 2, true), Fitness(one, 3, true)}) ==
+    CHECK(worth({Fitness(one, 1, true).constrained({1}), Fitness(one, 2, true), Fitness(one, 3, true)}) ==
           std::vector<double>{-3, -1, -2});
     CHECK(worth({Fitness(one, 4, true), Fitness(one, -2, true)}) == std::vector<double>{-4, 2});
 }
 
 TEST_CASE("merits combine rank and crowding when there are several objectives") {
     // the front (0,3) (1,2) (3,0), behind it (0,1), behind that two violations and a failure
-    const std::vector<Fitness> all = {
-        Fitness(several, Point{0, 3}),    Fitness(several, Point{1, 2}),
-        Fitness(several, Point{3, 0}),    Fitness(several, Point{0, 1}),
-        Fitness(several, Point{9, 9}, 2), Fitness(several, Point{9, 9}, 0.1),
-        Fitness(several, Point{0, 0}, 2), Fitness::failed(several, reason("broke"))};
+    const std::vector<Fitness> all = {Fitness(several, Point{0, 3}),
+                                      Fitness(several, Point{1, 2}),
+                                      Fitness(several, Point{3, 0}),
+                                      Fitness(several, Point{0, 1}),
+                                      Fitness(several, Point{9, 9}).constrained({2}),
+                                      Fitness(several, Point{9, 9}).constrained({0.1}),
+                                      Fitness(several, Point{0, 0}).constrained({2}),
+                                      Fitness::failed(several, reason("broke"))};
     const std::vector<double> found = worth(all);
     CHECK(found[0] == 0.5);
     CHECK(found[1] == Approx(2 / (2 * (1 + 2.0))));
@@ -87,7 +91,7 @@ TEST_CASE("a comparison is refused when policies differ or a fitness is missing"
     CHECK_THROWS_AS(better(both, Fitness(Name(std::string("pareto g f")), Point{1, 2})), UsageError);
     CHECK(better(both, Fitness(several, Point{1, 1})));
     CHECK(!better(both, Fitness(several, Point{2, 1})));
-    CHECK(better(both, Fitness(several, Point{9, 9}, 1)));
+    CHECK(better(both, Fitness(several, Point{9, 9}).constrained({1})));
     CHECK(comparable(scored({f, f})));
     CHECK(!comparable(scored({f, g})));
     CHECK(!comparable(scored({f, none})));

@@ -32,7 +32,7 @@ struct Reals {
                         }},
                        {"first", [](const Outcome& x) { return -x[0] * x[0]; }}};
     std::vector<ga::Descriptor<Genome>> features = {};
-    std::function<double(const Outcome&)> excess = [](const Outcome&) { return 0; }; ///< violates above 0
+    std::function<Vector(const Outcome&)> excess = [](const Outcome&) { return Vector(); }; ///< violations
     std::function<Vector(const Genome&)> slope = [](const Genome&) { return Vector(); };
     std::function<std::vector<ga::Variable>(const Genome&)> box = {}; ///< in place of n, lower and upper
     double noise = 0; ///< standard deviation of each replicate
@@ -60,7 +60,7 @@ struct Reals {
             gene = stream.uniform(std::max(lower, -5.0), std::min(upper, 5.0));
         return x;
     }
-    double violation(const Outcome& outcome) const { return excess(outcome); }
+    Vector violation(const Outcome& outcome) const { return excess(outcome); }
     Vector gradient(const Genome& x, const std::string&) const { return slope(x); }
     const std::vector<ga::Descriptor<Genome>>& descriptors() const { return features; }
 };
@@ -96,8 +96,8 @@ inline ga::Population<Vector> individuals(const Vector& genes) {
     return ga::population(genomes);
 }
 
-/// The largest distance of the draws' distribution from the expected one (Kolmogorov and Smirnov), in units
-/// of which one correct sample in a thousand exceeds 1.95.
+/// The largest distance of the draws' distribution from the expected one (Kolmogorov and Smirnov). One
+/// correct sample in a thousand exceeds 1.95.
 template <class Distribution>
 double distance(Vector draws, const Distribution& distribution) {
     std::sort(draws.begin(), draws.end());
@@ -144,8 +144,8 @@ inline double rastrigin(const Vector& x) {
 
 } // namespace functions
 
-/// Residuals with derivatives: fit y(x) = a exp(-b x) + c to five points that a = 2, b = 1.5, c = 0.5 go
-/// through. Outcome: relative residuals r. Objectives: `fit` = 1 - max|r|, `low` and `high` of the first and
+/// Residuals with derivatives: fits y(x) = a exp(-b x) + c to five points of the curve with a = 2, b = 1.5, c
+/// = 0.5. Outcome: relative residuals r. Objectives: `fit` = 1 - max|r|, `low` and `high` of the first and
 /// last two. Each member function calls its hook, which may count, alter or throw.
 struct CurveFit {
     using Genome = Vector;

@@ -41,9 +41,9 @@ Landscape noisy_curve() {
     });
 }
 
-/// Levenberg-Marquardt as it is published, by another way to solve it: each step h is the least-squares
-/// solution of J h = -r and sqrt(mu) D h = 0 with D the lengths of J's columns (Marquardt 1963), mu follows
-/// the gain (Nielsen 1999, Eq. 2.21).
+/// Levenberg-Marquardt as published, with another linear solver. Each step h is the least-squares solution of
+/// J h = -r and sqrt(mu) D h = 0, where D has the lengths of J's columns (Marquardt 1963). mu follows the
+/// gain (Nielsen 1999, Eq. 2.21).
 VectorXd by_the_book(const Landscape& land, int evaluations) {
     VectorXd x = land.start;
     Sensitivity at = *land.sensitivity(x);
@@ -107,7 +107,7 @@ TEST_CASE("Levenberg-Marquardt ignores a variable that descent holds at its boun
     };
     const Landscape alone = landscape(VectorXd::Constant(1, 3), 10,
                                       [&](const VectorXd& x) { return row(x[0], 1, false, false); });
-    for (const bool first : {false, true}) { // of the two
+    for (const bool first : {false, true}) { // position of the free variable
         Landscape both = landscape(first ? Eigen::Vector2d(1, 3) : Eigen::Vector2d(3, 1), 10,
                                    [&](const VectorXd& x) { return row(x[first], x[!first], true, first); });
         both.upper[!first] = 1;
@@ -323,9 +323,8 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
         CHECK_THROWS_WITH(run("score | refine nlopt " + name + " 8", CurveFit{}, CurveFit::start(2)),
                           Catch::Contains(message));
     };
-    refused("LN_COBYLE",
-            "refine nlopt: unknown algorithm 'LN_COBYLE'; expected one of NLopt's, e.g. LN_COBYLA");
-    refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; expected one that "
+    refused("LN_COBYLE", "refine nlopt: unknown algorithm 'LN_COBYLE'; use one of NLopt's, e.g. LN_COBYLA");
+    refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; use one that "
                          "works alone, e.g. LN_COBYLA");
     refused("LD_LBFGS", "needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
 }

@@ -85,12 +85,12 @@ TEST_CASE("best orders the best first and failed individuals last") {
     CHECK(kept("best 9", {2, std::nan(""), 3, 1, 3}) == std::vector<Identity>{2, 4, 0, 3, 1});
 }
 
-TEST_CASE("a threshold keeps the order of those who pass") {
+TEST_CASE("a threshold keeps the order of the individuals that pass") {
     CHECK(kept("below 2.5", {2, 5, 1, 3}) == std::vector<Identity>{0, 2});
     CHECK(kept("above 2.5 at_least=2", {2, 3, 1, 5}) == std::vector<Identity>{1, 3});
 }
 
-TEST_CASE("a threshold that nobody passes takes the best at_least, or ends the run") {
+TEST_CASE("a threshold that no individual passes takes the best at_least, or ends the run") {
     const auto result = run("score | above 2 at_least=2", given(), individuals({1, -1, 0}), {.variant = "v"});
     CHECK(result.population.size() == 2);
     CHECK(result.population[1].identity == 2);
@@ -104,4 +104,34 @@ TEST_CASE("a selection in proportion to the fitness is refused when there are se
         CHECK_THROWS_WITH(run("sample 4 | pareto squares first | " + name + " | score", Reals{}),
                           Catch::Contains("one objective"));
     CHECK_NOTHROW(run("sample 4 | pareto squares first | rank 1.5 | score", Reals{}));
+}
+
+TEST_CASE("a replacement keeps the population's size, and elite and plus its best") {
+    const std::string children = "tournament 2 | cross uniform | mutate 0.2 | score | ";
+    for (const std::string& body :
+         {children + "elite 1", children + "elite 5", children + "plus", children + "plus 20",
+          std::string("tournament 2 size=2 | cross blend | score | steady")}) {
+        CAPTURE(body);
+        std::vector<double> bests;
+        const Observer<Vector> observer = [&](const auto& event) {
+            if (!event.path.ends_with("elite.1") && !event.path.ends_with("plus.1") &&
+                !event.path.ends_with("steady.1"))
+                return;
+            CHECK(event.population.size() == 20);
+            bests.push_back(event.population[ranking(event.population)[0]].value());
+        };
+        run("sample 20 | score | repeat 60 { " + body + " }", Reals{}, {}, {}, {observer});
+        CHECK(bests.size() == 60);
+        CHECK((body.ends_with("steady") || std::is_sorted(bests.begin(), bests.end())));
+        CHECK(bests.back() > bests.front());
+    }
+}
+
+TEST_CASE("steady replaces the worst by the children, whatever their fitness") {
+    const auto zero = transform("zero", [](const Vector&) { return Vector{-7}; });
+    const auto body = reals("best 1") | zero | reals("score | steady");
+    Vector values;
+    for (const auto& each : run(reals("score") | repeat(1, body), given(), individuals({3, 1, 2})).population)
+        values.push_back(each.value());
+    CHECK(values == Vector{3, -7, 2});
 }

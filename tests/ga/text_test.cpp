@@ -111,60 +111,31 @@ TEST_CASE("the algorithm of ga/README.md gives the same bits as its text") {
 
 TEST_CASE("an operator's text is read as the same operator") {
     Parser<CurveFit> parser(curve_registry());
-    for (const std::string text :
-         {"score",
-          "score low",
-          "best 3",
-          "above 0.95",
-          "below -1.5e-07 at_least=2",
-          "tournament 3",
-          "tournament 2 size=5",
-          "roulette",
-          "sus",
-          "rank 1.25",
-          "random",
-          "random 4",
-          "pareto low high",
-          "front",
-          "cross one_point",
-          "cross n_points 4 rate=0.5",
-          "cross uniform",
-          "cross blend 0.25",
-          "cross sbx 2",
-          "mutate 0.1",
-          "mutate 0.1 gaussian 0.2",
-          "mutate 0.1 uniform 0.3",
-          "mutate 0.1 polynomial 30",
-          "mutate 0.1 reset",
-          "mutate 0.1 swap",
-          "mutate 0.1 reverse",
-          "refine mma 3 genes=all",
-          "refine minimax 3 genes=tenth",
-          "refine lm 30 genes=all",
-          "refine lm 9 sharpen=3 genes=all",
-          "refine nlopt LN_COBYLA 20 genes=all",
-          "elite 2",
-          "plus",
-          "plus 7",
-          "parents",
-          "steady",
-          "turn genes",
-          "repeat 3 { score | elite 1 }",
-          "until generations 3 evaluations 100 seconds 2.5 fitness 0.5 stagnation 4 { score }",
-          "until stagnation 4 converged 1e-12 { score }",
-          "restarts 2 { score | best 1 }",
-          "islands 3 rounds=4 migrants=2 { score }",
-          "pair(score, best 2, mean)"})
-        CHECK(parser.parse(text).text() == text);
-    for (const std::string text :
-         {"average 3", "cma-es sigma=0.2 population=7 restarts=ipop", "de best F=0.7 CR=0.3",
-          "de rand F=0.5 CR=0.9 crossing=exp", "l-shade evaluations=900 memory=4 archive=1.5 p=0.2",
-          "self-adaptive 0.2 steps=one", "share 0.3 alpha=2", "clear 0.3 capacity=2",
-          "map-elites a b cells=5", "emit 4 a b sigma=0.2", "duel", "crowding"})
-        CHECK(reals(text).text() == text);
+    const auto each_line = [](const std::string& text, auto check) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            check(line);
+    };
+    each_line(
+        "score\nscore low\nbest 3\nabove 0.95\nbelow -1.5e-07 at_least=2\ntournament 3\ntournament 2 size=5\n"
+        "roulette\nsus\nrank 1.25\nrandom\nrandom 4\npareto low high\nfront\ncross one_point\n"
+        "cross n_points 4 rate=0.5\ncross uniform\ncross blend 0.25\ncross sbx 2\nmutate 0.1\n"
+        "mutate 0.1 gaussian 0.2\nmutate 0.1 uniform 0.3\nmutate 0.1 polynomial 30\nmutate 0.1 reset\n"
+        "mutate 0.1 swap\nmutate 0.1 reverse\nrefine mma 3 genes=all\nrefine minimax 3 genes=tenth\n"
+        "refine lm 30 genes=all\nrefine lm 9 sharpen=3 genes=all\nrefine nlopt LN_COBYLA 20 genes=all\n"
+        "elite 2\nplus\nplus 7\nparents\nsteady\nturn genes\nrepeat 3 { score | elite 1 }\n"
+        "until generations 3 evaluations 100 seconds 2.5 fitness 0.5 stagnation 4 { score }\n"
+        "until stagnation 4 converged 1e-12 { score }\nrestarts 2 { score | best 1 }\n"
+        "islands 3 rounds=4 migrants=2 { score }\npair(score, best 2, mean)",
+        [&](const std::string& text) { CHECK(parser.parse(text).text() == text); });
+    each_line("average 3\ncma-es sigma=0.2 population=7 restarts=ipop\nde best F=0.7 CR=0.3\n"
+              "de rand F=0.5 CR=0.9 crossing=exp\nl-shade evaluations=900 memory=4 archive=1.5 p=0.2\n"
+              "self-adaptive 0.2 steps=one\nshare 0.3 alpha=2\nclear 0.3 capacity=2\nmap-elites a b cells=5\n"
+              "emit 4 a b sigma=0.2\nduel\ncrowding",
+              [](const std::string& text) { CHECK(reals(text).text() == text); });
 }
 
-TEST_CASE("unreadable text is refused at its column with what was expected") {
+TEST_CASE("unreadable text is refused at its column with the expected word") {
     refused("", "pipeline, column 1: unexpected end; expected the name of a stage");
     refused("score | | best 1", "pipeline, column 9: unexpected '|'; expected the name of a stage");
     refused("score | repeat 3 { best 1", "pipeline, column 26: unexpected end; expected }");
@@ -212,17 +183,17 @@ TEST_CASE("more than 100 nested pipelines or 10,000 stages are refused") {
     };
     CHECK(inside(100) == 1);
     CHECK_THROWS_WITH(inside(101), Catch::Contains("more than 100 pipelines inside each other"));
-    Registry<CurveFit> registry = vocabulary<CurveFit>();
-    std::string row = "score";
-    for (int i = 1; i < 100; ++i)
-        row += " | score";
-    std::string all = "row";
-    for (int i = 1; i < 100; ++i)
-        all += " | row";
-    Parser<CurveFit> parser(registry, {{"row", row}, {"all", all}, {"more", all + " | best 1"}});
+    const auto hundred = [](const std::string& stage) {
+        std::string text = stage;
+        for (int i = 1; i < 100; ++i)
+            text += " | " + stage;
+        return text;
+    };
+    const std::string row = hundred("score"), all = hundred("row");
+    Parser<CurveFit> parser(curve_registry(), {{"row", row}, {"all", all}, {"more", all + " | best 1"}});
     CHECK_NOTHROW(parser.variant("all"));
     CHECK_THROWS_WITH(parser.variant("more"), Catch::Contains("more than 10000 stages"));
-    CHECK_NOTHROW(parser.variant("all")); // what was read before, or refused, does not count
+    CHECK_NOTHROW(parser.variant("all")); // stages of earlier texts do not count
     CHECK_NOTHROW(parser.parse(all));
 }
 
@@ -244,24 +215,16 @@ TEST_CASE("a value out of range is refused with the range") {
     refused(
         "until generations { score }",
         "pipeline, column 7: stage 'until': 'generations' lacks its value; expected a whole number from 1");
-    refused(
-        "until { score }",
-        "pipeline, column 1: a block of generations needs an end; expected repeat N with N >= 1, or until "
-        "with one of generations, evaluations, seconds, fitness, stagnation, converged");
+    refused("until { score }",
+            "pipeline, column 1: until has no end; give one of generations, evaluations, seconds, fitness, "
+            "stagnation, converged");
 }
 
 TEST_CASE("a pipeline that cannot work is refused at its stage's column") {
     refused("score | repeat 2 { mutate 0.1 | best 1 }",
             "pipeline, column 33: stage 'best 1' needs a scored population; expected score before it");
-    refused("score | elite 1", "pipeline, column 9: stage 'elite 1' reads the start of a generation; "
-                               "expected it inside repeat or until");
-    refused("score | score middle", "pipeline, column 9: stage 'score middle': unknown objective 'middle'; "
-                                    "expected one of fit, low, high");
     refused("score | cross uniform", "pipeline, column 9: stage 'cross uniform' leaves the population "
                                      "unscored at the end; expected score after it");
-    refused(
-        "score | front",
-        "pipeline, column 9: stage 'front' needs a population ranked by pareto; expected pareto before it");
     refused("pareto low low",
             "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
 }
@@ -275,12 +238,12 @@ TEST_CASE("a named pipeline is expanded in place") {
     refused("a", "variant 'b', column 9: variants contain each other: a -> b -> a",
             {{"a", "b"}, {"b", "score | a"}});
     refused("a 3", "pipeline, column 1: variant 'a' takes no arguments", {{"a", "score"}});
-    refused("score", "variant 'best' has an operator's name; expected another", {{"best", "score"}});
+    refused("score", "variant 'best' has an operator's name; choose another", {{"best", "score"}});
     refused("a", "variant 'a', column 6: stage 'best': n is '0'; expected a whole number from 1",
             {{"a", "best 0"}});
 }
 
-TEST_CASE("the listing names every operator under its group, with what a genome lacks") {
+TEST_CASE("the listing names every operator under its group, with its unmet needs") {
     const std::string list = "\n" + listing(curve_registry());
     std::size_t at = 0;
     std::string group;

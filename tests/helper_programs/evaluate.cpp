@@ -1,4 +1,4 @@
-// A child for the tests of `rugosa optimise`: evaluates genomes by the function that its word names.
+// A child for the tests of `rugosa optimise`: evaluates genomes by the function that its argument names.
 
 #include <algorithm>
 #include <iostream>
@@ -24,7 +24,7 @@ int main(int, char** words) {
         for (double gene; in >> gene;)
             x.push_back(gene);
         in.clear();
-        in >> word; // of genes that are words, the first
+        in >> word; // the first gene that is a word
         double sum = 0, squares = 0, steps = 0;
         for (std::size_t i = 0; i < x.size(); ++i) {
             sum += x[i];
@@ -35,7 +35,7 @@ int main(int, char** words) {
         std::cout << "{\"id\":" << id << ",\"objectives\":[";
         if (function == "sphere")
             std::cout << squares << "]}";
-        else if (function == "order") // neighbours that follow each other
+        else if (function == "order") // number of neighbours that follow each other
             std::cout << steps << "]}";
         else if (function == "schaffer") // whose front is 0 <= x <= 2
             std::cout << x[0] * x[0] << "," << (x[0] - 2) * (x[0] - 2) << "]}";

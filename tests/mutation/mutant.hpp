@@ -4,10 +4,11 @@
 #include <cstdlib>
 #include <fstream>
 
-/// The break that is tried, 0 for none; -1 writes to RUGOSA_MUTANTS_REACHED which breaks a run comes by.
+/// The number of the active mutant. 0: none; -1: none, and the file RUGOSA_MUTANTS_REACHED gets the reached
+/// ones.
 inline const int rugosa_tried = std::getenv("RUGOSA_MUTANT") ? std::atoi(std::getenv("RUGOSA_MUTANT")) : 0;
 
-/// Writes a break's number when it is first come by; says false, for none is tried.
+/// Writes a mutant's number when it is reached for the first time. Returns false.
 inline bool rugosa_reached(int id) {
     static std::atomic<bool> seen[1 << 14];
     if (!seen[id].exchange(true))
@@ -15,5 +16,5 @@ inline bool rugosa_reached(int id) {
     return false;
 }
 
-/// Whether this break is the one that is tried.
+/// Whether this mutant is active.
 inline bool rugosa_mutant(int id) { return id == rugosa_tried || (rugosa_tried < 0 && rugosa_reached(id)); }

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Breaks the code in many places, one at a time, and asks which breaks the tests notice.
+"""Changes the code in many places, one at a time, and reports which changes (mutants) the tests notice.
 
     tests/mutation/run [ga] [domain] [apps] [--count N] [--seed S] ...
 
-All breaks are built at once (sites.py), in a copy of the tree, and chosen one after the other by the environment variable
-RUGOSA_MUTANT. A first run of each test, alone and without a break, tells how long it takes and which breaks it comes by. A
-break is then tried on these tests alone: those of the mirrored folder first, the quick ones first, until one fails. It is
-caught when a test fails, crashes or takes far longer than it did.
+All mutants are built at once (sites.py), in a copy of the tree. The environment variable RUGOSA_MUTANT chooses one. Each
+test first runs without a mutant, which measures its time and the mutants that it reaches. A mutant is then tried on these
+tests until one fails: first those of the mirrored folder, then the quick ones. A mutant is caught if a test fails, crashes
+or takes far longer than before.
 """
 
 import argparse
@@ -29,12 +29,12 @@ import sites
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / ".build-mutation"
 HOOK = '#include "tests/mutation/mutant.hpp"\n#line 1\n'
-# Which test programs look at a folder; those without [long] and hidden tests. The Python module's are files of tests.
+# The test programs of each folder, without [long] and hidden tests. The tests of the Python module are files.
 PYTHON = "rugosa_python"
 PROGRAMS = {"ga": ["tests_ga"], "domain": ["tests_domain"], "apps": ["tests_apps", PYTHON]}
 SPEC = "~[long]~[.]"
-REMARK = re.compile(r"\bprogress\.|\.reserve\(")  # what a terminal shows for a moment; memory taken early
-MEMORY = 6 << 30  # bytes that a test may ask for
+REMARK = re.compile(r"\bprogress\.|\.reserve\(")  # terminal output and reserved memory
+MEMORY = 6 << 30  # maximum bytes of a test
 
 
 def tracked():
@@ -42,7 +42,7 @@ def tracked():
 
 
 def sources(scopes, chosen):
-    """Files to break: what is compiled of domain and apps, every header of ga."""
+    """Files to change: the source files of domain and apps, and every header of ga."""
     for name in tracked():
         top = name.split("/")[0]
         if top in scopes and name.endswith(".hpp" if top == "ga" else ".cpp") and re.search(chosen, name):
@@ -50,7 +50,7 @@ def sources(scopes, chosen):
 
 
 def equivalents():
-    """Breaks known to change nothing: {(file, change): reason}, from lines `file | change | reason`."""
+    """Mutants known to have no effect: {(file, change): reason}, from lines `file | change | reason`."""
     known = {}
     for line in (ROOT / "tests/mutation/equivalent.txt").read_text().splitlines():
         if line and not line.startswith("#"):
@@ -60,7 +60,7 @@ def equivalents():
 
 
 def drawn(scopes, count, seed, files=""):
-    """`count` breaks, from every file in proportion to its places, at least one a file while they last."""
+    """`count` mutants, from every file in proportion to its places, and at least one per file."""
     choose = random.Random(seed)
     by_file = {}
     for name in sources(scopes, files):
@@ -91,12 +91,8 @@ def write_tree(tree, mutants):
             shutil.copymode(ROOT / name, target)
 
 
-def line_of(name, site):
-    return (ROOT / name).read_text().count("\n", 0, site[0]) + 1
-
-
 def build(tree, folder, targets, mutants, jobs):
-    """Builds; breaks that the compiler refuses are taken out until it is content, and remembered for the next run."""
+    """Builds. Mutants that do not compile are removed, and remembered for the next run."""
     memory = folder / "refused.json"
     refused_before = {tuple(one) for one in json.loads(memory.read_text())} if memory.exists() else set()
     mutants = {number: (name, site) for number, (name, site) in mutants.items() if (name, site[3]) not in refused_before}
@@ -120,8 +116,8 @@ def build(tree, folder, targets, mutants, jobs):
             if any((name, line) in bad_lines for line in range(first, last + 1)):
                 refused.add(number)
         if not refused:
-            sys.exit("tests/mutation: the build fails without a break at fault:\n" + output[-3000:])
-        print(f"{len(refused)} breaks do not compile and are left out", file=sys.stderr)
+            sys.exit("tests/mutation: the build fails, and not because of a mutant:\n" + output[-3000:])
+        print(f"{len(refused)} mutants do not compile and are left out", file=sys.stderr)
         refused_before |= {(mutants[number][0], mutants[number][1][3]) for number in refused}
         memory.write_text(json.dumps(sorted(refused_before)))
         mutants = {number: place for number, place in mutants.items() if number not in refused}
@@ -129,8 +125,8 @@ def build(tree, folder, targets, mutants, jobs):
 
 
 class Test:
-    """A test case, or a file of Python's: its build, program, name and source file; once measured its processor time and
-    the breaks it comes by."""
+    """A test case, or a file of Python tests: its build, program, name and source file, and its measured processor time
+    and reached mutants."""
 
     def __init__(self, folder, program, name, file):
         self.folder, self.program, self.name, self.file = folder, program, name, file
@@ -142,7 +138,7 @@ class Test:
         return [self.folder / "tests" / self.program, re.sub(r"([\\,\[])", r"\\\1", self.name)]
 
     def run(self, number, limit, reached=os.devnull):
-        """(why it fails or None, processor seconds), for one break."""
+        """(why it fails or None, processor seconds), for one mutant."""
         environment = dict(os.environ, RUGOSA_MUTANT=str(number), RUGOSA_MUTANTS_REACHED=reached, OMP_NUM_THREADS="1",
                            PYTHONPATH=str(self.folder / "python"), PYTHONDONTWRITEBYTECODE="1",
                            RUGOSA=str(self.folder / "rugosa"), RUGOSA_SOURCE=str(ROOT))
@@ -151,7 +147,7 @@ class Test:
                                        env=environment, cwd=folder, start_new_session=True, stdin=subprocess.DEVNULL,
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             stuck = threading.Timer(60 + 20 * limit, lambda: os.killpg(process.pid, signal.SIGKILL))
-            stuck.start()  # a break may also wait for ever
+            stuck.start()  # a mutant may also wait for ever
             _, status, usage = os.wait4(process.pid, 0)
             stuck.cancel()
         code = os.waitstatus_to_exitcode(status)
@@ -160,7 +156,7 @@ class Test:
 
 
 def measured(folder, program, jobs, chosen, limit):
-    """All tests of a program that take no longer than the limit, each run alone without a break; once a build."""
+    """All tests of a program within the time limit, each run without a mutant. Repeated only after a new build."""
     path = next((folder / "python/rugosa").glob("_rugosa*.so")) if program == PYTHON else folder / "tests" / program
     tests, memory, built = [], folder / f"{program}.measured.json", path.stat().st_mtime_ns
     kept = json.loads(memory.read_text()) if memory.exists() else {}
@@ -181,7 +177,7 @@ def measured(folder, program, jobs, chosen, limit):
             why, test.seconds = test.run(-1, limit, log.name)
             test.reached = {int(line) for line in log}
         if why:
-            print(f"without any break '{test.name}' fails ({why}); it is left out", file=sys.stderr, flush=True)
+            print(f"'{test.name}' fails without a mutant ({why}); it is left out", file=sys.stderr, flush=True)
         return None if why else test
 
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -192,7 +188,7 @@ def measured(folder, program, jobs, chosen, limit):
 
 
 def tried(number, name, tests, limit):
-    """The test that catches a break, or None, and by how many tests it was tried."""
+    """The test that catches a mutant, or None, and the number of tests tried."""
     folder = ROOT / "tests" / pathlib.Path(name).parent
     candidates = sorted((test for test in tests if number in test.reached),
                         key=lambda test: (test.file.parent != folder, test.seconds))
@@ -210,33 +206,31 @@ def tried(number, name, tests, limit):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scopes", nargs="*", default=[], metavar="ga|domain|apps")
-    parser.add_argument("--count", type=int, default=450, help="breaks to draw, over all scopes")
+    parser.add_argument("--count", type=int, default=450, help="number of mutants to draw")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--limit", type=float, default=60, help="processor seconds of tests to spend on a break (60)")
+    parser.add_argument("--limit", type=float, default=60, help="maximum processor seconds of tests per mutant (60)")
     parser.add_argument("--out", type=pathlib.Path, default=WORK / "report.json")
-    parser.add_argument("--again", type=pathlib.Path, metavar="REPORT", help="try only what survived there, with the same draw")
-    parser.add_argument("--files", default="", metavar="REGEX", help="break only files whose name matches")
+    parser.add_argument("--again", type=pathlib.Path, metavar="REPORT", help="try only the survivors there, with the same draw")
+    parser.add_argument("--files", default="", metavar="REGEX", help="change only files whose name matches")
     parser.add_argument("--tests", default="", metavar="REGEX", help="only tests of source files whose name matches")
-    parser.add_argument("--tree", type=pathlib.Path, default=WORK / "tree", help="a copy of the tree, to be broken")
-    parser.add_argument("--build", type=pathlib.Path, default=WORK / "build", help="its build")
     given = parser.parse_args()
     scopes = given.scopes or ["ga", "domain", "apps"]
     if unknown := set(scopes) - PROGRAMS.keys():
-        sys.exit(f"tests/mutation: '{unknown.pop()}' given, expected ga, domain or apps")
+        sys.exit(f"tests/mutation: '{unknown.pop()}' is unknown; give ga, domain or apps")
 
     mutants = drawn(scopes, given.count, given.seed, given.files)
     targets = sorted({program for scope in scopes for program in PROGRAMS[scope]})
-    mutants = build(given.tree, given.build, targets, mutants, given.jobs)
+    mutants = build(WORK / "tree", WORK / "build", targets, mutants, given.jobs)
     known = equivalents()
     same = [number for number, (name, site) in mutants.items() if (name, site[3]) in known]
     for name, site in sorted(mutants.pop(number) for number in same):
-        print(f"not tried, the program does the same: {name}: {site[3]}: {known[name, site[3]]}")
+        print(f"not tried, has no effect: {name}: {site[3]}: {known[name, site[3]]}")
     os.nice(max(0, 10 - os.nice(0)))
     before = json.loads(given.again.read_text()) if given.again else []
     survived = {(result["file"], result["change"]) for result in before if not result["caught_by"]}
     waiting = {number: place for number, place in mutants.items() if not before or (place[0], place[1][3]) in survived}
-    tests = {program: measured(given.build, program, given.jobs, given.tests, given.limit) for program in targets}
+    tests = {program: measured(WORK / "build", program, given.jobs, given.tests, given.limit) for program in targets}
     for program, them in tests.items():
         print(f"{program}: {len(them)} tests, {sum(test.seconds for test in them):.0f} s", flush=True)
 
@@ -245,13 +239,13 @@ def main():
     def one(number):
         name, site = waiting[number]
         caught, runs = tried(number, name, sum((tests[p] for p in PROGRAMS[name.split("/")[0]]), []), given.limit)
-        results.append({"file": name, "line": line_of(name, site), "change": site[3], "caught_by": caught, "tests": runs})
+        results.append({"file": name, "line": (ROOT / name).read_text().count("\n", 0, site[0]) + 1, "change": site[3], "caught_by": caught, "tests": runs})
         print(f"{len(results)} of {len(mutants)}: {name}:{results[-1]['line']}: {site[3][:120]}: "
               f"{caught or f'SURVIVED {runs} tests'}", flush=True)
         given.out.write_text(json.dumps(sorted(results, key=lambda one: (one["file"], one["line"])), indent=1))
 
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
-        list(pool.map(one, sorted(waiting)))  # drawn at random: a run cut short is a smaller draw
+        list(pool.map(one, sorted(waiting)))  # in random order, so that an interrupted run is a smaller draw
     for scope in scopes:
         mine = [result for result in results if result["file"].startswith(scope + "/")]
         caught = sum(result["caught_by"] is not None for result in mine)

@@ -1,7 +1,7 @@
-"""Finds the places of a C++ file that can be broken, and writes the file with all of its breaks built in.
+"""Finds the places of a C++ file that can be changed, and writes the file with all of its mutants.
 
-A break is a changed expression or a left-out statement. It is compiled beside the original and chosen at run time by the
-environment variable RUGOSA_MUTANT ("mutant schemata", Untch, Offutt & Harrold 1993), so that one build serves all of them.
+A mutant is a changed expression or a removed statement. It is compiled next to the original and chosen at run time by the
+environment variable RUGOSA_MUTANT ("mutant schemata", Untch, Offutt & Harrold 1993), so that one build serves all mutants.
 """
 
 import random
@@ -64,7 +64,7 @@ def expressions(text):
     for match in re.finditer(r"\breturn ([^;{}\[\]]+);", text):
         yield match.span(1)
     for match in re.finditer(r"^[ \t]+[\w:<>&*.,()\[\] \->]+? (?:=|\+=|-=|\*=|/=) ([^;{}]+);", text, re.M):
-        if not re.search(r"\bconstexpr\b|\bvirtual\b", match[0]):  # what the compiler would refuse
+        if not re.search(r"\bconstexpr\b|\bvirtual\b", match[0]):  # these would not compile
             yield match.span(1)
 
 
@@ -85,12 +85,12 @@ def changed(expression, mask, choose):
 
 
 def described(text, start, expression):
-    """The expression on one line, behind what stands before it on its own."""
+    """The expression on one line, with the beginning of its line."""
     return " ".join((text[text.rfind("\n", 0, start) + 1:start] + expression).split())
 
 
 def sites(text, choose):
-    """All breaks of a file: (start, end, replacement with {id}, description)."""
+    """All mutants of a file: (start, end, replacement with {id}, description)."""
     mask = masked(text)
     found, taken = [], []
 
@@ -103,7 +103,7 @@ def sites(text, choose):
         expression = text[start:end]
         if "\x01" in mask[start:end] and '"' in expression or not free(start, end) or "co_" in expression or "//" in expression:
             continue
-        if re.search(r", (?:[\w*.>\[\]-]+ = |\+\+|--)", expression):  # the next of several declarations or assignments
+        if re.search(r", (?:[\w*.>\[\]-]+ = |\+\+|--)", expression):  # a further declaration or assignment
             continue
         other = changed(expression, mask[start:end], choose)
         if other is None:
@@ -116,7 +116,7 @@ def sites(text, choose):
         start, end = match.span(2)
         before = mask[:match.start()].rstrip()
         if free(start, end + 1) and before and before[-1] in ";{}" and "refuse" not in match[2] \
-                and not re.search(r"\b(reserve|prefetch)\(", match[2]):  # these change nothing but time
+                and not re.search(r"\b(reserve|prefetch)\(", match[2]):  # these only change the time
             taken.append((start, end + 1))
             call = text[start:end]
             found.append((start, end + 1, "if (!rugosa_mutant({id})) " + call + ";", "left out: " + " ".join(call.split())))
@@ -124,9 +124,9 @@ def sites(text, choose):
 
 
 def broken(text, chosen):
-    """The file with the chosen breaks, a list of (id, site), built in."""
+    """The file with the chosen mutants, a list of (id, site)."""
     for number, (start, end, replacement, _) in sorted(chosen, key=lambda item: -item[1][0]):
-        # Line numbers stay, so that the compiler's complaints lead back to the break.
+        # The line numbers are kept, so that compiler errors can be assigned to mutants.
         body = replacement.replace("{id}", str(number))
         text = text[:start] + body + text[end:]
     return text

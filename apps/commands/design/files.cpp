@@ -21,17 +21,11 @@ namespace {
 
 using nlohmann::json;
 
-json weighted_json(const rough::Target& goal) {
-    json result = target_json(goal);
-    result["weight"] = goal.weight;
-    return result;
-}
-
-/// A target as the page shows it: its file's name, its quantity, what this is given against, and which curves
-/// its figure has.
+/// A target for the page: its file's name, its quantity, its x axis, and the curves of its figure.
 json shown_json(const DesignRun& run, std::size_t index) {
     const rough::Target& target = run.setup.targets[index];
-    json result = weighted_json(target);
+    json result = target_json(target);
+    result["weight"] = target.weight;
     const std::string quantity =
         rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
     result["file"] = std::filesystem::path(target.name).filename().string();
@@ -87,16 +81,6 @@ json tolerance_json(const rough::Tolerance& tolerance) {
             {"levels", levels}};
 }
 
-/// Similarities in the order of `targets`.
-json front_json(const std::vector<rough::Compromise>& front) {
-    json all = json::array();
-    for (const auto& one : front)
-        all.push_back({{"similarity", one.similarity},
-                       {"similarity_refined", one.similarity_refined},
-                       {"genome", rough::genome_to_json(one.genome)}});
-    return all;
-}
-
 json morph_json(const DesignRun& run) {
     const rough::Morphed& morphed = *run.morphed;
     json result{{"from", run.from->file},
@@ -125,14 +109,14 @@ json morph_json(const DesignRun& run) {
 
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.found.name, run.found, run.stages, run.seconds);
-    variant.answer.response = run.own.responses.front();
+    variant.answer.response = run.response.responses.front();
     json result = result_json({run.origin,
                                run.searched.model,
                                loaded_models(run.searched),
                                run.setup.max_pressure,
                                run.setup.targets.front(),
                                {variant}});
-    result["target"] = weighted_json(run.setup.targets.front());
+    result["target"]["weight"] = run.setup.targets.front().weight;
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t)
         result["targets"].push_back(shown_json(run, t));
     result["is_2d"] = run.setup.model.grid.is_2d();
@@ -155,8 +139,10 @@ json design_json(const DesignRun& run) {
     answer["alternatives"] = json::array();
     for (const auto& alternative : run.found.alternatives)
         answer["alternatives"].push_back(answer_json(alternative));
-    if (!run.found.front.empty())
-        answer["front"] = front_json(run.found.front);
+    for (const rough::Compromise& one : run.found.front) // similarities in the order of `targets`
+        answer["front"].push_back({{"similarity", one.similarity},
+                                   {"similarity_refined", one.similarity_refined},
+                                   {"genome", rough::genome_to_json(one.genome)}});
     for (const rough::Answer& one : run.found.made)
         answer["made"].push_back(answer_json(one));
     answer["margins"] = json::array();
@@ -177,80 +163,64 @@ json design_json(const DesignRun& run) {
     return result;
 }
 
-/// Similarity of the draws of noise.
-void write_tolerance(const rough::Tolerance& tolerance, const std::filesystem::path& folder) {
-    Csv table("noise_rms_mm,quantile,median,draws");
-    for (const rough::NoiseQuantile& one : tolerance.curve)
-        table.row(one.noise_rms, one.quantile, one.median, one.draws);
-    rough::write_atomically(folder / "tolerance.csv", table.text());
-}
-
-/// A design stands, whether its tile can be printed or not.
-void write_tile(const rough::Profile& surface, const std::filesystem::path& folder) {
-    try {
-        write_solids(solids_of(surface, {}), folder, "surface");
-    } catch (const rough::InputError& error) {
-        say(std::string("note: no solid of the surface is written: ") + error.what());
-    }
-}
-
 } // namespace
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
     write_json(folder / "result.json", design_json(run));
-    if (run.tolerance)
-        write_tolerance(*run.tolerance, folder);
+    if (!run.tolerance)
+        return;
+    Csv table("noise_rms_mm,quantile,median,draws"); // similarity of the draws
+    for (const rough::NoiseQuantile& one : run.tolerance->curve)
+        table.row(one.noise_rms, one.quantile, one.median, one.draws);
+    rough::write_atomically(folder / "tolerance.csv", table.text());
 }
 
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "answer.csv", csv(run.own.responses.front()));
+    rough::write_atomically(folder / "answer.csv", csv(run.response.responses.front()));
     rough::write_atomically(folder / "genome.json",
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
     if (run.setup.model.grid.is_2d())
-        write_tile(sample(run.found.best.genome, run.setup.model.grid), folder);
+        try { // a design is of use, even if its tile cannot be printed
+            write_solids(solids_of(sample(run.found.best.genome, run.setup.model.grid), {}), folder,
+                         "surface");
+        } catch (const rough::InputError& error) {
+            say(std::string("note: no solid of the surface is written: ") + error.what());
+        }
 }
 
 namespace {
 
 constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 
-/// The responses that are drawn. `answer` is on the set-up's grid. `finer` is on a grid four times finer, if
-/// the answer was verified there. `before` is that of the surface in production, if there is one.
-std::vector<std::pair<std::string, rough::DesignResponse>> drawn_responses(const DesignRun& run) {
-    std::vector<std::pair<std::string, rough::DesignResponse>> all{{"answer", run.own}};
-    if (const auto& finer = run.found.best.verification.on_finer; !finer.empty())
-        all.emplace_back("finer", scored(run.setup, finer));
-    if (run.from)
-        all.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));
-    return all;
-}
-
 /// Curves and, at the targets' points, misfits over the weight; x and y in the units of the target's file.
+/// Drawn are the answer's response, that on a grid four times finer if it was verified there, and that of the
+/// surface in production.
 void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
+    std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.response}};
+    if (const auto& finer = run.found.best.verification.on_finer; !finer.empty())
+        responses.emplace_back("finer", scored(run.setup, finer));
+    if (run.from)
+        responses.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));
     Csv curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_finer");
-    const auto responses = drawn_responses(run);
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t) {
         const rough::Target& target = run.setup.targets[t];
+        Eigen::VectorXd designed, finer = Eigen::VectorXd::Constant(target.points(), NAN);
         for (const auto& [name, response] : responses) {
             const rough::Curve curve = to_its_end(response.curves[t]);
             for (rough::Index k = 0; k < curve.x.size(); ++k)
                 curves.row(t + 1, name, curve.x[k], curve.y[k]);
+            if (name != "before")
+                (name == "finer" ? finer : designed) = misfit(target, response.curves[t]) / target.weight;
         }
-        const auto misfits = [&](std::size_t of) -> Eigen::VectorXd {
-            return responses.size() > of && responses[of].first != "before"
-                       ? Eigen::VectorXd(misfit(target, responses[of].second.curves[t]) / target.weight)
-                       : Eigen::VectorXd::Constant(target.points(), NAN);
-        };
-        const Eigen::VectorXd own = misfits(0), finer = misfits(1);
         for (rough::Index k = 0; k < target.points(); ++k)
             points.row(t + 1, target.x[k], target.y[k], target.has_band() ? target.lower[k] : NAN,
-                       target.has_band() ? target.upper[k] : NAN, own[k], finer[k]);
+                       target.has_band() ? target.upper[k] : NAN, designed[k], finer[k]);
     }
     rough::write_atomically(folder / "curves.csv", curves.text());
     rough::write_atomically(folder / "points.csv", points.text());
 }
 
-/// Heights below the highest point of each answer, and of the scan that was given, if there is one.
+/// Heights below the highest point of each answer, and of the scan if one was given.
 void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     const rough::Grid& grid = run.setup.model.grid;
     std::vector<std::pair<std::string, rough::Profile>> surfaces;
@@ -281,29 +251,20 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "heights-drawn.csv", table);
 }
 
-void write_front(const DesignRun& run, const std::filesystem::path& folder) {
-    Csv table("similarity_1,similarity_2,refined_1,refined_2");
-    for (const rough::Compromise& one : run.found.front)
-        table.row(one.similarity[0], one.similarity[1], one.similarity_refined[0], one.similarity_refined[1]);
-    rough::write_atomically(folder / "front.csv", table.text());
-}
-
-void write_made(const DesignRun& run, const std::filesystem::path& folder) {
-    Csv table("similarity,similarity_made");
-    for (const rough::Answer& one : run.found.made)
-        table.row(one.similarity, one.similarity_made);
-    rough::write_atomically(folder / "made.csv", table.text());
-}
-
 } // namespace
 
 void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder) {
     write_curves(run, folder);
     write_heights(run, folder);
+    Csv front("similarity_1,similarity_2,refined_1,refined_2"), made("similarity,similarity_made");
+    for (const rough::Compromise& one : run.found.front)
+        front.row(one.similarity[0], one.similarity[1], one.similarity_refined[0], one.similarity_refined[1]);
+    for (const rough::Answer& one : run.found.made)
+        made.row(one.similarity, one.similarity_made);
     if (!run.found.front.empty())
-        write_front(run, folder);
+        rough::write_atomically(folder / "front.csv", front.text());
     if (!run.found.made.empty())
-        write_made(run, folder);
+        rough::write_atomically(folder / "made.csv", made.text());
 }
 
 } // namespace app

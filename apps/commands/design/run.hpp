@@ -16,56 +16,58 @@
 #include <string>
 #include <vector>
 
-/// What a design was asked for and what it found, as the program and Python read it, and its files.
+/// A design from settings to files, for the program and Python.
 namespace app {
 
 struct Fact {
     std::string key;  ///< in result.json
-    std::string name; ///< as for reading
+    std::string name; ///< heading on the page and the terminal
     std::string text;
 };
 
+/// Names of quantities, and the share by which each is off at most.
+using Shares = std::vector<std::pair<std::string, double>>;
+
 /// A surface in production that is to be brought back to its target.
 struct Production {
-    std::string file; ///< of its genome
+    std::string file; ///< path of the genome
     rough::Genome genome;
     std::vector<rough::ChromosomeName> control;
-    double largest_change = 0; ///< of a phase, over a turn
+    double largest_change = 0; ///< maximum change of a phase, over a turn
 };
 
-/// What a design comes to, at a glance: the report's first screen, `summary` of result.json and the last
-/// lines on the terminal are this.
+/// The outcome of a design: the report's first screen, `summary` of result.json and the last lines on the
+/// terminal.
 struct Summary {
     bool found = false;
-    /// The answer's lowest similarity, under noise, tilt and hardness if given; NaN: not verified.
+    /// The answer's lowest similarity, also under noise, tilt and hardness if they are given; NaN: not
+    /// verified.
     double verified = 0;
     std::string verdict; ///< in one line
     std::vector<Fact> facts;
 };
 
 struct DesignRun {
-    rough::DesignSetup setup;    ///< solved throughout: all that is said of the answer
-    rough::DesignSetup searched; ///< the same with the accuracy that the search was allowed
+    rough::DesignSetup setup;    ///< solved throughout, for all results on the answer
+    rough::DesignSetup searched; ///< the set-up with the accuracy that the search was allowed
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     rough::ToleranceOptions tolerance_options;
-    std::vector<std::string> accounts; ///< of scans read
-    bool limits_given = false;         ///< of making, by a flag
-    std::optional<Production> from;    ///< it is morphed, nothing is searched
+    std::vector<std::string> accounts; ///< how scans were read, and notes
+    bool limits_given = false;         ///< whether a flag limits the shape
+    std::optional<Production> from;    ///< if it is given, it is morphed and nothing is searched
 
     std::vector<rough::OutOfReach> out_of_reach;
-    double bound = 1; ///< no profile is more similar than this, by exact tests
+    double bound = 1; ///< no profile has a higher similarity, by exact tests
 
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
-    rough::DesignResponse own; ///< the answer's own
-    /// Quantities that were not asked for, how far the answer is off from the scan's at most; none where
-    /// there was no time for it.
-    std::optional<std::vector<std::pair<std::string, double>>> not_asked;
+    rough::DesignResponse response;  ///< of the answer
+    std::optional<Shares> not_asked; ///< see off_unasked(); nothing if the time did not suffice
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
-    std::optional<rough::Tolerance> tolerance; ///< none if the run was interrupted
-    std::optional<rough::Trust> trust;         ///< none where there was no time for it
+    std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
+    std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
 
     Summary summary;
     bool interrupted = false;
@@ -73,36 +75,36 @@ struct DesignRun {
     Origin origin;
 };
 
-/// The parameters of a search that the program and Python share: what is looked for beside the target, how,
-/// how long, under which model.
+/// The parameters of a search that the program and Python share: everything except targets and files.
 std::vector<Setting> search_settings();
-/// With those of the program alone: target or scan, production, files.
+/// All settings of the program's design: with target or scan, production and files.
 std::vector<Setting> design_settings();
 
-/// What the settings ask for, with the exact tests of what is out of reach done. Throws rough::InputError.
+/// The run that the settings describe, after the exact tests of its targets. Throws
+/// rough::InputError.
 DesignRun design_from(const Settings& settings);
-/// The same for targets and a model from elsewhere, which `take_targets` fills in.
+/// The run for targets and a model that `take_targets` sets.
 DesignRun design_from(const Settings& settings,
                       const std::function<void(const Settings&, DesignRun&)>& take_targets);
 
-/// Sets a set-up's targets and model to what a measured surface's own response, under its model `own`, asks
-/// for; with a resolution as a band.
-void like_surface(const rough::Profile& surface, const rough::Model& own, const std::string& name,
+/// Sets the targets and the model of a set-up from the response of a measured surface under the model.
+/// With a resolution, the targets have a band.
+void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                   const Settings& settings, rough::DesignSetup& setup,
                   rough::Resolution resolution = rough::Resolution::off);
 
-/// Whether what was asked for was found and verified, within the limits, and no target is out of reach.
+/// Whether an answer has the required similarity, verified, within the limits, and no target is out of reach.
 bool is_found(const DesignRun& run);
-/// Of a run whose answer was found, and verified where there was time.
+/// The summary of a run whose answer was found.
 Summary summary_of(const DesignRun& run);
-/// Quantities that were not asked for, how far the answer is off from the scan's at most.
-std::vector<std::pair<std::string, double>> off_unasked(const DesignRun& run);
+/// The quantities of a scan's response that were not requested, and how far the answer's are off at most.
+Shares off_unasked(const DesignRun& run);
 /// `summary` of result.json.
 nlohmann::json summary_json(const DesignRun& run);
 
 /// Writes result.json, and tolerance.csv if the tolerance is known.
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder);
-/// Writes answer.csv, the answer's own curve, and genome.json.
+/// Writes answer.csv, the curve of the answer, genome.json, and a solid to print for an area.
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder);
 /// Writes the tables that the page's figures draw: curves.csv, points.csv, heights-drawn.csv or map.csv, and
 /// front.csv or made.csv.

@@ -5,7 +5,6 @@
 #include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"
 #include "domain/design/pipelines.hpp"
-#include "domain/design/unreachable.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
 #include "domain/text/words.hpp"
@@ -25,15 +24,15 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
     if (settings.has("weights")) {
         const auto weights = settings.numbers("weights");
         if (weights.size() != goals.size())
-            throw rough::InputError("--weights: " + std::to_string(weights.size()) + " given, expected " +
-                                    std::to_string(goals.size()) + ", one a target");
+            settings.refuse("weights", std::to_string(weights.size()) + " given; give " +
+                                           std::to_string(goals.size()) + ", one per target");
         for (std::size_t i = 0; i < goals.size(); ++i)
             goals[i].weight = weights[i] / *std::max_element(weights.begin(), weights.end());
     }
     return goals;
 }
 
-/// The shared parameters of a design, where its set-up and its options keep them.
+/// The parameters that the set-up of a design holds.
 Fields fields_of(rough::DesignSetup& setup) {
     const rough::GeneBounds usual;
     rough::GeneBounds& bounds = setup.bounds;
@@ -42,39 +41,44 @@ Fields fields_of(rough::DesignSetup& setup) {
         {max_pressure_setting(), setup.max_pressure},
         {ga::number(
              "reach-similarity", "", -1, 1,
-             "the similarity that an answer must have at its worst, which the variants default and like "
-             "begin anew for; exit 3 if none has [0.99]"),
+             "lowest similarity that an answer must have; the variants default and like restart until it is "
+             "reached; exit code 3 if no answer has it [0.99]"),
          setup.required_similarity},
         {ga::whole("ridges", "", 1,
-                   "ridges of each chromosome of drawn genomes [1; an area, their directions: 8]")
+                   "ridges of each chromosome of drawn genomes [1; for an area, their directions: 8]")
              .up_to(64),
          setup.ridges},
-        {positive("shortest-wave", "", "shortest wave that can be made, mm [8 node distances]"),
+        {positive("shortest-wave", "", "shortest wavelength that can be made, mm [8 node spacings]"),
          limits.shortest_wave},
         {positive("max-slope", "", "largest slope that can be made"), limits.max_slope},
         {positive("max-height", "", "largest height range, mm"), limits.max_height},
         {positive("min-radius", "", "smallest radius of curvature, mm"), limits.min_radius},
-        {ga::number("hurst-from", "", ga::above_zero, 10, "least H [" + brief(usual.H_from, 15) + "]"),
+        {ga::number("hurst-from", "", ga::above_zero, 10,
+                    "lower bound of H [" + brief(usual.H_from, 15) + "]"),
          bounds.H_from},
-        {ga::number("hurst-to", "", ga::above_zero, 10, "largest H [" + brief(usual.H_to, 15) + "]"),
+        {ga::number("hurst-to", "", ga::above_zero, 10, "upper bound of H [" + brief(usual.H_to, 15) + "]"),
          bounds.H_to},
-        {ga::number("gamma-from", "", 1.001, 100, "least gamma [" + brief(usual.gamma_from, 15) + "]"),
+        {ga::number("gamma-from", "", 1.001, 100,
+                    "lower bound of gamma [" + brief(usual.gamma_from, 15) + "]"),
          bounds.gamma_from},
-        {ga::number("gamma-to", "", 1.001, 100, "largest gamma [" + brief(usual.gamma_to, 15) + "]"),
+        {ga::number("gamma-to", "", 1.001, 100, "upper bound of gamma [" + brief(usual.gamma_to, 15) + "]"),
          bounds.gamma_to},
-        {ga::number("lambda-from", "", 1e-12, 1e12, "least longest wave of a series, mm [L/4]"),
+        {ga::number("lambda-from", "", 1e-12, 1e12,
+                    "lower bound of the longest wavelength of a series, mm [L/4]"),
          bounds.lambda_from},
-        {ga::number("lambda-to", "", 1e-12, 1e12, "largest longest wave of a series, mm [4 L]"),
+        {ga::number("lambda-to", "", 1e-12, 1e12,
+                    "upper bound of the longest wavelength of a series, mm [4 L]"),
          bounds.lambda_to},
         {positive(
              "noise", "",
-             "rms of the height noise under which 95 % of the draws must hold, mm: a profile is searched for "
-             "under it, an area verified under it [none]"),
+             "rms height noise, mm, under which 95 % of the draws must hold: profiles are searched under it, "
+             "areas verified under it [none]"),
          setup.errors.noise},
         {positive("noise-length", "", "correlation length of height noise, mm [L/60]"),
          setup.errors.noise_length},
-        {positive("tilt", "",
-                  "height over the length that the answer may be tilted by, mm, as --noise [none]"),
+        {positive(
+             "tilt", "",
+             "tilt, as a height over the length, mm, under which the answer must hold, as --noise [none]"),
          setup.errors.tilt},
     };
 }
@@ -82,15 +86,14 @@ Fields fields_of(rough::DesignSetup& setup) {
 Fields fields_of(rough::SearchOptions& options) {
     return {
         {positive("seconds", "",
-                  "wall time of the whole design; an area that there is no time to verify is said to be "
-                  "not verified [until the pipeline ends]"),
+                  "wall time of the whole design; an area without time to verify is reported as not verified "
+                  "[until the pipeline ends]"),
          options.seconds},
-        {ga::whole("evaluations", "", 1, "end after so many curves and gradients [when the pipeline ends]")
-             .up_to(1e9),
+        {ga::whole("evaluations", "", 1, "maximum number of curves and gradients [none]").up_to(1e9),
          options.evaluations},
         {ga::whole("alternatives", "", 1,
-                   "different answers to return [" + std::to_string(rough::SearchOptions().alternatives) +
-                       "; of an area, where each is verified at length: 1]")
+                   "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
+                       "; for an area, where verifying takes long: 1]")
              .up_to(100),
          options.alternatives},
         {seed_setting(), options.seed},
@@ -98,27 +101,19 @@ Fields fields_of(rough::SearchOptions& options) {
     };
 }
 
-Fields fields_of(rough::TrustOptions& options) {
-    return {
-        {positive("hardness", "",
-                  "hardness that no node bears more than, MPa, to verify the answer under [none]"),
-         options.hardness},
-    };
-}
-
-/// Throws where a gene's least value is above its largest.
+/// Throws if a gene's lower bound is above its upper bound.
 void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) {
     const auto shown = [&](const std::string& flag, double value) {
-        return settings.place(flag) + ": " +
-               (settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself");
+        return settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself";
     };
-    for (const auto& [gene, from, to] : {std::tuple("hurst", bounds.H_from, bounds.H_to),
+    for (const auto& [gene, from, to] : {std::tuple(std::string("hurst"), bounds.H_from, bounds.H_to),
                                          {"gamma", bounds.gamma_from, bounds.gamma_to},
                                          {"lambda", bounds.lambda_from, bounds.lambda_to}})
         if (from > to)
-            throw rough::InputError(shown(gene + std::string("-from"), from) + ", " +
-                                    shown(gene + std::string("-to"), to) +
-                                    ", expected from no greater than to");
+            settings.refuse(gene + "-from", shown(gene + "-from", from) + ", " +
+                                                settings.place(gene + "-to") + ": " +
+                                                shown(gene + "-to", to) +
+                                                "; give a lower bound that is not above the upper one");
 }
 
 } // namespace
@@ -126,44 +121,45 @@ void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) 
 std::vector<Setting> search_settings() {
     rough::DesignSetup setup;
     rough::SearchOptions options;
-    rough::TrustOptions trust;
     const std::vector<Setting> settings{
-        Setting("quantity", "both", "of the scan's response, both: stiffness and contact area")
+        Setting("quantity", "both", "target from the response of --like; both: stiffness and contact area")
             .of(rough::names_of_likeness()),
-        ga::whole("points", "20", 2, "points of the target that --like gives").up_to(1e5),
-        {"database", "", "genome database whose stored curves nearest to the target the search begins from"},
+        ga::whole("points", "20", 2, "number of points of the target from --like").up_to(1e5),
+        {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
-         "how to search: a named pipeline (rugosa operators) [default; on an area maps; with --database "
-         "in-line; for a scan's contact area like; with --noise or --tilt made]"},
-        {"pipeline", "", "how to search: a pipeline as text, in place of a variant"},
+         "name of the pipeline to run (rugosa operators) [default; for an area: maps; with --database: "
+         "in-line; for a scan's contact area: like; with --noise or --tilt: made]"},
+        {"pipeline", "", "text of the pipeline to run, instead of a variant"},
+        positive("hardness", "",
+                 "hardness that caps the pressure of each node when the answer is verified, MPa [none]"),
     };
     return joined({settings,
                    settings_of(fields_of(options)),
                    settings_of(fields_of(setup)),
-                   settings_of(fields_of(trust)),
                    model_settings(),
                    {accuracy_setting()}});
 }
 
 std::vector<Setting> design_settings() {
     const std::vector<Setting> settings{
-        {"target", "", "target file (CSV); several with commas between"},
-        positive("weights", "", "how much each target counts, with commas between [1 each]").several(),
+        {"target", "", "target file (CSV), or several with commas between"},
+        positive("weights", "", "weight of each target, with commas between [1 each]").several(),
         {"like", "",
-         "measured profile whose own response is the target, or with --spacing DXxDY a map, a text matrix"},
+         "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
         resistivity_setting(),
         {"from", "",
-         "genome (JSON) of a surface in production: the least change of --control brings it back to the "
+         "genome (JSON) of a surface in production, which the smallest change of --control brings back to "
+         "the "
          "target"},
-        {"control", "", "the chromosomes of --from whose phases may move, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
+        {"control", "", "chromosomes of --from whose phases may change, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
         ga::number("largest-change", "0.05", ga::above_zero, 0.5,
-                   "largest change of such a phase, as a share of a turn, up to 0.5"),
+                   "largest change of a phase, as a share of a turn, up to 0.5"),
         {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
         force_setting(),
-        Setting("resume", "",
-                "continue the design in the folder given by --out that was interrupted, killed or out of "
-                "time",
-                true),
+        Setting(
+            "resume", "",
+            "continue the design in the folder given by --out, which was interrupted, killed or out of time",
+            true),
         pictures_setting(),
     };
     return joined({settings, search_settings(), scan_settings(), {resolution_setting()}});
@@ -171,18 +167,17 @@ std::vector<Setting> design_settings() {
 
 namespace {
 
-/// What --from, --control and --largest-change ask for; nothing without --from.
+/// The surface in production of --from, --control and --largest-change; nothing without --from.
 std::optional<Production> production_from(const Settings& settings) {
-    const std::vector<Setting> own{{"control", "", ""}, {"largest-change", "", ""}};
     if (!settings.has("from")) {
-        expect_none(settings, own, "given without --from, expected the genome of a surface in production");
+        expect_none(settings, {"control", "largest-change"},
+                    "given without --from; give the genome of a surface in production");
         return std::nullopt;
     }
-    std::vector<Setting> of_a_search;
-    for (const char* flag : {"variant", "pipeline", "database", "resume", "alternatives", "evaluations",
-                             "hurst-from", "hurst-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"})
-        of_a_search.push_back({flag, "", ""});
-    expect_none(settings, of_a_search, "given with --from, expected without: nothing is searched");
+    expect_none(settings,
+                {"variant", "pipeline", "database", "resume", "alternatives", "evaluations", "hurst-from",
+                 "hurst-to", "gamma-from", "gamma-to", "lambda-from", "lambda-to"},
+                "given with --from; omit it, as nothing is searched");
     Production from{settings.text("from"), rough::read_genome(settings.text("from")), {}, 0};
     from.control =
         placing(settings, "", [&] { return rough::chromosomes_from(settings.text("control"), from.genome); });
@@ -190,41 +185,33 @@ std::optional<Production> production_from(const Settings& settings) {
     return from;
 }
 
-std::vector<std::string> names_of(const ga::Variants& variants) {
-    std::vector<std::string> names;
-    for (const auto& [name, text] : variants)
-        names.push_back(name);
-    return names;
-}
-
-/// What --target or --like asks for, and the model.
+/// Sets targets and model by --target or --like.
 void take_targets(const Settings& settings, DesignRun& run) {
     if (settings.has("target") == settings.has("like"))
-        throw rough::InputError("design: expected either --target or --like");
+        throw rough::InputError("design: give either --target or --like");
     rough::DesignSetup& setup = run.setup;
     run.from = production_from(settings);
     if (run.from)
         setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
     const bool area = asks_for_area(settings);
     if (area && run.from)
-        throw rough::InputError("--from: given with an area, expected none: it is for profiles alone");
+        throw rough::InputError("--from: given with an area; omit it, as it is for profiles only");
     if (settings.has("like") && area) {
         const AreaScene scene = area_from(settings, "like");
         run.accounts = scene.notes;
         like_surface(scene.map, scene.model, settings.text("like"), settings, setup,
-                     // A map's band would take most of the time.
+                     // The band of a map would take most of the time.
                      settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
     } else if (settings.has("like")) {
         const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
-        rough::Model own = model_from(settings, scan);
-        own.grid.nodes = scan.measured.nodes();
-        like_surface(scan.on(own.grid), own, scan.name, settings, setup, resolution_from(settings));
+        rough::Model model = model_from(settings, scan);
+        model.grid.nodes = scan.measured.nodes();
+        like_surface(scan.on(model.grid), model, scan.name, settings, setup, resolution_from(settings));
     } else {
-        expect_none(
-            settings,
-            joined({scan_settings(), {resolution_setting(), {"points", "", ""}, {"quantity", "", ""}}}),
-            "given with --target, expected with --like only");
+        std::vector<std::string> of_a_scan = names_of(scan_settings());
+        of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
+        expect_none(settings, of_a_scan, "given with --target; give it with --like only");
         setup.model = run.from ? model_from(settings, rough::open_genome(run.from->file))
                                : surface_model_from(settings);
         setup.targets = goals_from(settings, setup.model);
@@ -239,11 +226,11 @@ void take_targets(const Settings& settings, DesignRun& run) {
 
 } // namespace
 
-void like_surface(const rough::Profile& surface, const rough::Model& own, const std::string& name,
+void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                   const Settings& settings, rough::DesignSetup& setup, rough::Resolution resolution) {
-    setup = like(setup, surface, own, name, rough::likeness_named(settings.text("quantity")),
+    setup = like(setup, surface, model, name, rough::likeness_named(settings.text("quantity")),
                  static_cast<rough::Index>(settings.number("points")),
-                 surface.is_2d() ? 0 : nodes_from(settings, 0), resolution);
+                 surface.is_2d() ? 0 : nodes_from(settings), resolution);
 }
 
 DesignRun design_from(const Settings& settings) { return design_from(settings, take_targets); }
@@ -256,56 +243,60 @@ DesignRun design_from(const Settings& settings,
     take_targets(settings, run);
     const rough::Grid& grid = setup.model.grid;
     if (grid.is_2d() && settings.has("database"))
-        throw rough::InputError(settings.place("database") +
-                                ": given with an area, expected none: it is for profiles alone");
+        settings.refuse("database", "given with an area; omit it, as it is for profiles only");
     for (const rough::Target& goal : setup.targets)
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
-            throw rough::InputError(settings.place("max-pressure") + ": " + settings.text("max-pressure") +
-                                    " MPa given, expected at least the last pressure of " + goal.name + ", " +
-                                    readable(goal.last(), 6) + " MPa");
+            settings.refuse("max-pressure", settings.text("max-pressure") +
+                                                " MPa is too low; give at least the last pressure of " +
+                                                goal.name + ", " + readable(goal.last(), 6) + " MPa");
     const double least = std::min(grid.widest_spacing(), grid.length / 60);
     if (const double length = setup.errors.noise_length;
         settings.has("noise-length") && (length < least || length > grid.length))
-        throw rough::InputError(settings.place("noise-length") + ": " + settings.text("noise-length") +
-                                " given, expected a number from " + readable(least, 6) + " to " +
-                                readable(grid.length, 6));
+        settings.refuse("noise-length", settings.text("noise-length") +
+                                            " is out of range; give a number from " + readable(least, 6) +
+                                            " to " + readable(grid.length, 6));
     setup.bounds = completed(setup.bounds, grid.length);
     expect_in_order(settings, setup.bounds);
     setup = placing(settings, "", [&] { return completed(setup); });
-    for (const char* limit : {"shortest-wave", "max-slope", "max-height", "min-radius"})
-        run.limits_given = run.limits_given || settings.has(limit);
+    run.limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
+                       settings.has("max-height") || settings.has("min-radius");
     run.searched = setup;
     run.searched.model.accuracy = accuracy_from(settings);
 
     if (settings.given("variant") && settings.given("pipeline"))
-        throw rough::InputError("design: expected either " + settings.place("variant") + " or " +
+        throw rough::InputError("design: give either " + settings.place("variant") + " or " +
                                 settings.place("pipeline"));
     rough::SearchOptions& options = run.options;
     options.pipeline = settings.has("variant")    ? settings.text("variant")
                        : settings.has("pipeline") ? settings.text("pipeline")
                                                   : usual_variant(setup, settings.has("database"));
-    if (settings.has("variant") && !rough::design_variants().count(options.pipeline))
-        throw rough::InputError(settings.place("variant") + ": unknown variant '" + options.pipeline + "'" +
-                                ga::suggestion(options.pipeline, names_of(rough::design_variants())));
+    if (settings.has("variant") && !rough::design_variants().count(options.pipeline)) {
+        std::vector<std::string> names;
+        for (const auto& [name, text] : rough::design_variants())
+            names.push_back(name);
+        settings.refuse("variant", "unknown variant '" + options.pipeline + "'" +
+                                       ga::suggestion(options.pipeline, names));
+    }
     if (grid.is_2d())
         options.alternatives = 1;
     take(settings, fields_of(options));
     run.searched.required_similarity = setup.required_similarity;
 
-    take(settings, fields_of(run.trust_options));
+    settings.take("hardness", run.trust_options.hardness);
     run.tolerance_options = {
         .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
     run.trust_options.seed = options.seed;
     run.trust_options.threads = options.threads;
     if (run.from)
-        run.trust_options.phase_draws = 0; // other phases are another surface
+        run.trust_options.phase_draws = 0; // with other phases it is another surface
 
     if (settings.has("database")) {
         const auto store = rough::GenomeStore::open(settings.text("database"));
         options.starts = rough::stored_starts(store, setup, 100, options.threads);
         if (options.starts.empty())
-            throw rough::InputError(settings.text("database") +
-                                    ": no stored curve reaches as far as the target");
+            throw rough::InputError(
+                settings.text("database") +
+                ": no stored curve reaches the end of the target; use a database with more genomes");
         run.accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
                                " stored curves screened, the search begins from the nearest " +
                                std::to_string(options.starts.size()));

@@ -1,9 +1,9 @@
 #include "apps/commands/optimise/children.hpp"
 
 #include "apps/external/process.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/number.hpp"
+#include "ga/base/stopwatch.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,27 +17,24 @@
 #include <fstream>
 #include <poll.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 
 namespace app {
 
 namespace {
 
 constexpr std::size_t longest_line = 16'000'000;
-constexpr double patience = 2; ///< seconds for a child to end by itself
 
-struct Pipe {
-    int read = -1, write = -1;
-    Pipe() {
-        std::array<int, 2> ends{};
-        if (pipe2(ends.data(), O_CLOEXEC) != 0)
-            throw rough::InputError("--evaluate: no pipe to be had (" + std::string(std::strerror(errno)) +
-                                    "), expected fewer --threads");
-        read = ends[0], write = ends[1];
-    }
-};
+/// The ends of a new pipe: to read from, to write to.
+std::array<int, 2> new_pipe() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        throw rough::InputError("--evaluate: a pipe cannot be opened (" + std::string(std::strerror(errno)) +
+                                "); use fewer --threads");
+    return ends;
+}
 
 void close_once(int& descriptor) {
     if (descriptor >= 0)
@@ -48,7 +45,7 @@ void close_once(int& descriptor) {
 
 Words split_command(const std::string& command) {
     Words words;
-    bool inside = false; // of a word
+    bool inside = false; // whether in a word
     char quote = 0;
     for (std::size_t i = 0; i < command.size(); ++i) {
         const char c = command[i];
@@ -70,26 +67,25 @@ Words split_command(const std::string& command) {
     }
     if (quote != 0)
         throw rough::InputError("--evaluate: a " + std::string(1, quote) + " is left open in \"" + command +
-                                "\", expected another to close it");
+                                "\"; close it");
     if (words.empty() || words.front().empty())
-        throw rough::InputError("--evaluate: \"" + command +
-                                "\" given, expected a program with its arguments");
+        throw rough::InputError("--evaluate: \"" + command + "\" given; give a program with its arguments");
     return words;
 }
 
 Child::Child(const Words& command, int log) {
-    Pipe in;
-    Pipe out;
-    const int error = start_process(process_, command, in.read, out.write, log);
-    close(in.read);
-    close(out.write);
-    in_ = in.write;
-    out_ = out.read;
+    const auto [their_in, in] = new_pipe();
+    const auto [out, their_out] = new_pipe();
+    const int error = start_process(process_, command, their_in, their_out, log);
+    close(their_in);
+    close(their_out);
+    in_ = in;
+    out_ = out;
     if (error != 0) {
         close_once(in_);
         close_once(out_);
         throw rough::InputError("--evaluate: '" + command.front() + "' cannot be started (" +
-                                std::strerror(error) + "), expected a program");
+                                std::strerror(error) + "); name a program");
     }
     fcntl(in_, F_SETFL, O_NONBLOCK);
     fcntl(out_, F_SETFL, O_NONBLOCK);
@@ -97,83 +93,60 @@ Child::Child(const Words& command, int log) {
 
 Child::~Child() {
     close_input();
-    ended_within(patience);
-    end();
+    end(2);
     close_once(out_);
 }
 
 void Child::close_input() { close_once(in_); }
 
-void Child::send(const std::string& lines) {
-    rest_ += lines;
-    push();
-}
-
-void Child::push() {
-    while (!rest_.empty()) {
-        const ssize_t written = write(in_, rest_.data(), rest_.size());
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0 && errno == EAGAIN)
-            return;
-        rest_.erase(0, written < 0 ? rest_.size() : static_cast<std::size_t>(written));
-    }
-}
-
-std::optional<std::string> Child::line() {
-    std::array<char, 65536> some;
-    for (std::size_t end; !silent_ || read_.find('\n') != std::string::npos;) {
-        if ((end = read_.find('\n')) != std::string::npos) {
-            std::string line = read_.substr(0, end);
+std::optional<std::string> Child::answer(const std::string& line, double seconds,
+                                         const std::function<bool()>& stops) {
+    constexpr int milliseconds = 50; // between two looks at the clock and at `stops`
+    const auto waits = [](ssize_t size) { return size < 0 && (errno == EINTR || errno == EAGAIN); };
+    std::array<char, 65536> part;
+    std::string rest = line + "\n";
+    for (const ga::Stopwatch clock;;) {
+        if (const std::size_t end = read_.find('\n'); end != std::string::npos) {
+            std::string whole = read_.substr(0, end);
             read_.erase(0, end + 1);
-            return line;
+            return whole;
         }
-        const ssize_t size = read(out_, some.data(), some.size());
-        if (size < 0 && errno == EINTR)
-            continue;
-        if (size < 0 && errno == EAGAIN)
+        if (silent_ || clock.seconds() > seconds || stops())
             return std::nullopt;
-        if (size <= 0 || read_.size() > longest_line)
-            silent_ = true;
-        else
-            read_.append(some.data(), static_cast<std::size_t>(size));
+        std::array<pollfd, 2> places{{{out_, POLLIN, 0}, {rest.empty() ? -1 : in_, POLLOUT, 0}}};
+        poll(places.data(), places.size(), milliseconds);
+        if (const ssize_t size = write(in_, rest.data(), rest.size()); size >= 0)
+            rest.erase(0, static_cast<std::size_t>(size));
+        else if (!waits(size))
+            rest.clear(); // the child has closed its input
+        const ssize_t size = read(out_, part.data(), part.size());
+        if (size > 0)
+            read_.append(part.data(), static_cast<std::size_t>(size));
+        silent_ = (size <= 0 && !waits(size)) || read_.size() > longest_line;
     }
-    return std::nullopt;
 }
 
-bool Child::ended_within(double seconds) {
-    if (!ended_ && process_ > 0)
-        ended_ = process_ended_within(seconds, process_, status_);
-    return ended_;
-}
-
-std::string Child::end() {
+std::string Child::end(double patience) {
     if (process_ <= 0)
         return {};
-    const bool by_itself =
-        ended_within(silent_ ? 0.2 : 0); // a program's output closes a little before it ends
+    int status = 0;
+    const bool by_itself = process_ended_within(patience, process_, status);
     kill(-process_, SIGKILL);
-    if (!ended_)
-        waitpid(process_, &status_, 0);
+    if (!by_itself)
+        waitpid(process_, &status, 0);
     process_ = 0;
     if (!by_itself)
         return "closed its output";
-    return WIFEXITED(status_) ? "ended with exit code " + std::to_string(WEXITSTATUS(status_))
-                              : "was ended by signal " + std::to_string(WTERMSIG(status_));
+    return WIFEXITED(status) ? "ended with exit code " + std::to_string(WEXITSTATUS(status))
+                             : "was ended by signal " + std::to_string(WTERMSIG(status));
 }
-
-using nlohmann::json;
 
 namespace {
 
-/// As much of a line as a message has room for.
+/// The beginning of a line, for a message.
 std::string clipped(const std::string& line) {
-    constexpr std::size_t most = 120;
-    return line.size() <= most ? line : line.substr(0, most) + "...";
-}
-
-std::string request(long id, const std::string& genes) {
-    return "{\"id\":" + std::to_string(id) + ",\"genes\":" + genes + "}";
+    constexpr std::size_t longest = 120;
+    return line.size() <= longest ? line : line.substr(0, longest) + "...";
 }
 
 } // namespace
@@ -183,13 +156,13 @@ Children::Children(const std::string& command, int count, double seconds, std::f
       log_(open(log_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)),
       children_(static_cast<std::size_t>(count)) {
     if (log_ < 0)
-        throw rough::InputError(log_file_.string() + ": cannot be written, expected a place that can be");
+        throw rough::InputError(log_file_.string() + ": cannot be written; choose another --out");
 }
 
 Children::~Children() {
-    for (Worker& worker : children_)
-        if (worker.child)
-            worker.child->close_input();
+    for (const auto& child : children_)
+        if (child)
+            child->close_input();
     children_.clear();
     close(log_);
     std::error_code none;
@@ -199,99 +172,67 @@ Children::~Children() {
 
 std::vector<std::optional<Answer>> Children::ask(std::span<const std::string> genes, const ga::Watch& watch) {
     std::vector<std::optional<Answer>> answers(genes.size());
-    std::size_t next = 0, open = 0;
-    while (trouble_.empty() && !watch.expired()) {
-        for (Worker& worker : children_)
-            for (; worker.id == 0 && next < genes.size() && trouble_.empty(); ++next)
-                if (genes[next] == first_.genes) {
-                    answers[next] = first_.answer;
-                } else {
-                    begin(worker, next, genes[next]);
-                    open += worker.id != 0;
-                }
-        if (open == 0 || !trouble_.empty())
-            break;
-        wait();
-        for (Worker& worker : children_)
-            if (worker.id != 0 && trouble_.empty())
-                if (auto answer = hear(worker, genes[worker.call])) {
-                    answers[worker.call] = std::move(answer);
-                    --open;
-                }
-    }
-    for (Worker& worker : children_)
-        if (std::exchange(worker.id, 0) != 0) { // given up: what it would answer is not wanted any more
-            worker.child->end();
-            worker.child.reset();
-        }
+    std::atomic<std::size_t> next = 0;
+    const auto stops = [&] { return has_trouble_ || watch.expired(); };
+    const auto work = [&](std::unique_ptr<Child>& child) {
+        for (std::size_t i; !stops() && (i = next++) < genes.size();)
+            answers[i] = genes[i] == first_.genes ? first_.answer : answer_of(child, genes[i], stops);
+    };
+    // One child works until the first answer tells the number of objectives.
+    const std::size_t at_once = objectives() == 0 ? 1 : std::min(children_.size(), genes.size());
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < at_once; ++i)
+        threads.emplace_back(work, std::ref(children_[i]));
+    threads.clear(); // waits for them
     for (std::size_t i = 0; i < genes.size(); ++i)
         if (answers[i])
             record.take({genes[i], *answers[i]});
     return answers;
 }
 
-void Children::begin(Worker& worker, std::size_t call, const std::string& genes) {
+/// The answer of a child, which is started if it does not run. Nothing if `stops` returns true or on trouble;
+/// the child is ended then.
+std::optional<Answer> Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                          const std::function<bool()>& stops) {
     try {
-        if (!worker.child)
-            worker.child = std::make_unique<Child>(command_, log_);
+        if (!child)
+            child = std::make_unique<Child>(command_, log_);
     } catch (const rough::InputError& error) {
-        trouble_ = error.what();
-        return;
+        give_up(error.what());
+        return std::nullopt;
     }
-    worker.call = call;
-    worker.id = ++asked_;
-    worker.since = {};
-    worker.child->send(request(worker.id, genes) + "\n");
-}
-
-void Children::wait() const {
-    constexpr int milliseconds = 50; // until the watch is looked at again
-    std::vector<pollfd> places;
-    for (const Worker& worker : children_)
-        if (worker.id != 0) {
-            places.push_back({worker.child->from(), POLLIN, 0});
-            if (worker.child->is_sending())
-                places.push_back({worker.child->to(), POLLOUT, 0});
-        }
-    poll(places.data(), places.size(), milliseconds);
-}
-
-std::optional<Answer> Children::hear(Worker& worker, const std::string& genes) {
-    Child& child = *worker.child;
-    child.push();
-    const std::string sent = "'" + clipped(text_) + "' was sent " + clipped(request(worker.id, genes));
-    const std::string wanted =
-        "; expected a line {\"id\":" + std::to_string(worker.id) + ",\"objectives\":[" +
-        (objectives() == 0 ? "" : std::to_string(objectives()) + " ") + "finite numbers]}";
-    if (const auto line = child.line()) {
+    const long id = ++sent_;
+    const std::string request = "{\"id\":" + std::to_string(id) + ",\"genes\":" + genes + "}";
+    const std::string sent = "--evaluate: '" + clipped(text_) + "' was sent " + clipped(request) + " and ";
+    const std::string wanted = "; expected a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
+                               (objectives() == 0 ? "" : std::to_string(objectives()) + " ") +
+                               "finite numbers]}";
+    if (const auto line = child->answer(request, seconds_, stops)) {
         std::string fault;
-        auto answer = read(*line, worker.id, fault);
-        if (!answer) {
-            give_up(sent + " and answered \"" + clipped(*line) + "\" (" + fault + ")" + wanted);
-            return std::nullopt;
+        if (auto answer = read(*line, id, fault)) {
+            if (objectives() == 0) {
+                first_ = {genes, *answer};
+                record.minimise.resize(objectives());
+            }
+            return answer;
         }
-        if (objectives() == 0) {
-            first_ = {genes, *answer};
-            record.minimise.resize(objectives());
-        }
-        worker.id = 0;
-        return answer;
-    }
-    if (child.is_silent()) {
-        const std::string part = child.unfinished();
-        const std::string how = child.end();
-        give_up(sent + " and " + (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + how + wanted +
-                log_end());
-    } else if (worker.since.seconds() > seconds_) {
-        give_up(sent + " and was silent for " + ga::number(seconds_) + " s" + wanted +
+        give_up(sent + "answered \"" + clipped(*line) + "\" (" + fault + ")" + wanted);
+    } else if (child->is_silent()) {
+        const std::string& part = child->unfinished();
+        give_up(sent + (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + child->end(0.2) +
+                wanted + log_end());
+    } else if (!stops()) {
+        give_up(sent + "was silent for " + ga::number(seconds_) + " s" + wanted +
                 " within --timeout, flushed" + log_end());
     }
+    child->end();
+    child.reset();
     return std::nullopt;
 }
 
 std::optional<Answer> Children::read(const std::string& line, long id, std::string& fault) const {
     try {
-        const json j = rough::parsed_json(line, "line");
+        const nlohmann::json j = rough::parsed_json(line, "line");
         if (!j.is_object() || !j.contains("id") || !j.contains("objectives")) {
             fault = "no object with id and objectives";
             return std::nullopt;
@@ -316,13 +257,18 @@ std::optional<Answer> Children::read(const std::string& line, long id, std::stri
             return answer;
     } catch (const rough::InputError&) {
         fault = "not JSON";
-    } catch (const json::exception&) {
+    } catch (const nlohmann::json::exception&) {
         fault = "not numbers";
     }
     return std::nullopt;
 }
 
-void Children::give_up(const std::string& message) { trouble_ = "--evaluate: " + message; }
+/// Keeps the first message only.
+void Children::give_up(const std::string& message) {
+    const std::lock_guard lock(trouble_mutex_);
+    if (!has_trouble_.exchange(true))
+        trouble_ = message;
+}
 
 std::string Children::log_end() const {
     std::ifstream in(log_file_);

@@ -3,10 +3,12 @@
 #include "apps/commands/commands.hpp"
 #include "apps/external/solution.hpp"
 #include "ga/base/budget.hpp"
-#include "ga/base/stopwatch.hpp"
 
+#include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,81 +17,66 @@
 
 namespace app {
 
-/// The words of a command, as a shell would split them and do no more: 'as it stands', "with \" and \\", and
-/// \ before a letter that is to stand for itself. Throws rough::InputError on an open quote or no word.
+/// The words of a command. As in a shell, quotes and \ keep blanks together; nothing is expanded. Throws
+/// rough::InputError on an open quote or no word.
 Words split_command(const std::string& command);
 
-/// A program that runs beside this one, reads lines and writes lines. It is in a process group of its own: a
-/// Ctrl-C is not for it, and what it started ends with it. SIGPIPE must be ignored.
+/// A program that reads lines and writes lines while this one runs. It has its own process group, so
+/// that a Ctrl-C does not reach it and what it started ends with it. SIGPIPE must be ignored.
 class Child {
   public:
     /// Starts it without a shell; its standard error goes to the descriptor `log`. Throws rough::InputError
-    /// where there is no such program.
+    /// if it cannot be started.
     Child(const Words& command, int log);
-    /// Waits a moment for it to end by itself, as its input has, then ends it.
+    /// Closes its input, gives it a moment to end, then ends it.
     ~Child();
     Child(const Child&) = delete;
 
-    /// Writes as much of these lines as it takes now, and keeps the rest for `push`.
-    void send(const std::string& lines);
-    void push();                                       ///< writes on; what nobody reads is dropped
-    bool is_sending() const { return !rest_.empty(); } ///< whether `push` has work left
-    int to() const { return in_; }                     ///< descriptor to wait at while it is sending
-    int from() const { return out_; }                  ///< descriptor to wait at for an answer
-    /// The next line it has written, if a whole one is here.
-    std::optional<std::string> line();
-    bool is_silent() const { return silent_; } ///< whether it will write no more
-    /// What it wrote after its last whole line.
-    const std::string& unfinished() const { return read_; }
-    /// Lets go of its input: a program that reads lines ends then.
+    /// Sends a line and returns the next line that the child writes. Returns nothing if it closes its output,
+    /// after `seconds`, and soon after `stops` returns true.
+    std::optional<std::string> answer(const std::string& line, double seconds,
+                                      const std::function<bool()>& stops);
+    bool is_silent() const { return silent_; }              ///< whether it has closed its output
+    const std::string& unfinished() const { return read_; } ///< the text after its last whole line
+    /// Closes its input; a program that reads lines ends then.
     void close_input();
-    /// Ends it and what it started, and tells how it had ended, if it had: "ended with exit code 1".
-    std::string end();
+    /// Ends the child and what it started, after up to `patience` seconds to end by itself. Returns how it
+    /// had ended: "ended with exit code 1".
+    std::string end(double patience = 0);
 
   private:
-    bool ended_within(double seconds);
-
     pid_t process_ = 0;
-    int in_ = -1, out_ = -1, status_ = 0;
-    bool ended_ = false, silent_ = false;
-    std::string rest_, read_;
+    int in_ = -1, out_ = -1;
+    bool silent_ = false;
+    std::string read_;
 };
 
 /// Copies of one program that evaluate genomes: each takes the next when it is free. They are started when
-/// they are needed, and are assumed to answer the same genome alike.
+/// they are needed, and are assumed to give the same answer for the same genome.
 class Children {
   public:
     /// @param command  the program, split by split_command
-    /// @param count    how many at most run beside each other
-    /// @param seconds  that one evaluation may take
-    /// @param log      where what they say on standard error goes; goes itself when it stayed empty
+    /// @param count    maximum number of copies
+    /// @param seconds  maximum time for one evaluation
+    /// @param log      file for what they write to standard error; removed if it stays empty
     Children(const std::string& command, int count, double seconds, std::filesystem::path log);
     ~Children();
     Children(const Children&) = delete;
 
-    /// The answers to genomes, given as JSON arrays; none where the watch expired first or there was trouble.
+    /// The answers for genomes, given as JSON arrays; none if the watch expired first or there was trouble.
     std::vector<std::optional<Answer>> ask(std::span<const std::string> genes, const ga::Watch& watch);
-    /// What went wrong, in a line; nothing is asked any more then. Empty while all is well.
+    /// The first error, in one line; empty if there was none. Genomes are not sent after it.
     const std::string& trouble() const { return trouble_; }
-    /// Of every answer; 0 before the first one.
+    /// Number of objectives of each answer; 0 before the first one.
     std::size_t objectives() const { return first_.answer.objectives.size(); }
     int count() const { return static_cast<int>(children_.size()); }
 
-    /// Every answer is taken into it.
-    BestKnown record;
+    BestKnown record; ///< the best of all answers
 
   private:
-    struct Worker {
-        std::unique_ptr<Child> child = {};
-        std::size_t call = 0; ///< place among the genomes that are asked for
-        long id = 0;          ///< of the call that it works on, 0 for none
-        ga::Stopwatch since = {};
-    };
-    void begin(Worker& worker, std::size_t call, const std::string& genes);
-    /// The answer, if it has come.
-    std::optional<Answer> hear(Worker& worker, const std::string& genes);
+    std::optional<Answer> answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                    const std::function<bool()>& stops);
     std::optional<Answer> read(const std::string& line, long id, std::string& fault) const;
-    void wait() const;
     void give_up(const std::string& message);
     std::string log_end() const;
 
@@ -98,9 +85,11 @@ class Children {
     double seconds_;
     std::filesystem::path log_file_;
     int log_;
-    long asked_ = 0;
-    std::vector<Worker> children_;
-    Solution first_;
+    std::vector<std::unique_ptr<Child>> children_;
+    Solution first_; ///< the first genome that was answered
+    std::atomic<long> sent_ = 0;
+    std::atomic<bool> has_trouble_ = false;
+    std::mutex trouble_mutex_;
     std::string trouble_;
 };
 

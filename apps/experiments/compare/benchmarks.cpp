@@ -1,5 +1,4 @@
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/experiments/compare/problems/bbob.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"
 #include "apps/report/builtin.hpp"
 #include "apps/report/csv.hpp"
@@ -7,8 +6,8 @@
 #include "domain/errors.hpp"
 #include "ga/text/nearest.hpp"
 
-#include <charconv>
 #include <cmath>
+#include <regex>
 
 namespace app {
 
@@ -51,7 +50,7 @@ Reached raced(const rough::DesignSetup& setup, const std::string& variant, const
     return tally.reached();
 }
 
-/// A benchmark whose instances a function makes of their number.
+/// A benchmark; `make` creates the instance of a number.
 template <class Make>
 Benchmark benchmark(std::string name, std::string group, std::string kind, std::vector<double> targets,
                     Make make) {
@@ -90,7 +89,7 @@ Benchmark bbob_benchmark(int dimension, int function) {
                      });
 }
 
-/// Those that are always the same, by name.
+/// All benchmarks except BBOB's functions and roughness.
 std::vector<Benchmark> fixed_benchmarks() {
     std::vector<Benchmark> all;
     for (const std::string& name : front_problems())
@@ -109,19 +108,12 @@ std::vector<Benchmark> fixed_benchmarks() {
 
 /// The dimension and function (0: all) of "bbob5" or "bbob5-8", or nothing.
 std::optional<std::pair<int, int>> bbob_named(const std::string& name) {
-    const std::string prefix = "bbob";
-    if (!name.starts_with(prefix))
+    static const std::regex form("bbob(\\d{1,2})(-(\\d{1,2}))?");
+    std::smatch parts;
+    if (!std::regex_match(name, parts, form))
         return {};
-    const char *at = name.data() + prefix.size(), *end = name.data() + name.size();
-    int dimension = 0, function = 0;
-    auto read = std::from_chars(at, end, dimension);
-    if (read.ec == std::errc() && read.ptr < end && *read.ptr == '-') {
-        read = std::from_chars(read.ptr + 1, end, function);
-        if (function < 1)
-            return {};
-    }
-    if (read.ec != std::errc() || read.ptr != end || dimension < 2 || dimension > 40 ||
-        function > Bbob::functions)
+    const int dimension = std::stoi(parts[1]), function = parts[2].matched ? std::stoi(parts[3]) : 0;
+    if (dimension < 2 || dimension > 40 || function > Bbob::functions || (parts[2].matched && function < 1))
         return {};
     return std::pair(dimension, function);
 }
@@ -158,7 +150,7 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
         } else if (name == "roughness" && roughness) {
             all.push_back(roughness_benchmark(*roughness));
         } else if (name == "roughness") {
-            throw rough::InputError("roughness: given without a target, expected its file (CSV)");
+            throw rough::InputError("roughness: has no target; give its file (CSV)");
         }
         for (const Benchmark& each : fixed)
             if (each.name == name || each.group == name)
@@ -168,15 +160,15 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
             for (const Benchmark& each : fixed)
                 known.insert(known.end(), {each.name, each.group});
             throw rough::InputError("\"" + name +
-                                    "\" given, expected bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
-                                    "zdt, dtlz, knapsack, tsp, one of theirs or roughness" +
+                                    "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
+                                    "zdt, dtlz, knapsack, tsp, a problem of theirs or roughness" +
                                     ga::suggestion(name, known));
         }
     }
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (all[i].name == all[j].name)
-                throw rough::InputError("\"" + all[i].name + "\" given twice, expected once");
+                throw rough::InputError("\"" + all[i].name + "\" is given twice; give it once");
     return all;
 }
 

@@ -1,6 +1,5 @@
 #include "apps/experiments/compare/contest.hpp"
 
-#include "apps/report/csv.hpp"
 #include "ga/base/random.hpp"
 #include "ga/observers/coco.hpp"
 
@@ -13,29 +12,23 @@ namespace app {
 
 namespace {
 
-constexpr int moments = 61; // of a runtime ECDF
+constexpr int moments = 61; // points of a runtime ECDF
 constexpr std::size_t resamples = 300;
 
 using Areas = std::vector<std::vector<double>>; // [variant][seed]
 
-/// Less is better, as ranks count from the smallest.
-std::vector<double> negative(std::vector<double> values) {
-    for (double& value : values)
-        value = -value;
-    return values;
-}
-
 std::vector<double> evaluations_of(const std::vector<const Bout*>& bouts) {
-    double most = 1;
+    double max_per_gene = 1;
     for (const Bout* bout : bouts)
-        most = std::max(most, static_cast<double>(bout->budget) / static_cast<double>(bout->problem.genes));
+        max_per_gene = std::max(max_per_gene,
+                                static_cast<double>(bout->budget) / static_cast<double>(bout->problem.genes));
     std::vector<double> all;
     for (int i = 0; i < moments; ++i)
-        all.push_back(std::pow(most, i / (moments - 1.0)));
+        all.push_back(std::pow(max_per_gene, i / (moments - 1.0)));
     return all;
 }
 
-/// The curve of each seed, the mean over the problems, gives the group's and its resamples.
+/// The share and its interval from the curve of each seed, which is a mean over the problems.
 RuntimeShare share_of(const std::vector<std::vector<double>>& of_seed, std::uint64_t seed) {
     RuntimeShare result;
     for (std::size_t at = 0; at < of_seed.front().size(); ++at) {
@@ -55,35 +48,31 @@ RuntimeShare share_of(const std::vector<std::vector<double>>& of_seed, std::uint
     return result;
 }
 
-/// Every pair of variants, corrected together. `p_of` gives the difference and its p.
+/// Adds every pair of variants, corrected together. `verifier` gives the difference and its p.
 template <class Verifier>
 void add_duels(std::vector<Duel>& duels, const std::string& problem, std::size_t variants,
                Verifier verifier) {
-    std::vector<double> p;
-    const std::size_t first = duels.size();
+    std::vector<Duel> pairs;
     for (std::size_t a = 0; a < variants; ++a)
         for (std::size_t b = a + 1; b < variants; ++b) {
-            const auto [difference, chance] = verifier(a, b);
-            duels.push_back({problem, a, b, difference, chance, chance});
-            p.push_back(chance);
+            const auto [difference, p] = verifier(a, b);
+            pairs.push_back({problem, a, b, difference, p, p});
         }
-    const std::vector<double> corrected = rough::holm(p);
+    const std::vector<double> corrected = rough::holm(rough::column(pairs, &Duel::p));
     for (std::size_t i = 0; i < corrected.size(); ++i)
-        duels[first + i].corrected = corrected[i];
+        pairs[i].corrected = corrected[i];
+    duels.insert(duels.end(), pairs.begin(), pairs.end());
 }
 
 void assess_ranks(GroupResult& group) {
     const std::size_t variants = group.shares.size();
-    std::vector<std::vector<double>> blocks;
-    for (const Areas& problem : group.areas)
-        blocks.push_back(
-            negative(rough::column(problem, [](const auto& seeds) { return rough::mean(seeds); })));
-    if (blocks.size() == 1) { // its seeds, each an instance
-        blocks.clear();
+    std::vector<std::vector<double>> blocks; // negative areas, because rank 1 is the lowest value
+    if (group.areas.size() > 1)
+        for (const Areas& problem : group.areas)
+            blocks.push_back(rough::column(problem, [](const auto& seeds) { return -rough::mean(seeds); }));
+    else // one block per seed, which is an instance
         for (std::size_t s = 0; s < group.areas[0][0].size(); ++s)
-            blocks.push_back(
-                negative(rough::column(group.areas[0], [&](const auto& seeds) { return seeds[s]; })));
-    }
+            blocks.push_back(rough::column(group.areas[0], [&](const auto& seeds) { return -seeds[s]; }));
     group.ranks = rough::friedman(blocks);
     if (group.areas.size() > 1)
         add_duels(group.duels, "", variants, [&](std::size_t a, std::size_t b) {
@@ -144,17 +133,16 @@ double mean_area(const GroupResult& group, std::size_t variant) {
 }
 
 std::vector<GroupResult> analysed(const Contest& contest) {
-    std::vector<std::pair<std::string, std::vector<const Bout*>>> groups;
-    for (const Bout& bout : contest.bouts) {
-        auto found = std::find_if(groups.begin(), groups.end(),
-                                  [&](const auto& group) { return group.first == bout.problem.group; });
-        if (found == groups.end())
-            found = groups.insert(found, {bout.problem.group, {}});
-        found->second.push_back(&bout);
-    }
     std::vector<GroupResult> results;
-    for (const auto& [name, bouts] : groups)
-        results.push_back(group_of(name, bouts, contest));
+    for (const Bout& first : contest.bouts) {
+        const std::string& name = first.problem.group;
+        std::vector<const Bout*> bouts;
+        for (const Bout& bout : contest.bouts)
+            if (bout.problem.group == name)
+                bouts.push_back(&bout);
+        if (bouts.front() == &first) // otherwise the group is done
+            results.push_back(group_of(name, bouts, contest));
+    }
     return results;
 }
 
@@ -162,8 +150,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Whole decades and the last target.
-bool is_told(const std::vector<double>& targets, std::size_t k) {
+/// Whether ert.csv has a target: whole decades and the last target.
+bool is_listed(const std::vector<double>& targets, std::size_t k) {
     const double decade = std::log10(targets[k]);
     return k + 1 == targets.size() || std::abs(decade - std::round(decade)) < 1e-9;
 }
@@ -272,17 +260,17 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
 }
 
 Findings findings_of(const Contest& contest, const std::vector<GroupResult>& groups) {
-    Csv runs("problem,variant,seed,evaluations,precision,targets_reached,area");
-    Csv ert("problem,variant,precision,expected_runtime,successes,runs", 6);
-    Csv ecdf("group,variant,evaluations_per_gene,share,lower,upper", 6);
-    Csv tests("group,problem,first,second,area_difference,p,p_corrected", 6);
-    json result{{"seeds", contest.seeds}, {"budget", contest.budget}};
+    Findings found{.result = {{"seeds", contest.seeds}, {"budget", contest.budget}}};
+    Csv &runs = found.table("runs.csv", "problem,variant,seed,evaluations,precision,targets_reached,area"),
+        &ert = found.table("ert.csv", "problem,variant,precision,expected_runtime,successes,runs", 6),
+        &ecdf = found.table("ecdf.csv", "group,variant,evaluations_per_gene,share,lower,upper", 6),
+        &tests = found.table("tests.csv", "group,problem,first,second,area_difference,p,p_corrected", 6);
     for (const GroupResult& group : groups) {
-        result["groups"][group.name] = group_json(group);
+        found.result["groups"][group.name] = group_json(group);
         const Contestants& variants = group.bouts.front()->variants;
         for (std::size_t k = 0; k < group.bouts.size(); ++k) {
             const Bout& bout = *group.bouts[k];
-            result["problems"][bout.problem.name] = bout_json(bout);
+            found.result["problems"][bout.problem.name] = bout_json(bout);
             for (std::size_t v = 0; v < variants.size(); ++v) {
                 for (std::size_t s = 0; s < bout.runs[v].size(); ++s) {
                     const Reached& run = bout.runs[v][s];
@@ -290,7 +278,7 @@ Findings findings_of(const Contest& contest, const std::vector<GroupResult>& gro
                              run.precision, reached(run), group.areas[k][v][s]);
                 }
                 for (std::size_t t = 0; t < bout.problem.targets.size(); ++t)
-                    if (is_told(bout.problem.targets, t))
+                    if (is_listed(bout.problem.targets, t))
                         ert.row(bout.problem.name, variants[v].first, bout.problem.targets[t],
                                 expected_runtime(bout.runs[v], t), successes(bout.runs[v], t), contest.seeds);
             }
@@ -303,11 +291,7 @@ Findings findings_of(const Contest& contest, const std::vector<GroupResult>& gro
             tests.row(group.name, duel.problem, variants[duel.first].first, variants[duel.second].first,
                       duel.difference, duel.p, duel.corrected);
     }
-    return {.result = result,
-            .files = {{"runs.csv", runs.text()},
-                      {"ert.csv", ert.text()},
-                      {"ecdf.csv", ecdf.text()},
-                      {"tests.csv", tests.text()}}};
+    return found;
 }
 
 } // namespace app

@@ -10,28 +10,28 @@
 #include <map>
 #include <optional>
 
-/// What a comparison of variants found, and what follows from it.
+/// Runs of a comparison of variants, and their statistics.
 namespace app {
 
 /// A problem of a comparison.
 struct Benchmark {
-    std::string name;      ///< e.g. "bbob5-8"
-    std::string group;     ///< those that are counted together, e.g. "bbob5"
-    std::string kind;      ///< of genome, which decides the variants: real, fronts, bits, tours, surfaces
-    std::size_t genes = 1; ///< the D of a budget
-    std::vector<double> targets; ///< precisions to be reached, each less than the one before
+    std::string name;            ///< e.g. "bbob5-8"
+    std::string group;           ///< problems with common statistics, e.g. "bbob5"
+    std::string kind;            ///< kind of genome and so of variants: real, fronts, bits, tours, surfaces
+    std::size_t genes = 1;       ///< D of a budget
+    std::vector<double> targets; ///< falling precisions to reach
     /// Throws ga::UsageError on a variant that cannot work here.
     std::function<void(const std::string& variant)> check;
     std::function<Reached(const std::string& variant, int instance, const Attempt&)> run;
 };
 
-/// By names of problems or groups: bbobN (BBOB's functions in N dimensions) or bbobN-F, zdt, dtlz, knapsack,
-/// tsp or one of theirs, roughness (which needs the set-up of a design). Throws rough::InputError on others.
+/// Problems by the names of problems or groups. Names are bbobN (BBOB's functions in N dimensions), bbobN-F,
+/// zdt, dtlz, knapsack, tsp, their problems, and roughness, which needs the setup of a design. Throws
+/// rough::InputError on other names.
 std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
                                   const std::optional<rough::DesignSetup>& roughness);
 
-/// Precisions from one to another, evenly on a logarithmic scale; of 51, as COCO has them, every decade of
-/// 1e2 to 1e-8 is among them.
+/// The 51 precisions of COCO, evenly on a logarithmic scale. From 1e2 to 1e-8 they include every decade.
 std::vector<double> precisions(double from, double to);
 
 /// Pipelines by name.
@@ -45,26 +45,26 @@ struct Bout {
     Benchmark problem;
     Contestants variants;
     long budget = 0;                        ///< evaluations of each run
-    std::vector<std::vector<Reached>> runs; ///< a row a variant, in it one a seed
+    std::vector<std::vector<Reached>> runs; ///< [variant][seed]
 };
 
 struct Contest {
-    Origin origin;      ///< its seed is the first, and the number of the first instance
+    Origin origin;      ///< its seed is the first seed and the number of the first instance
     long seeds = 0;     ///< runs of each variant on each problem
-    std::string budget; ///< as it was given
+    std::string budget; ///< as given
     std::vector<Bout> bouts;
 };
 
-/// The number of the instance that a run of this number is on.
+/// Number of the instance for a seed.
 inline int instance_of(std::uint64_t number) { return static_cast<int>(1 + (number - 1) % 100000); }
 
-/// Evaluations a success takes in the mean: those of all runs until they reached a target, or ended, over how
-/// many reached it (Auger and Hansen 2005); infinite where none did.
+/// Mean number of evaluations per success (Auger and Hansen 2005). It is the sum of the evaluations of all
+/// runs, until they reach the target or end, over the number of successes. Infinite without a success.
 double expected_runtime(const std::vector<Reached>& runs, std::size_t target);
 long successes(const std::vector<Reached>& runs, std::size_t target);
 
-/// Share of all pairs of run and target that were reached with so many evaluations a gene (COCO's runtime
-/// ECDF), and where it lies were other seeds drawn (bootstrap over seeds, 95 %).
+/// COCO's runtime ECDF: share of all pairs of run and target that are reached, against the evaluations per
+/// gene. The 95 % interval is by bootstrap over the seeds.
 struct RuntimeShare {
     std::vector<double> share, lower, upper; ///< at each of a group's `evaluations`
 };
@@ -73,7 +73,7 @@ struct RuntimeShare {
 struct Duel {
     std::string problem; ///< "" over all problems of the group
     std::size_t first, second;
-    double difference;   ///< of their mean areas
+    double difference;   ///< mean area of the first less that of the second
     double p, corrected; ///< two-sided, and after Holm's correction over the pairs
 };
 
@@ -81,12 +81,12 @@ struct Duel {
 struct GroupResult {
     std::string name;
     std::vector<const Bout*> bouts;
-    std::vector<double> evaluations;  ///< a gene, evenly on a logarithmic scale
-    std::vector<RuntimeShare> shares; ///< a variant each
-    /// [problem][variant][seed]: mean height of a run's share of targets over `evaluations`; 1 would be all
-    /// targets at once, 0 none ever. This is what is ranked and tested.
+    std::vector<double> evaluations;  ///< per gene, evenly on a logarithmic scale
+    std::vector<RuntimeShare> shares; ///< one per variant
+    /// [problem][variant][seed]: mean share of targets that a run has reached, over `evaluations`. At 1 all
+    /// targets are reached at once, at 0 none ever. Ranks and tests compare these areas.
     std::vector<std::vector<std::vector<double>>> areas;
-    rough::Friedman ranks; ///< of mean areas over the problems, the best first; of one problem over its seeds
+    rough::Friedman ranks;   ///< ranks of mean areas over the problems; for one problem over its seeds
     std::vector<Duel> duels; ///< signed ranks over the problems, then rank sums over each problem's seeds
 };
 
@@ -95,14 +95,14 @@ std::vector<GroupResult> analysed(const Contest& contest);
 /// Mean area of a variant over a group's problems.
 double mean_area(const GroupResult& group, std::size_t variant);
 
-/// The runs on BBOB's functions as COCO has them (ga::write_coco): a folder for each variant.
+/// Writes the runs on BBOB's functions in COCO's format (ga::write_coco), one folder per variant.
 void write_coco_runs(const Contest& contest, const std::filesystem::path& folder);
 
 /// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv.
 Findings findings_of(const Contest& contest, const std::vector<GroupResult>& groups);
 
-/// What each rank does for a comparison: from a race to what it reached. `setting` has the names of the
-/// problems, and the set-up of roughness or null.
+/// The work of a rank for a comparison: runs a race and returns a Reached. `setting` has the names of the
+/// problems, and the setup of roughness or null.
 cluster::Work races_under(const nlohmann::json& setting);
 
 } // namespace app

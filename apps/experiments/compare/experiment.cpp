@@ -23,20 +23,18 @@ constexpr const char* quick_problems =
 
 std::vector<Setting> compare_settings() {
     std::vector<Setting> settings{
-        {"compare.problems", "", std::string("with commas between [") + usual_problems + "]"},
+        {"compare.problems", "", std::string("separated by commas [") + usual_problems + "]"},
         {"compare.variants", "",
-         "NAME=PIPELINE with commas between, or names of usual ones, for every problem [by the kind of "
-         "genome: "
-         "sections real, fronts, bits, tours and surfaces of the file, or the usual ones]"},
+         "NAME=PIPELINE or names of usual variants, separated by commas, for every problem [sections real, "
+         "fronts, bits, tours and surfaces of the file, or the usual variants]"},
         ga::whole("compare.seeds", "", 1, "runs of each variant on each problem [15]").up_to(1000),
         {"compare.budget", "", "evaluations of a run: 20000, or 1e4*D of a genome of D genes [1e4*D]"},
         ga::whole("compare.curves", "1000", 1, "budget of a run on roughness: curves and gradients")
             .up_to(1e9),
         {"compare.target", "", "target curve (CSV) of roughness"},
-        pressure("compare.max-pressure", "", "of roughness: p_max of Eq. 11, MPa [amplitude is a gene]"),
+        pressure("compare.max-pressure", "", "p_max of Eq. 11 for roughness, MPa [amplitude is a gene]"),
         {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
-        {"compare.quick", "", "few problems, 5 seeds, 1e3*D evaluations, where nothing else is asked for",
-         true}};
+        {"compare.quick", "", "by default few problems, 5 seeds and 1e3*D evaluations", true}};
     for (const auto& [kind, usual] : usual_contestants())
         settings.push_back({kind + ".*", "", "a variant on problems of this kind of genome"});
     return joined({settings, model_settings("model.")});
@@ -46,7 +44,7 @@ std::string text_of(const Settings& settings, const std::string& key, const char
     return settings.has(key) ? settings.text(key) : settings.is_on("compare.quick") ? quick : usual;
 }
 
-/// "1e4*D" of so many genes, or a number.
+/// The budget for a number of genes: "1e4*D" or a number.
 long budget_from(const Settings& settings, const std::string& text, std::size_t genes) {
     std::string number(rough::trim(text));
     double factor = 1;
@@ -58,11 +56,11 @@ long budget_from(const Settings& settings, const std::string& text, std::size_t 
     const double budget = rough::number_from(number, place) * factor;
     if (!(budget >= 1 && budget <= 1e12))
         throw rough::InputError(place + ": " + text +
-                                " given, expected 1 to 1e12 evaluations, e.g. 20000 or 1e4*D");
+                                " is out of range (1 to 1e12 evaluations, e.g. 20000 or 1e4*D)");
     return static_cast<long>(budget);
 }
 
-/// The parts of a text between its commas, but those within brackets.
+/// The parts of a text between its commas; commas within brackets do not count.
 std::vector<std::string> parts_of(const std::string& text) {
     std::vector<std::string> parts{""};
     int depth = 0;
@@ -76,7 +74,7 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
-/// Who runs on problems of a kind; a usual variant's name stands for its pipeline.
+/// The variants for problems of a kind; the name of a usual variant stands for its pipeline.
 Contestants contestants_of(const Settings& settings, const std::string& kind) {
     const Contestants& usual = usual_contestants().at(kind);
     const auto meaning = [&](const std::string& text) {
@@ -94,11 +92,11 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
                 name = text = std::string(rough::trim(part));
             if (name.empty() || text.empty())
                 throw rough::InputError(settings.place("compare.variants") + ": \"" + part +
-                                        "\" given, expected NAME=PIPELINE");
+                                        "\" is not a variant; give NAME=PIPELINE");
             for (const auto& other : given)
                 if (other.first == name)
                     throw rough::InputError(settings.place("compare.variants") + ": '" + name +
-                                            "' given twice, expected once");
+                                            "' is given twice; give it once");
             given.emplace_back(name, meaning(text));
         }
         return given;
@@ -121,9 +119,8 @@ std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
 Contest contest_from(const Settings& settings, const Origin& origin) {
     Contest contest;
     contest.origin = origin;
-    contest.seeds = settings.has("compare.seeds")     ? settings.whole("compare.seeds")
-                    : settings.is_on("compare.quick") ? 5
-                                                      : 15;
+    contest.seeds = static_cast<long>(
+        rough::number_from(text_of(settings, "compare.seeds", "15", "5"), settings.place("compare.seeds")));
     contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);
@@ -139,18 +136,14 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
         bout.variants = contestants_of(settings, problem.kind);
         bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves")
                                                  : budget_from(settings, contest.budget, problem.genes);
-        for (const auto& variant : bout.variants) {
-            const std::string &name = variant.first, &text = variant.second;
-            const std::string key = problem.kind + "." + name;
-            read_at(settings, settings.given(key) ? key : "compare.variants", [&] {
-                try {
-                    problem.check(text);
-                } catch (const ga::UsageError& error) {
-                    throw ga::UsageError("'" + name + "' on " + problem.name + ": " + error.what());
-                }
-                return 0;
-            });
-        }
+        for (const auto& [name, text] : bout.variants)
+            try {
+                problem.check(text);
+            } catch (const ga::UsageError& error) {
+                const std::string key = problem.kind + "." + name;
+                throw rough::InputError(settings.place(settings.given(key) ? key : "compare.variants") +
+                                        ": '" + name + "' on " + problem.name + ": " + error.what());
+            }
         has_bbob |= problem.name.starts_with("bbob");
         bout.runs.assign(bout.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
         bout.problem = std::move(problem);
@@ -158,11 +151,11 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     }
     if (settings.is_on("compare.coco") && !has_bbob)
         throw rough::InputError(settings.place("compare.coco") +
-                                ": given without a function of BBOB; add one to --problems, e.g. bbob5");
+                                ": no function of BBOB; add one to --problems, e.g. bbob5");
     return contest;
 }
 
-/// All runs, spread over threads and ranks; problems that were not finished are left out.
+/// Does all runs, on threads and ranks. Unfinished problems are removed.
 void hold(Contest& contest, const Settings& settings, const Conditions& conditions) {
     struct Place {
         std::size_t bout, variant, seed;
@@ -224,19 +217,13 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
     hold(contest, settings, conditions);
     if (contest.bouts.empty())
         return {};
-    const std::vector<GroupResult> groups = analysed(contest);
-    std::string best;
-    for (const GroupResult& group : groups) {
-        const auto& ranks = group.ranks.mean_ranks;
-        const auto first =
-            static_cast<std::size_t>(std::min_element(ranks.begin(), ranks.end()) - ranks.begin());
-        best +=
-            (best.empty() ? "best on " : ", on ") + group.name + " " + group.bouts[0]->variants[first].first;
-    }
     if (settings.is_on("compare.coco"))
         write_coco_runs(contest, conditions.folder / "coco");
+    const std::vector<GroupResult> groups = analysed(contest);
     Findings found = findings_of(contest, groups);
-    found.summary = best;
+    for (const GroupResult& group : groups)
+        found.summary += (found.summary.empty() ? "best on " : ", on ") + group.name + " " +
+                         found.result["groups"][group.name]["standing"][0]["variant"].get<std::string>();
     return found;
 }
 
@@ -260,9 +247,9 @@ Experiment compare_experiment() {
                 "functions in any dimension from 2 to 40, ZDT and DTLZ, knapsacks, tours, and the roughness"
                 " problem. Gives medians with intervals, when targets are reached (runtime ECDF, expected "
                 "runtimes), and rank tests with correction, as result.json, runs.csv, ert.csv, ecdf.csv, "
-                "tests.csv and report.html. In a pipeline 1/n is one gene's share, 18n 18 times the genes, "
-                "objectives the names of all. libpagmo's pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, "
-                "pagmo:sade and pagmo:sga run beside where rugosa was built with it.",
+                "tests.csv and report.html. In a pipeline 1/n is one gene's share, 18n 18 times the number "
+                "of genes, and objectives the names of all objectives. With libpagmo in the build, "
+                "pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga run, too.",
             .settings = compare_settings(),
             .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "coco"},
             .run = run_compare,

@@ -25,13 +25,12 @@ void expect_pagmos(const RealInstance& instance, const std::string& variant) {
     const std::vector<std::string>& names = pagmo_variants();
     if (names.empty())
         throw ga::UsageError("\"" + variant +
-                             "\" given, expected a rugosa that was built with libpagmo (Debian's "
-                             "libpagmo-dev)");
+                             "\" needs a build with libpagmo; install Debian's libpagmo-dev and build again");
     if (std::find(names.begin(), names.end(), variant) == names.end())
-        throw ga::UsageError("\"" + variant + "\" is none of libpagmo's" + ga::suggestion(variant, names));
+        throw ga::UsageError("\"" + variant + "\" is not an algorithm of libpagmo" +
+                             ga::suggestion(variant, names));
     if (instance.objectives > 1)
-        throw ga::UsageError("\"" + variant +
-                             "\" given, expected a pipeline: the problem has several objectives");
+        throw ga::UsageError("\"" + variant + "\" cannot search for several objectives; give a pipeline");
 }
 
 #ifndef RUGOSA_PAGMO
@@ -51,7 +50,7 @@ Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant,
 
 namespace {
 
-/// Thrown through the algorithm when there is nothing more to evaluate.
+/// Thrown through the algorithm when the run is over.
 struct Ended {};
 
 struct Run {
@@ -61,7 +60,7 @@ struct Run {
     long budget, made = 0;
 };
 
-/// An instance as libpagmo takes it: made by default, copied and serialised at its will.
+/// An instance as a user-defined problem of libpagmo, which copies it.
 struct Measured {
     Run* run = nullptr;
 
@@ -73,21 +72,20 @@ struct Measured {
         return value.objectives;
     }
     std::pair<pagmo::vector_double, pagmo::vector_double> get_bounds() const {
+        if (!run)
+            return {{0}, {1}};
         std::pair<pagmo::vector_double, pagmo::vector_double> bounds;
-        if (run)
-            for (const ga::Variable& gene : run->instance.box) {
-                bounds.first.push_back(gene.lower);
-                bounds.second.push_back(gene.upper);
-            }
-        else
-            bounds = {{0}, {1}};
+        for (const ga::Variable& gene : run->instance.box) {
+            bounds.first.push_back(gene.lower);
+            bounds.second.push_back(gene.upper);
+        }
         return bounds;
     }
     template <class Archive>
     void serialize(Archive&, unsigned) {}
 };
 
-/// Which stays between the bounds, as ours do; `pagmo:cmaes` may leave them.
+/// CMA-ES that stays between the bounds like rugosa's variants; `pagmo:cmaes` may leave them.
 const std::string bounded_cmaes = "pagmo:cmaes-bounded";
 bool is_cmaes(const std::string& variant) { return variant == "pagmo:cmaes" || variant == bounded_cmaes; }
 

@@ -2,6 +2,9 @@
 
 #include "apps/external/problem.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -78,16 +81,9 @@ class Tallied : public ga::Evaluator<OutsideProblem<G>> {
 
 template <class G>
 ga::Stage<OutsideProblem<G>> stage_of(const Instance<G>& instance, std::string text) {
-    std::string names;
-    for (const std::string& name : objective_names(instance.objectives))
-        names += (names.empty() ? "" : " ") + name;
-    const auto put = [&](const std::string& word, const std::string& meaning) {
-        for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + meaning.size()))
-            text.replace(at, word.size(), meaning);
-    };
-    put("1/n", ga::number(1 / static_cast<double>(instance.genes)));
-    put("18n", std::to_string(18 * instance.genes));
-    put("objectives", names);
+    boost::replace_all(text, "1/n", ga::number(1 / static_cast<double>(instance.genes)));
+    boost::replace_all(text, "18n", std::to_string(18 * instance.genes));
+    boost::replace_all(text, "objectives", boost::join(objective_names(instance.objectives), " "));
     return ga::Parser<OutsideProblem<G>>(ga::whole_vocabulary<OutsideProblem<G>>()).parse(text);
 }
 

@@ -16,16 +16,15 @@
 
 namespace app {
 
-/// One instance of a benchmark problem, with what it takes to verify a search on it.
+/// One instance of a benchmark problem, with its optimum or its true front.
 template <class G>
 struct Instance {
-    std::function<Answer(const G&)> evaluate; ///< less is better in every objective
+    std::function<Answer(const G&)> evaluate; ///< lower is better in every objective
     std::size_t genes = 0;
-    std::vector<ga::Variable> box = {}; ///< of real genes
+    std::vector<ga::Variable> box = {}; ///< ranges of real genes
     std::size_t objectives = 1;
-    /// Of one objective: precision is (f - best) / scale.
-    double best = 0, scale = 1;
-    /// Of several: precision is IGD+ from these points of the true front.
+    double best = 0, scale = 1; ///< for one objective: precision is (f - best) / scale
+    /// For several objectives: precision is IGD+ from these points of the true front.
     std::shared_ptr<const std::vector<ga::Point>> front = {};
 };
 
@@ -33,9 +32,9 @@ using RealInstance = Instance<std::vector<double>>;
 using BitsInstance = Instance<std::vector<bool>>;
 using TourInstance = Instance<ga::Permutation>;
 
-/// How near the evaluations so far have come: of one objective the least precision of those that hold their
-/// constraints; of several IGD+ (Ishibuchi et al. 2015) of all of them together, the mean over the true
-/// front's points of how far the nearest evaluation falls short of each.
+/// The precision of all feasible evaluations so far. For one objective it is the lowest precision. For
+/// several it is IGD+ (Ishibuchi et al. 2015): the mean over the true front's points of the shortfall of the
+/// nearest evaluation.
 class Nearness {
   public:
     template <class G>
@@ -43,7 +42,7 @@ class Nearness {
         : best_(instance.best), scale_(instance.scale), front_(instance.front),
           short_of_(front_ ? front_->size() : 0, HUGE_VAL) {}
 
-    /// With one evaluation more.
+    /// The precision after one more evaluation.
     double after(const Answer& value);
 
   private:
@@ -53,18 +52,18 @@ class Nearness {
     double nearest_ = HUGE_VAL;
 };
 
-/// A run's seed, and when it ends.
+/// A run's seed and its limits.
 struct Attempt {
     std::uint64_t seed = 1;
-    long budget = 0;                         ///< evaluations
-    const std::atomic<bool>* stop = nullptr; ///< somebody asks it to end
+    long budget = 0;                         ///< maximum number of evaluations
+    const std::atomic<bool>* stop = nullptr; ///< true ends the run
 };
 
-/// How far one run came.
+/// The result of one run.
 struct Reached {
-    std::vector<double> evaluations; ///< that each target took; NaN where it was missed
-    double precision = HUGE_VAL;     ///< the best
-    long spent = 0;                  ///< evaluations
+    std::vector<double> evaluations; ///< at which each target was reached; NaN if it was missed
+    double precision = HUGE_VAL;     ///< best precision
+    long spent = 0;                  ///< number of evaluations
     /// Evaluations and the best precision after them: the first, and whenever a target was reached.
     std::vector<std::pair<long, double>> found = {};
 };
@@ -72,15 +71,15 @@ struct Reached {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reached, evaluations, precision, spent, found)
 /// @endcond
 
-/// Keeps when a run reaches its targets, and tells it when to end.
+/// Records when a run reaches its targets.
 class Tally {
   public:
-    /// @param targets  precisions, each less than the one before; all reached is the end
+    /// @param targets  falling precisions; the run is over after the last one
     Tally(const std::vector<double>& targets, const Attempt& attempt);
 
-    /// The best precision once so many evaluations are made.
+    /// Records the precision after a number of evaluations.
     void note(long evaluations, double precision);
-    /// Becomes true when there is nothing more to find, or somebody asks to end.
+    /// Becomes true after the last target, or when the attempt's stop is true.
     const std::atomic<bool>& over() const { return over_; }
     const Reached& reached() const { return reached_; }
 
@@ -92,9 +91,9 @@ class Tally {
     Reached reached_;
 };
 
-/// Runs a pipeline on an instance until its targets are reached or its budget is spent; where it ends before,
-/// it begins anew, as COCO has it. In its text `1/n` is one gene's share, `18n` 18 times the genes, and
-/// `objectives` stands for the names of all.
+/// Runs a pipeline on an instance until its targets are reached or its budget is spent. A pipeline that ends
+/// earlier restarts, as in COCO. In its text `1/n` is one gene's share, `18n` is 18 times the number of
+/// genes, and `objectives` stands for the names of all objectives.
 template <class G>
 Reached raced(const Instance<G>& instance, const std::string& pipeline, const std::vector<double>& targets,
               const Attempt& attempt);
@@ -103,18 +102,19 @@ Reached raced(const Instance<G>& instance, const std::string& pipeline, const st
 template <class G>
 void expect_fits(const Instance<G>& instance, const std::string& pipeline);
 
-/// What libpagmo can be compared by, where rugosa was built with it: pagmo:cmaes, pagmo:cmaes-bounded,
-/// pagmo:de, pagmo:sade and pagmo:sga.
+/// Algorithms of libpagmo: pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga. Empty if
+/// rugosa was built without it.
 const std::vector<std::string>& pagmo_variants();
 
-/// Whether a variant's text names one of libpagmo's.
+/// Whether a variant's text names an algorithm of libpagmo.
 bool is_pagmos(const std::string& variant);
 
-/// Throws ga::UsageError on a name that is none of pagmo_variants, or a problem of several objectives.
+/// Throws ga::UsageError on a name that is not in pagmo_variants, and on several objectives.
 void expect_pagmos(const RealInstance& instance, const std::string& variant);
 
-/// The same as raced, by libpagmo's algorithm with its own defaults; it ends by tolerances of 1e-12, and then
-/// begins anew. Its population: 4 + 3 ln n of cmaes (Hansen), 5 at least; otherwise 20, of sga 40.
+/// Runs an algorithm of libpagmo with its default parameters on an instance. It ends by tolerances of 1e-12
+/// and then restarts. The population is 40 for sga and 20 for de and sade. For cmaes it is 4 + 3 ln n
+/// (Hansen), at least 5.
 Reached raced_by_pagmo(const RealInstance& instance, const std::string& variant,
                        const std::vector<double>& targets, const Attempt& attempt);
 

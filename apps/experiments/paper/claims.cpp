@@ -1,7 +1,6 @@
 #include "apps/experiments/paper/claims.hpp"
 
 #include "apps/report/builtin.hpp"
-#include "apps/report/csv.hpp"
 #include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
@@ -71,22 +70,17 @@ Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers) {
                : Verdict::undecidable;
 }
 
-EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies) {
-    EvaluatedClaim result{&claim, findings_of(claim, run, studies)};
-    result.verdict = verdict_of(
-        claim, rough::column(result.findings, [](const auto& found) { return found.second.number; }));
-    return result;
-}
-
-json claims_json(const PaperRun& run, const Studies& studies, Csv& table) {
+json claims_json(const PaperRun& run, const Studies& studies, Findings& found) {
+    Csv& table = found.table("claims.csv", "id,figure,sentence,measure,rule,verdict,number,number_heldout");
     json claims = json::array(), counts = {{"reproduced", 0}, {"contradicted", 0}, {"undecidable", 0}};
     for (const Claim& claim : paper_claims()) {
-        const EvaluatedClaim result = evaluated(claim, run, studies);
-        const std::string verdict = name_of(result.verdict);
+        const std::vector<Finding> findings = findings_of(claim, run, studies);
+        std::vector<double> known = rough::column(findings, &Finding::number);
+        const std::string verdict = name_of(verdict_of(claim, known));
         counts[verdict] = counts[verdict].get<int>() + 1;
         json numbers = json::array();
-        for (const auto& [title, finding] : result.findings) {
-            numbers.push_back({{"on", title},
+        for (const Finding& finding : findings) {
+            numbers.push_back({{"on", finding.on},
                                {"number", finding.number},
                                {"known", !std::isnan(finding.number)},
                                {"verdict", name_of(verdict_of(claim, {finding.number}))},
@@ -94,11 +88,9 @@ json claims_json(const PaperRun& run, const Studies& studies, Csv& table) {
             for (const auto& [name, value] : finding.parts)
                 numbers.back()["parts"].push_back({{"name", name}, {"value", value}});
         }
-        const auto number = [&](std::size_t i) {
-            return i < result.findings.size() ? result.findings[i].second.number : unknown;
-        };
-        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, number(0),
-                  number(1));
+        known.resize(2, unknown);
+        table.row(claim.id, claim.place, claim.sentence, claim.measure, claim.rule(), verdict, known[0],
+                  known[1]);
         const auto other = run.other_readings.find(claim.id);
         const std::string figure = claim.place.starts_with("Figure ")
                                        ? claim.place.substr(7, claim.place.find_last_of("0123456789") - 6)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/experiments/paper/studies.hpp"
-#include "apps/report/csv.hpp"
 
 namespace app {
 
@@ -11,47 +10,40 @@ const char* name_of(Verdict verdict);
 
 /// The number that a rule is applied to, and the values it comes from, by their names. NaN: not in this run.
 struct Finding {
-    double number = unknown;
-    std::vector<std::pair<std::string, double>> parts = {};
+    double number;
+    std::vector<std::pair<std::string, double>> parts;
+    std::string on = {}; ///< title of the target; "" if the number holds for the whole run
+
+    Finding(double number = unknown, std::vector<std::pair<std::string, double>> parts = {})
+        : number(number), parts(std::move(parts)) {}
 };
 
 /// A row of apps/experiments/paper/claims.csv. A condition is "> 0.95", ">= 30 and <= 120" or "never".
 struct Claim {
     std::string id;
     std::string place;        ///< in the paper, e.g. "Figure 8A"
-    std::string sentence;     ///< what the paper says
-    std::string measure;      ///< what the number is
-    std::string number;       ///< how it is found: a name in measures.cpp, or "least similarity of sog gco"
-    std::string reproduced;   ///< condition, on every target
-    std::string contradicted; ///< condition, on every target; "otherwise": not `reproduced`
+    std::string sentence;     ///< the paper's words
+    std::string measure;      ///< meaning of the number, in words
+    std::string number;       ///< its name in measures.cpp, or an expression: "least similarity of sog gco"
+    std::string reproduced;   ///< condition on the number of every target
+    std::string contradicted; ///< condition on every number; "otherwise": `reproduced` is not met
     std::string remark;
 
     std::string rule() const; ///< both conditions in words
 };
 
-/// The number of a claim by the title of the target, or once with "".
-std::vector<std::pair<std::string, Finding>> findings_of(const Claim& claim, const PaperRun& run,
-                                                         const Studies& studies);
+/// The number of a claim for each target, or once.
+std::vector<Finding> findings_of(const Claim& claim, const PaperRun& run, const Studies& studies);
 
 /// The claims of the paper, in its order.
 const std::vector<Claim>& paper_claims();
 
-/// A claim with what was found, for each target or once.
-struct EvaluatedClaim {
-    const Claim* claim;
-    std::vector<std::pair<std::string, Finding>> findings; ///< by the target's title; "" if found once
-    Verdict verdict = Verdict::undecidable;
-};
-
-/// Reproduced or contradicted if all numbers meet that condition; undecidable if a number is unknown, if
-/// there is none, or if the targets differ.
+/// The verdict whose condition all numbers meet. Undecidable if a number is unknown, if the list is empty, or
+/// if the targets differ.
 Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers);
-EvaluatedClaim evaluated(const Claim& claim, const PaperRun& run, const Studies& studies);
 
-/// The header of claims.csv.
-inline const std::string claims_header = "id,figure,sentence,measure,rule,verdict,number,number_heldout";
-/// The claims for result.json and how many have each verdict; a row of the table for each.
-nlohmann::json claims_json(const PaperRun& run, const Studies& studies, Csv& table);
+/// Adds claims.csv to the tables; returns the claims for result.json and the number of each verdict.
+nlohmann::json claims_json(const PaperRun& run, const Studies& studies, Findings& found);
 
 /// The variant of that name, or null.
 const VariantRun* find_variant(const TargetRun& target, const std::string& name);

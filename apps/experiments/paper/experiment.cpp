@@ -10,6 +10,7 @@
 #include "domain/problem/stored.hpp"
 #include "domain/target/similarity.hpp"
 #include "domain/text/json.hpp"
+#include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/random.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -47,17 +48,18 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     variants.push_back({"sog-minimax", sog(words, Form::minimax)});
     variants.push_back({"gco-minimax", gco(words, Form::minimax)});
     variants.push_back({"cco-minimax", cco(words, Form::minimax)});
-    ga::Variants texts = paper_variants(words);
-    const auto own = settings.texts_under("variants.");
-    for (const auto& [name, text] : own) {
+    ga::Variants texts = rough::paper_variants();
+    const auto given = settings.texts_under("variants.");
+    for (const auto& [name, text] : given) {
         if (texts.count(name))
             throw rough::InputError(settings.place("variants." + name) +
-                                    ": the name of one of the paper's variants, expected another");
+                                    ": the paper has a variant of this name; choose another");
         texts[name] = text;
     }
-    for (const auto& [name, text] : own)
-        variants.push_back({name, read_at(settings, "variants." + name,
-                                          [&, &name = name] { return paper_pipeline(words, texts, name); })});
+    for (const auto& [name, text] : given)
+        variants.push_back({name, read_at(settings, "variants." + name, [&, &name = name] {
+                                return ga::Parser<DesignProblem>(paper_registry(words), texts).variant(name);
+                            })});
     return variants;
 }
 
@@ -65,32 +67,12 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
 std::vector<rough::Genome> database_of(const PaperRun& run) {
     std::vector<rough::Genome> genomes = sobol_database(run.layout);
     const auto columns = static_cast<std::size_t>(run.layout.phase_columns);
-    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // the same for all pairs (H, gamma)
+    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // all pairs have equal phases
         ga::Stream random(ga::fold(ga::fold(ga::fold(run.origin.seed, "phases"), run.phases), g % columns));
         for (rough::Chromosome& chromosome : genomes[g].series[0].chromosomes)
             chromosome.phases[0] = random.uniform(0, 2 * std::numbers::pi);
     }
     return genomes;
-}
-
-/// What a run of a pipeline found, its answer solved throughout; nothing if it was stopped before a genome
-/// was scored.
-std::optional<VariantRun> finished_run(const std::string& name, const rough::DesignProblem& problem,
-                                       const ga::Result<rough::Genome>& result,
-                                       std::vector<StageRecord> stages) {
-    if (result.population.empty())
-        return std::nullopt;
-    VariantRun run;
-    run.name = name;
-    run.stages = std::move(stages);
-    run.seconds = result.seconds;
-    run.notes = result.notes;
-    run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
-    run.answer.response = respond(run.answer.genome, exactly(problem.setup().model));
-    run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
-    run.curves = result.counters.evaluations;
-    run.gradients = result.counters.gradients;
-    return run;
 }
 
 /// A run of gco or cco at one threshold (MPa).
@@ -130,7 +112,7 @@ std::vector<Scores> scores_of(const std::vector<Answered>& database, const rough
     return scores;
 }
 
-/// The paper's genomes and targets with what all variants share.
+/// The searches of one experiment, with the genomes and pipelines that all targets share.
 class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
@@ -168,8 +150,7 @@ class Paper {
         const long count = settings_.whole("paper.sweep-points");
         for (long i = 0; i < count; ++i) {
             const double fraction =
-                count > 1 ? from + (to - from) * static_cast<double>(i) / static_cast<double>(count - 1)
-                          : from;
+                from + (to - from) * static_cast<double>(i) / static_cast<double>(std::max(count - 1, 1L));
             const DesignProblem problem(setup_for(target, fraction * run_.max_pressure), memory_);
             for (const std::size_t cross_over : {1, 2}) {
                 if (conditions_.stop)
@@ -189,36 +170,48 @@ class Paper {
     }
 
     rough::Vocabulary words_by(rough::DominanceReading reading) const {
-        const auto responses = std::make_shared<rough::LoneResponses>(run_.searched);
-        return {std::make_shared<DominanceRule>(responses, reading, run_.dominant_above), run_.reach};
+        return {std::make_shared<DominanceRule>(run_.searched, reading, run_.dominant_above), run_.reach};
     }
 
-    using Run = ga::Result<rough::Genome>;
-
-    Run run_pipeline(const Variant& variant, const DesignProblem& problem,
-                     const std::vector<ga::Observer<rough::Genome>>& observers,
-                     ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
+    /// Runs a variant and records its stages; its answer is solved exactly. Empty if the run was stopped
+    /// before a genome was scored.
+    std::optional<VariantRun> run_into(std::vector<StageRecord>& stages, const Variant& variant,
+                                       const DesignProblem& problem,
+                                       std::vector<ga::Observer<rough::Genome>> observers = {},
+                                       ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
         ga::RunOptions options;
         options.variant = variant.name;
         options.seed = run_.origin.seed;
         options.threads = run_.origin.threads;
         options.budget.stop = &conditions_.stop;
-        return ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_), options,
-                          observers, keeper);
+        observers.insert(observers.begin(), recorder(stages));
+        const auto result = ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_),
+                                       options, observers, keeper);
+        if (result.population.empty())
+            return std::nullopt;
+        VariantRun run;
+        run.name = variant.name;
+        run.stages = std::move(stages);
+        run.seconds = result.seconds;
+        run.notes = result.notes;
+        run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
+        run.answer.response = respond(run.answer.genome, exactly(problem.setup().model));
+        run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
+        run.curves = result.counters.evaluations;
+        run.gradients = result.counters.gradients;
+        return run;
     }
 
-    /// Nothing when it was stopped before a genome was scored.
     std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
         std::vector<StageRecord> stages;
-        const Run result = run_pipeline(variant, problem, {recorder(stages)});
-        return finished_run(variant.name, problem, result, std::move(stages));
+        return run_into(stages, variant, problem);
     }
 
-    /// The same with a checkpoint and a log of every stage in the run's folder.
+    /// Runs a variant and writes a checkpoint and a log of every stage to the run's folder.
     std::optional<VariantRun> run_kept(const Variant& variant, const DesignProblem& problem,
                                        const std::string& title) const {
         const std::string name = title + "-" + variant.name;
-        std::error_code none; // where there can be none, the run goes on without
+        std::error_code none; // without these folders the run continues
         for (const char* folder : {"checkpoints", "log"})
             std::filesystem::create_directories(conditions_.folder / folder, none);
         std::vector<StageRecord> stages;
@@ -228,11 +221,11 @@ class Paper {
                                                    conditions_.resume, checkpoint_interval());
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);
-        const Run result =
-            run_pipeline(variant, problem, {recorder(stages), log.observer(problem)}, &checkpoints);
+        std::optional<VariantRun> run =
+            run_into(stages, variant, problem, {log.observer(problem)}, &checkpoints);
         log.close();
-        std::optional<VariantRun> run = finished_run(variant.name, problem, result, std::move(stages));
-        tell_notes(result.notes);
+        if (run)
+            tell_notes(run->notes);
         if (!log.trouble.empty())
             tell_notes({log.trouble});
         return run;
@@ -243,7 +236,7 @@ class Paper {
     const Conditions& conditions_;
     std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);
     std::shared_ptr<rough::ResponseMemory> memory_ =
-        std::make_shared<rough::ResponseMemory>(); ///< of the sweep
+        std::make_shared<rough::ResponseMemory>(); ///< for the sweep
     std::vector<rough::Genome> genomes_;
     std::vector<Variant> variants_;
     std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1
@@ -282,27 +275,11 @@ Experiment paper_experiment() {
     return {.kind = "paper",
             .summary = "the paper's experiment: SOG, GCO and CCO on one or two targets, every claim tried",
             .settings = paper_settings(),
-            .files = {"claims.csv",
-                      "genomes.csv",
-                      "database.csv",
-                      "scores.csv",
-                      "stages.csv",
-                      "refinements.csv",
-                      "convergence.csv",
-                      "curves.csv",
-                      "stiffness.csv",
-                      "heights.csv",
-                      "spectra.csv",
-                      "lines.csv",
-                      "target.csv",
-                      "thresholds.csv",
-                      "chromosomes.csv",
-                      "ridges.csv",
-                      "fractal-heights.csv",
-                      "fractal-bands.csv",
-                      "fractal-curves.csv",
-                      "heldout",
-                      "log"},
+            .files = rough::listed(
+                "claims.csv, genomes.csv, database.csv, scores.csv, stages.csv, refinements.csv, "
+                "convergence.csv, curves.csv, stiffness.csv, heights.csv, spectra.csv, lines.csv, "
+                "target.csv, thresholds.csv, chromosomes.csv, ridges.csv, fractal-heights.csv, "
+                "fractal-bands.csv, fractal-curves.csv, heldout, log"),
             .run = run_paper,
             .resumes = true};
 }

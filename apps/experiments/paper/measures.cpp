@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -17,31 +18,27 @@ namespace app {
 
 namespace {
 
+using Run = const PaperRun&;
+using Target = const TargetRun&;
+using All = const Studies&;
 /// A number of the run, or one for each target.
-using Measure = std::variant<Finding (*)(const PaperRun&, const Studies&),
-                             Finding (*)(const PaperRun&, const TargetRun&)>;
+using Measure = std::variant<std::function<Finding(Run, All)>, std::function<Finding(Run, Target)>>;
 
 using rough::column;
 using Numbers = std::vector<double>;
 
-/// The least or greatest of several numbers; NaN if there is none or one is unknown.
-double extreme(const Numbers& numbers, bool greatest) {
-    double result = unknown;
-    for (const double number : numbers) {
-        if (std::isnan(number))
-            return unknown;
-        if (!(greatest ? number <= result : number >= result))
-            result = number;
-    }
-    return result;
+/// The least or greatest number; NaN if the list is empty or a number is unknown.
+double lowest(const Numbers& numbers) {
+    const bool is_known = !numbers.empty() && std::none_of(numbers.begin(), numbers.end(),
+                                                           [](double number) { return std::isnan(number); });
+    return is_known ? *std::min_element(numbers.begin(), numbers.end()) : unknown;
 }
-double least(const Numbers& numbers) { return extreme(numbers, false); }
-double greatest(const Numbers& numbers) { return extreme(numbers, true); }
-double spread(const Numbers& numbers) { return greatest(numbers) - least(numbers); }
+double highest(const Numbers& numbers) { return -lowest(column(numbers, std::negate<>())); }
+double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers); }
 double median(const Numbers& numbers) { return numbers.empty() ? unknown : rough::median(numbers); }
 
 template <class Value>
-Numbers over_thresholds(const TargetRun& target, const std::string& variant, Value value) {
+Numbers over_thresholds(Target target, const std::string& variant, Value value) {
     Numbers numbers;
     for (const ThresholdRow& row : target.thresholds)
         if (row.variant == variant)
@@ -51,27 +48,26 @@ Numbers over_thresholds(const TargetRun& target, const std::string& variant, Val
 
 double children(const ThresholdRow& row) { return static_cast<double>(row.u1 * row.u2); }
 
-Finding spread_of_best(const TargetRun& target, const std::string& variant) {
+Finding spread_of_best(Target target, const std::string& variant) {
     const Numbers answers = over_thresholds(target, variant, &ThresholdRow::similarity);
     return {spread(over_thresholds(target, variant, &ThresholdRow::best_child)),
             {{"of the answers after GCMMA", spread(answers)}}};
 }
 
 /// A change of the median over the database without one half of the waves, over that without the other.
-template <class Change>
-Finding governed(const Studies& studies, Change change, bool coarse) {
-    const double without_coarse = median(column(studies.without_coarse, change)),
-                 without_fine = median(column(studies.without_fine, change));
+Finding governed(All all, double Removal::*change, bool coarse) {
+    const double without_coarse = median(genome_column(all, &GenomeStudy::without_coarse, change)),
+                 without_fine = median(genome_column(all, &GenomeStudy::without_fine, change));
     return {coarse ? without_coarse / without_fine : without_fine / without_coarse,
             {{"change without the longer half", without_coarse}, {"without the shorter half", without_fine}}};
 }
 
-Finding over_alloys(const Studies& studies, double (*compare)(const FractalStudy&)) {
-    const Numbers numbers = column(studies.fractals, compare);
-    return {median(numbers), {{"least", least(numbers)}, {"greatest", greatest(numbers)}}};
+Finding over_alloys(All all, double (*compare)(const FractalStudy&)) {
+    const Numbers numbers = column(all.fractals, compare);
+    return {median(numbers), {{"least", lowest(numbers)}, {"greatest", highest(numbers)}}};
 }
 
-Finding in_part(const TargetRun& target, bool low) {
+Finding in_part(Target target, bool low) {
     const auto best = best_in_part(target, low);
     if (!best)
         return {};
@@ -91,7 +87,7 @@ double discrepancy(const std::vector<std::pair<double, double>>& points) {
     return std::sqrt(1.0 / 9 - single / (2 * n) + pairs / (n * n));
 }
 
-Finding evenness(const PaperRun& run, const Studies&) {
+Finding evenness(Run run, All) {
     const rough::DatabaseLayout& layout = run.layout;
     auto pairs = rough::sobol_pairs(layout);
     for (auto& [H, gamma] : pairs) {
@@ -110,16 +106,16 @@ Finding evenness(const PaperRun& run, const Studies&) {
     return {std::isnan(sobol) ? unknown : static_cast<double>(above) / draws, {{"discrepancy", sobol}}};
 }
 
-Finding among_curves(const PaperRun& run, const TargetRun& target) {
+Finding among_curves(Run run, Target target) {
     const rough::Index points = run.database.empty() ? 0 : target.target.points();
     int inside = 0;
     for (rough::Index k = 0; k < points; ++k) {
         const Numbers there = column(run.database, [&](const Answered& member) {
             return secant_stiffness(member.response).at(target.target.x[k]);
         });
-        inside += target.target.y[k] >= least(there) && target.target.y[k] <= greatest(there);
+        inside += target.target.y[k] >= lowest(there) && target.target.y[k] <= highest(there);
     }
-    return {points ? inside / static_cast<double>(points) : unknown, {}};
+    return points ? inside / static_cast<double>(points) : unknown;
 }
 
 /// How much the best candidate of an algorithm gains from both refinements.
@@ -127,17 +123,17 @@ double gain(const VariantRun& variant) {
     Numbers before, after;
     for (const Refinement& candidate : refinements(variant))
         before.push_back(candidate.similarity[0]), after.push_back(candidate.similarity[2]);
-    return greatest(after) - greatest(before);
+    return highest(after) - highest(before);
 }
 
-/// log10 of a power octave by octave from the first wavenumber on: octave o holds the bins 2^o to 2^(o+1)
-/// - 1. In octaves, as the lines of two series of different gamma never coincide.
+/// log10 of the power in each octave. Octave o has the bins 2^o to 2^(o+1) - 1. Octaves make series of
+/// different gamma comparable, whose lines never coincide.
 struct Octaves {
-    Eigen::VectorXd continuous, discrete; ///< of the sampled heights; of the genome's waves, -inf if none
+    Eigen::VectorXd continuous, discrete; ///< from the sampled heights; from the genome's waves, or -inf
     rough::Index half() const { return continuous.size() / 2; }
 };
 
-Octaves octaves_of(const PaperRun& run, const VariantRun& variant) {
+Octaves octaves_of(Run run, const VariantRun& variant) {
     const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
     const double first = spectrum.wave_number[0];
     const auto lines = discrete_spectrum(variant.answer.genome);
@@ -156,21 +152,20 @@ Octaves octaves_of(const PaperRun& run, const VariantRun& variant) {
             Eigen::Map<Eigen::VectorXd>(discrete.data(), count)};
 }
 
-/// The factor by which a continuous spectrum differs from its own discrete one, in the geometric mean over
-/// those octaves of the upper or lower half that hold a wave.
-double off_its_waves(const PaperRun& run, const VariantRun& variant, bool high) {
+/// Factor between a genome's continuous and discrete spectrum. It is the geometric mean over the octaves of
+/// the upper or lower half that have a wave.
+double off_its_waves(Run run, const VariantRun& variant, bool high) {
     const Octaves octaves = octaves_of(run, variant);
-    const Eigen::Index from = high ? octaves.continuous.size() - octaves.half() : 0,
-                       to = high ? octaves.continuous.size() : octaves.continuous.size() - octaves.half();
+    const Eigen::Index all = octaves.continuous.size(), middle = all - octaves.half();
     Numbers apart;
-    for (Eigen::Index o = from; o < to; ++o)
+    for (Eigen::Index o = high ? middle : 0; o < (high ? all : middle); ++o)
         if (std::isfinite(octaves.discrete[o]))
             apart.push_back(std::abs(octaves.continuous[o] - octaves.discrete[o]));
     return apart.empty() ? unknown : std::pow(10, rough::mean(apart));
 }
 
 /// Exponent of the power law of wavenumber that fits the upper half of the octaves' densities best.
-double high_exponent(const PaperRun& run, const VariantRun& variant) {
+double high_exponent(Run run, const VariantRun& variant) {
     const Octaves octaves = octaves_of(run, variant);
     const Eigen::Index half = octaves.half();
     if (half < 2)
@@ -183,7 +178,7 @@ double high_exponent(const PaperRun& run, const VariantRun& variant) {
 
 /// The factor by which CCO's power over SOG's scatters in the lower half of the octaves: its standard
 /// deviation on a logarithmic scale. 1: proportional.
-Finding proportion(const PaperRun& run, const TargetRun& target) {
+Finding proportion(Run run, Target target) {
     const VariantRun *const sog = find_variant(target, "sog"), *const cco = find_variant(target, "cco");
     if (!sog || !cco)
         return {};
@@ -196,9 +191,9 @@ Finding proportion(const PaperRun& run, const TargetRun& target) {
             {{"mean factor", std::pow(10, ratio.mean())}}};
 }
 
-/// Peaks of a continuous spectrum, at least twice as high as two wavenumbers to either side, with no wave of
-/// the genome within two wavenumbers (the width of the window).
-double peaks_without_waves(const PaperRun& run, const VariantRun& variant) {
+/// Number of peaks of a continuous spectrum without a wave of the genome within two wavenumbers (the width of
+/// the window). A peak is at least twice as high as two wavenumbers to either side.
+double peaks_without_waves(Run run, const VariantRun& variant) {
     const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
     const Eigen::VectorXd& density = spectrum.density;
     const double floor = 1e-12 * density.maxCoeff(); // below it is rounding
@@ -215,19 +210,18 @@ double peaks_without_waves(const PaperRun& run, const VariantRun& variant) {
     return peaks;
 }
 
-/// "least similarity of sog gco cco", or "of pairs": a number of each of these answers, or of each two of the
-/// three, and what they are reduced to.
-Finding over_answers(const std::string& words, const PaperRun& run, const TargetRun& target) {
-    using Run = const PaperRun&;
+/// The value of an expression like "least similarity of sog gco cco". After "of" stand answers; "pairs" is
+/// each two of the three. The quantity of each is reduced to one number.
+Finding over_answers(const std::string& words, Run run, Target target) {
     using Answer = const VariantRun&;
     static const std::map<std::string, double (*)(const Numbers&)> reductions{
-        {"least", least},
-        {"greatest", greatest},
+        {"least", lowest},
+        {"greatest", highest},
         {"sum", [](const Numbers& n) { return std::accumulate(n.begin(), n.end(), 0.0); }},
         {"ratio", [](const Numbers& n) { return n[1] / n[0]; }},
         {"last", [](const Numbers& n) { return n.back(); }},
         {"nearer", [](const Numbers& n) {
-             return n[0] - least({n[1], n[2]}) / 2;
+             return n[0] - lowest({n[1], n[2]}) / 2;
          }}};
     static const std::map<std::string, double (*)(Run, Answer)> of_one{
         {"similarity", [](Run, Answer one) { return one.similarity; }},
@@ -275,24 +269,22 @@ Finding over_answers(const std::string& words, const PaperRun& run, const Target
     return finding;
 }
 
-/// Numbers that are not of answers alone, by their names.
+/// All other numbers, by their names.
 const std::map<std::string, Measure>& measures() {
-    using Run = const PaperRun&;
-    using Target = const TargetRun&;
-    using All = const Studies&;
     static const std::map<std::string, Measure> all{
         {"nesting",
          [](Run, All all) {
-             return Finding{all.contacts.nodes ? static_cast<double>(all.contacts.lost) : unknown,
-                            {{"nodes in contact", static_cast<double>(all.contacts.nodes)}}};
+             double nodes = 0, lost = 0;
+             for (const GenomeStudy& one : all.genomes)
+                 nodes += static_cast<double>(one.contacts.nodes),
+                     lost += static_cast<double>(one.contacts.lost);
+             return Finding(nodes > 0 ? lost : unknown, {{"nodes in contact", nodes}});
          }},
         {"one-wave",
-         [](Run, All all) {
-             return Finding{greatest(column(all.chromosomes, &ChromosomeExample::misfit)), {}};
-         }},
+         [](Run, All all) { return highest(column(all.chromosomes, &ChromosomeExample::misfit)); }},
         {"wavelength",
          [](Run, All all) {
-             return Finding{all.chromosomes.empty() ? unknown : 1e3 * all.chromosomes.back().wave_length, {}};
+             return all.chromosomes.empty() ? unknown : 1e3 * all.chromosomes.back().wave_length;
          }},
         {"condition",
          [](Run, All all) {
@@ -300,21 +292,17 @@ const std::map<std::string, Measure>& measures() {
                            slipped = column(all.ridges, &RidgeCount::last_missing);
              const Numbers within =
                  column(printed, [](double s) { return s >= 0.885 && s <= 0.98 ? 1. : 0.; });
-             return Finding{rough::mean(within),
-                            {{"share as printed, mean", rough::mean(printed)},
-                             {"last pair missing, mean", rough::mean(slipped)},
-                             {"least", least(slipped)},
-                             {"greatest", greatest(slipped)}}};
+             return Finding(rough::mean(within), {{"share as printed, mean", rough::mean(printed)},
+                                                  {"last pair missing, mean", rough::mean(slipped)},
+                                                  {"least", lowest(slipped)},
+                                                  {"greatest", highest(slipped)}});
          }},
-        {"arccos",
-         [](Run, All all) {
-             return Finding{rough::mean(column(all.ridges, &RidgeCount::right_phase)), {}};
-         }},
+        {"arccos", [](Run, All all) { return rough::mean(column(all.ridges, &RidgeCount::right_phase)); }},
         {"part-suffices",
          [](Run, All all) {
-             const double kept = rough::mean(column(all.ours, &Reduction::kept));
-             return Finding{kept < 1 ? median(column(all.ours, &Reduction::similarity)) : unknown,
-                            {{"share of chromosomes kept", kept}}};
+             const Numbers alike = genome_column(all, &GenomeStudy::ours, &Reduction::similarity);
+             const double kept = rough::mean(genome_column(all, &GenomeStudy::ours, &Reduction::kept));
+             return Finding(kept < 1 ? median(alike) : unknown, {{"share of chromosomes kept", kept}});
          }},
         {"coarse-stiffness", [](Run, All all) { return governed(all, &Removal::stiffness, true); }},
         {"fine-area", [](Run, All all) { return governed(all, &Removal::area, false); }},
@@ -338,13 +326,13 @@ const std::map<std::string, Measure>& measures() {
         {"trend", among_curves},
         {"max-pressure",
          [](Run run, All) {
-             const Numbers own = column(run.database, [&](const Answered& member) {
+             const Numbers unscaled = column(run.database, [&](const Answered& member) {
                  return run.max_pressure / std::abs(member.genome.scale);
              });
-             return Finding{run.max_pressure / greatest(own),
-                            {{"genomes' least, MPa", least(own)}, {"greatest, MPa", greatest(own)}}};
+             return Finding(run.max_pressure / highest(unscaled), {{"genomes' least, MPa", lowest(unscaled)},
+                                                                   {"greatest, MPa", highest(unscaled)}});
          }},
-        {"threshold-units", [](Run, All) { return Finding{}; }},
+        {"threshold-units", [](Run, All) { return unknown; }},
         {"gco-varies", [](Run, Target target) { return spread_of_best(target, "gco"); }},
         {"cco-steady", [](Run, Target target) { return spread_of_best(target, "cco"); }},
         {"cco-parents",
@@ -356,13 +344,13 @@ const std::map<std::string, Measure>& measures() {
                  if (row.variant == "cco")
                      pairs.insert(parents);
              }
-             return Finding{pairs.empty() ? unknown : static_cast<double>(pairs.size()), {}};
+             return pairs.empty() ? unknown : static_cast<double>(pairs.size());
          }},
         {"size-varies",
          [](Run, Target target) {
              const Numbers sizes = over_thresholds(target, "gco", children);
-             return Finding{greatest(sizes) / least(sizes),
-                            {{"smallest", least(sizes)}, {"largest", greatest(sizes)}}};
+             return Finding(highest(sizes) / lowest(sizes),
+                            {{"smallest", lowest(sizes)}, {"largest", highest(sizes)}});
          }},
         {"size-equal",
          [](Run, Target target) {
@@ -371,7 +359,7 @@ const std::map<std::string, Measure>& measures() {
              double equal = 0;
              for (std::size_t i = 0; i < std::min(gco.size(), cco.size()); ++i)
                  equal += gco[i] == cco[i];
-             return Finding{gco.size() == cco.size() ? equal / static_cast<double>(gco.size()) : unknown, {}};
+             return gco.size() == cco.size() ? equal / static_cast<double>(gco.size()) : unknown;
          }},
         {"efficient",
          [](Run, Target target) {
@@ -380,11 +368,11 @@ const std::map<std::string, Measure>& measures() {
              };
              const double gco = mean("gco", &ThresholdRow::similarity),
                           cco = mean("cco", &ThresholdRow::similarity);
-             return Finding{gco - cco,
+             return Finding(gco - cco,
                             {{"gco", gco},
                              {"cco", cco},
                              {"share of U₃ above 0.95, gco", mean("gco", &ThresholdRow::share_above)},
-                             {"cco", mean("cco", &ThresholdRow::share_above)}}};
+                             {"cco", mean("cco", &ThresholdRow::share_above)}});
          }},
         {"cco-proportional", proportion},
     };
@@ -393,16 +381,16 @@ const std::map<std::string, Measure>& measures() {
 
 } // namespace
 
-std::vector<std::pair<std::string, Finding>> findings_of(const Claim& claim, const PaperRun& run,
-                                                         const Studies& studies) {
+std::vector<Finding> findings_of(const Claim& claim, const PaperRun& run, const Studies& studies) {
     const auto found = measures().find(claim.number);
     if (found != measures().end() && found->second.index() == 0)
-        return {{"", std::get<0>(found->second)(run, studies)}};
-    std::vector<std::pair<std::string, Finding>> findings;
-    for (const TargetRun& target : run.targets)
-        findings.emplace_back(target.title, found == measures().end()
-                                                ? over_answers(claim.number, run, target)
-                                                : std::get<1>(found->second)(run, target));
+        return {std::get<0>(found->second)(run, studies)};
+    std::vector<Finding> findings;
+    for (const TargetRun& target : run.targets) {
+        findings.push_back(found == measures().end() ? over_answers(claim.number, run, target)
+                                                     : std::get<1>(found->second)(run, target));
+        findings.back().on = target.title;
+    }
     return findings;
 }
 

@@ -10,9 +10,8 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <optional>
 
-/// What the paper's experiment found. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number
+/// Results of the paper's experiment. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number
 /// is NaN.
 namespace app {
 
@@ -23,22 +22,22 @@ inline constexpr std::array<const char*, 3> algorithms{"sog", "gco", "cco"};
 
 /// Similarity of one genome with a target (Eq. 12).
 struct Scores {
-    double all;  ///< over every point
-    double low;  ///< over [0, p_bar]
-    double high; ///< over [p_bar, p_max]
+    double all;  ///< on all points
+    double low;  ///< on [0, p_bar]
+    double high; ///< on [p_bar, p_max]
 };
 
 /// One cross-over algorithm at one threshold p_bar.
 struct ThresholdRow {
     double p_bar = 0;
     std::string variant;                ///< gco or cco
-    std::size_t u1 = 0, u2 = 0;         ///< sizes of U1 and U2 as bred from, "at least" included
-    bool at_least_used = false;         ///< U1 or U2 held fewer than "at least" genomes above 0.95
-    std::size_t children = 0;           ///< distinct children: |U4|, as |U3| = u1 u2 counts twins
-    double share_above = 0;             ///< of the distinct children, the share with s > 0.95, 0..1
+    std::size_t u1 = 0, u2 = 0;         ///< sizes of U1 and U2 when pairs are formed
+    bool at_least_used = false;         ///< U1 or U2 had fewer than "at least" genomes above 0.95
+    std::size_t children = 0;           ///< |U4|: the distinct children; |U3| = u1 u2 counts twins
+    double share_above = 0;             ///< share of the distinct children with s > 0.95, 0..1
     double best_child = 0;              ///< best similarity among them, before any GCMMA
-    std::vector<std::uint64_t> parents; ///< of the answer
-    double similarity = 0;              ///< of the answer, after the last GCMMA
+    std::vector<std::uint64_t> parents; ///< the answer's parents
+    double similarity = 0;              ///< the answer's, after the last GCMMA
 };
 
 /// Everything that depends on one target.
@@ -46,17 +45,17 @@ struct TargetRun {
     std::string title; ///< "drawn" or "held-out"
     rough::Target target;
     double p_bar = 0;                           ///< threshold of the variants below
-    std::vector<Scores> database;               ///< of each database genome, same order
-    std::vector<VariantRun> variants;           ///< the paper's three, then their minimax forms
-    std::vector<ThresholdRow> thresholds;       ///< p_bar ascending, gco and cco at each
+    std::vector<Scores> database = {};          ///< one per database genome, in the same order
+    std::vector<VariantRun> variants = {};      ///< the paper's three, then their minimax forms
+    std::vector<ThresholdRow> thresholds = {};  ///< p_bar ascending, gco and cco at each
     std::vector<VariantRun> other_reading = {}; ///< the paper's three under the other reading of Algorithm 1
 };
 
 struct PaperRun {
     Origin origin;
     double seconds = 0;      ///< wall time of the run without the page
-    rough::Model model;      ///< solved throughout: all that is said of an answer
-    rough::Model searched;   ///< the same with the accuracy that the searches were allowed
+    rough::Model model;      ///< solved exactly, for all reported numbers
+    rough::Model searched;   ///< with the accuracy of the searches
     double max_pressure = 0; ///< p_max
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
     double dominant_above = rough::dominance_threshold;                         ///< its correlation
@@ -66,14 +65,14 @@ struct PaperRun {
     std::uint64_t phases = 0;       ///< 0: Sobol's; else the number of a set drawn from the seed
     std::vector<Answered> database; ///< pair by pair, each with every phase column
     std::vector<TargetRun> targets; ///< drawn, then held-out
-    std::map<std::string, std::string> other_readings; ///< what other readings make of a claim, by its id
+    std::map<std::string, std::string> other_readings; ///< claims under other readings, in words, by id
 };
 
 /// The keys that experiments/paper.ini may set.
 std::vector<Setting> paper_settings();
 
-/// What they ask for, nothing run yet: models, targets, database, seed. Reads targets and scans; relative
-/// paths in the file are looked for beside it. Throws rough::InputError.
+/// The requested models, targets, database and seed; nothing is run. Reads targets and scans. Relative paths
+/// in the .ini file are relative to its folder. Throws rough::InputError.
 PaperRun paper_from(const Settings& settings, const Origin& origin);
 
 struct Studies;

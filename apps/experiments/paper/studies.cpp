@@ -17,7 +17,7 @@ namespace app {
 
 namespace {
 
-/// What `difference` makes of the two curves at each point of `a` within the range of `b`.
+/// `difference` of the two curves at each point of `a` within the range of `b`.
 template <class Difference>
 std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Difference difference) {
     std::vector<double> all;
@@ -27,7 +27,7 @@ std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Di
     return all;
 }
 
-constexpr double rounding = 1e-12; ///< of M: where |g1| = R exactly, the last bit must not decide
+constexpr double rounding = 1e-12; ///< times M: if |g1| = R, rounding must not affect the result
 
 bool holds(double g1, double radicand, double ridges) {
     return std::abs(g1) <= std::sqrt(std::max(radicand, 0.0)) + rounding * ridges;
@@ -45,7 +45,7 @@ double pair_sum(const std::vector<double>& phases) {
     return g3;
 }
 
-constexpr double hurst = 0.8; ///< of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
+constexpr double hurst = 0.8; ///< H of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
 constexpr double rms = 1e-3;  ///< mm; a profile's K does not depend on its amplitude
 
 FractalStudy study_of(const rough::Model& model, std::uint64_t seed, rough::DominanceReading reading,
@@ -80,8 +80,7 @@ Curve at_pressure(const rough::Response& response, double max_pressure) {
 }
 
 Reduction reduction_of(const Genome& genome, const Curve& whole, const PaperRun& run,
-                       const rough::DominanceRule& rule) {
-    const rough::Dominance dominance = rule(genome);
+                       const rough::Dominance& dominance) {
     const Genome kept = reduced(genome, dominance);
     return {static_cast<double>(waves(kept).size()) / static_cast<double>(waves(genome).size()),
             similarity(whole, at_pressure(respond(kept, run.model), run.max_pressure)), dominance.only_best};
@@ -94,7 +93,7 @@ Genome half_of(const Genome& genome, bool coarse) {
     });
 }
 
-/// How the whole's curves change to those of what is left; NaN where that has no height at the nodes.
+/// Change of the curves from the whole genome to the remaining one; NaN if that is flat at the nodes.
 Removal removal(const rough::Response& whole, const Genome& left, const rough::Model& model) {
     const rough::Profile profile = sample(left, model.grid);
     if (is_flat(profile, left))
@@ -104,7 +103,7 @@ Removal removal(const rough::Response& whole, const Genome& left, const rough::M
             relative_gap(area_against_pressure(whole), area_against_pressure(rest))};
 }
 
-/// The contact sets of a genome's own load steps, one compared with the next.
+/// Compares the contact set of each load step of a genome with the next.
 Contacts contacts_of(const Answered& member, const rough::Model& model) {
     const Eigen::VectorXd& steps = member.response.displacement;
     rough::ContactOptions options = model.contact;
@@ -182,38 +181,23 @@ Studies studies_of(const PaperRun& run) {
     ga::parallel_for(studies.fractals.size(), run.origin.threads, [&](std::size_t i) {
         studies.fractals[i] = study_of(run.model, ga::fold(seed, i), run.dominance, run.dominant_above);
     });
-    const auto responses = std::make_shared<rough::LoneResponses>(run.model);
-    const rough::DominanceRule ours(responses, run.dominance, run.dominant_above),
-        others(responses, other(run.dominance), run.dominant_above);
+    const rough::DominanceRule rule(run.model, run.dominance, run.dominant_above);
     rough::Model farther = run.model;
-    farther.body.datum *= studies.datum_factor;
-    const std::size_t count = run.database.size();
-    studies.ours.resize(count);
-    studies.other.resize(count);
-    studies.without_coarse.resize(count);
-    studies.without_fine.resize(count);
-    studies.datum_similarity.resize(count);
-    std::vector<Curve> elsewhere(count);
-    std::vector<Contacts> contacts(count);
-    ga::parallel_for(count, run.origin.threads, [&](std::size_t i) {
+    farther.body.datum *= datum_factor;
+    studies.genomes.resize(run.database.size());
+    ga::parallel_for(studies.genomes.size(), run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
-        const Curve whole = secant_stiffness(member.response);
-        studies.ours[i] = reduction_of(member.genome, whole, run, ours);
-        studies.other[i] = reduction_of(member.genome, whole, run, others);
-        studies.without_fine[i] = removal(member.response, half_of(member.genome, true), run.model);
-        studies.without_coarse[i] = removal(member.response, half_of(member.genome, false), run.model);
-        elsewhere[i] = at_pressure(respond(member.genome, farther), run.max_pressure);
-        studies.datum_similarity[i] = similarity(whole, elsewhere[i]);
-        contacts[i] = contacts_of(member, run.model);
+        const Curve whole = secant_stiffness(member.response),
+                    elsewhere = at_pressure(respond(member.genome, farther), run.max_pressure);
+        studies.genomes[i] = {
+            reduction_of(member.genome, whole, run, rule(member.genome)),
+            reduction_of(member.genome, whole, run, rule(member.genome, other(run.dominance))),
+            removal(member.response, half_of(member.genome, false), run.model),
+            removal(member.response, half_of(member.genome, true), run.model),
+            similarity(whole, elsewhere),
+            elsewhere,
+            contacts_of(member, run.model)};
     });
-    for (const Contacts& one : contacts)
-        studies.contacts.nodes += one.nodes, studies.contacts.lost += one.lost;
-    for (const TargetRun& target : run.targets) {
-        double best = -std::numeric_limits<double>::infinity();
-        for (const Curve& curve : elsewhere)
-            best = std::max(best, similarity(target.target, curve));
-        studies.datum_best.push_back(best);
-    }
     return studies;
 }
 

@@ -1,9 +1,9 @@
 #include "apps/experiments/paper/claims.hpp"
-#include "apps/report/csv.hpp"
 #include "apps/report/result.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "domain/target/similarity.hpp"
 #include "domain/text/json.hpp"
 
 #include <algorithm>
@@ -19,10 +19,10 @@ bool is_papers(const std::string& name) {
     return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
 }
 
-/// Whether figures show an answer: those of the paper's algorithms and of the experiment's own variants.
+/// Whether figures show an answer: all except the minimax forms.
 bool is_shown(const std::string& name) { return is_papers(name) || !name.ends_with("-minimax"); }
 
-/// "sog-minimax" as "SOG, minimax"; an experiment's own variant by its own name.
+/// "SOG, minimax" for "sog-minimax"; the name itself for a variant of the .ini file.
 std::string shown_name(const std::string& name) {
     const std::string algorithm = name.substr(0, name.find("-minimax"));
     if (!is_papers(algorithm))
@@ -33,66 +33,62 @@ std::string shown_name(const std::string& name) {
     return result + (name == algorithm ? "" : ", minimax");
 }
 
-using Files = std::map<std::string, std::string>; ///< texts by their names in the folder
+/// Adds the points of a curve, each after the keys.
+template <class... Keys>
+void add_points(Csv& table, const Eigen::VectorXd& x, const Eigen::VectorXd& y, const Keys&... keys) {
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        table.row(keys..., x[i], y[i]);
+}
 
-void add_database_tables(const PaperRun& run, Files& files) {
-    Csv genomes("id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling");
-    Csv curves("id,pressure_MPa,stiffness_MPa_per_mm", 8);
+void add_database_tables(const PaperRun& run, Findings& found) {
+    Csv &genomes =
+            found.table("genomes.csv", "id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling"),
+        &curves = found.table("database.csv", "id,pressure_MPa,stiffness_MPa_per_mm", 8);
     for (std::size_t i = 0; i < run.database.size(); ++i) {
         const auto& series = run.database[i].genome.series.front();
         genomes.row(i, series.H, series.gamma, i % static_cast<std::size_t>(run.layout.phase_columns) + 1,
                     series.chromosomes.size(), series.A * run.database[i].genome.scale);
         const rough::Curve K = to_its_end(secant_stiffness(run.database[i].response));
-        for (Eigen::Index j = 0; j < K.x.size(); ++j)
-            curves.row(i, K.x[j], K.y[j]);
+        add_points(curves, K.x, K.y, i);
     }
-    files["genomes.csv"] = genomes.text();
-    files["database.csv"] = curves.text();
 }
 
-void add_study_tables(const Studies& studies, Files& files) {
-    Csv chromosomes("n,ridge,x_mm,height_mm", 8);
-    for (const ChromosomeExample& example : studies.chromosomes)
-        for (std::size_t m = 0; m <= example.ridges.size(); ++m) { // 0: their sum
-            const Eigen::VectorXd& heights = m ? example.ridges[m - 1] : example.sum;
-            for (Eigen::Index i = 0; i < heights.size(); ++i)
-                chromosomes.row(example.n, m, example.x[i], heights[i]);
-        }
-    files["chromosomes.csv"] = chromosomes.text();
-
-    Csv ridges("ridges,as_printed,last_missing,right_phase");
+void add_study_tables(const Studies& studies, Findings& found) {
+    Csv& chromosomes = found.table("chromosomes.csv", "n,ridge,x_mm,height_mm", 8);
+    for (const ChromosomeExample& example : studies.chromosomes) {
+        add_points(chromosomes, example.x, example.sum, example.n, 0);
+        for (std::size_t m = 0; m < example.ridges.size(); ++m)
+            add_points(chromosomes, example.x, example.ridges[m], example.n, m + 1);
+    }
+    Csv& ridges = found.table("ridges.csv", "ridges,as_printed,last_missing,right_phase");
     for (const RidgeCount& row : studies.ridges)
         ridges.row(row.ridges, row.as_printed, row.last_missing, row.right_phase);
-    files["ridges.csv"] = ridges.text();
 
     const FractalStudy& study = studies.fractals.front();
-    Csv heights("x_mm,whole_mm,reduced_mm", 8), bands("longest_mm,shortest_mm,dominant");
+    Csv& heights = found.table("fractal-heights.csv", "x_mm,whole_mm,reduced_mm", 8);
     for (Eigen::Index i = 0; i < study.whole.nodes(); ++i)
         heights.row(static_cast<double>(i) * study.whole.spacing, study.whole.heights[i],
                     study.reduced.heights[i]);
+    Csv& bands = found.table("fractal-bands.csv", "longest_mm,shortest_mm,dominant");
     for (std::size_t b = 0; b < study.bands.size(); ++b)
         bands.row(study.bands[b].longest, study.bands[b].shortest, study.dominant[b] ? 1 : 0);
-    Csv curves("profile,quantity,pressure_MPa,value", 8);
+    Csv& curves = found.table("fractal-curves.csv", "profile,quantity,pressure_MPa,value", 8);
     for (const auto& [name, response] :
          {std::pair("whole", &study.whole_response), {"reduced", &study.reduced_response}})
         for (const auto& [quantity, curve] : {std::pair("stiffness", secant_stiffness(*response)),
                                               {"area", area_against_pressure(*response)}})
-            for (Eigen::Index j = 0; j < curve.x.size(); ++j)
-                curves.row(name, quantity, curve.x[j], curve.y[j]);
-    files["fractal-heights.csv"] = heights.text();
-    files["fractal-bands.csv"] = bands.text();
-    files["fractal-curves.csv"] = curves.text();
+            add_points(curves, curve.x, curve.y, name, quantity);
 }
 
-/// Stages, refinements and the best similarity known after each stage.
-void add_search_tables(const TargetRun& target, const std::string& place, Files& files) {
-    Csv scores("id,similarity,similarity_low,similarity_high");
+/// Scores of the database, stages, refinements and the best similarity known after each stage.
+void add_search_tables(const TargetRun& target, const std::string& place, Findings& found) {
+    Csv& scores = found.table(place + "scores.csv", "id,similarity,similarity_low,similarity_high");
     for (std::size_t i = 0; i < target.database.size(); ++i)
         scores.row(i, target.database[i].all, target.database[i].low, target.database[i].high);
-    files[place + "scores.csv"] = scores.text();
 
-    Csv stages("variant,path,id,parent1,parent2,similarity"), refined("variant,rank,id,stage,similarity"),
-        convergence("variant,name,spent,best_similarity");
+    Csv &stages = found.table(place + "stages.csv", "variant,path,id,parent1,parent2,similarity"),
+        &refined = found.table(place + "refinements.csv", "variant,rank,id,stage,similarity"),
+        &convergence = found.table(place + "convergence.csv", "variant,name,spent,best_similarity");
     for (const VariantRun& variant : target.variants) {
         double best = unknown;
         for (const StageRecord& stage : variant.stages) {
@@ -112,25 +108,23 @@ void add_search_tables(const TargetRun& target, const std::string& place, Files&
                 refined.row(variant.name, rank + 1, candidates[rank].id, stage,
                             candidates[rank].similarity[stage]);
     }
-    files[place + "stages.csv"] = stages.text();
-    files[place + "refinements.csv"] = refined.text();
-    files[place + "convergence.csv"] = convergence.text();
-    if (target.thresholds.empty())
-        return;
-    Csv thresholds("p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity");
     for (const ThresholdRow& row : target.thresholds)
-        thresholds.row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children,
-                       row.share_above, row.best_child, row.similarity);
-    files[place + "thresholds.csv"] = thresholds.text();
+        found
+            .table(place + "thresholds.csv",
+                   "p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity")
+            .row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children, row.share_above,
+                 row.best_child, row.similarity);
 }
 
 /// Curves, heights and spectra of the answers.
-void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::string& place, Files& files) {
-    Csv curves(
-        "variant,displacement_mm,pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm,kkt_residual");
-    Csv stiffness("variant,pressure_MPa,stiffness_MPa_per_mm", 8), heights("variant,x_mm,height_mm", 8),
-        spectra("variant,wavenumber_rad_per_mm,density_mm3", 8),
-        lines("variant,wavenumber_rad_per_mm,power_mm2,density_mm3", 8);
+void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::string& place,
+                       Findings& found) {
+    Csv &curves = found.table(place + "curves.csv", "variant,displacement_mm,pressure_MPa,contact_fraction,"
+                                                    "tangent_stiffness_MPa_per_mm,kkt_residual"),
+        &stiffness = found.table(place + "stiffness.csv", "variant,pressure_MPa,stiffness_MPa_per_mm", 8),
+        &heights = found.table(place + "heights.csv", "variant,x_mm,height_mm", 8),
+        &spectra = found.table(place + "spectra.csv", "variant,wavenumber_rad_per_mm,density_mm3", 8),
+        &lines = found.table(place + "lines.csv", "variant,wavenumber_rad_per_mm,power_mm2,density_mm3", 8);
     for (const VariantRun& variant : target.variants) {
         const rough::Response& response = variant.answer.response;
         for (rough::Index j = 0; j < response.steps(); ++j)
@@ -139,30 +133,20 @@ void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::
         if (!is_shown(variant.name))
             continue;
         const rough::Curve K = to_its_end(secant_stiffness(response));
-        for (Eigen::Index j = 0; j < K.x.size(); ++j)
-            stiffness.row(variant.name, K.x[j], K.y[j]);
+        add_points(stiffness, K.x, K.y, variant.name);
         const rough::Profile profile = sample(variant.answer.genome, run.model.grid);
-        const double mean = profile.heights.mean();
-        for (rough::Index i = 0; i < profile.nodes(); ++i)
-            heights.row(variant.name, static_cast<double>(i) * profile.spacing, profile.heights[i] - mean);
+        add_points(heights, positions(profile), profile.heights.array() - profile.heights.mean(),
+                   variant.name);
         const rough::Spectrum spectrum = continuous_spectrum(profile);
-        for (Eigen::Index k = 0; k < spectrum.density.size(); ++k)
-            spectra.row(variant.name, spectrum.wave_number[k], spectrum.density[k]);
+        add_points(spectra, spectrum.wave_number, spectrum.density, variant.name);
         // The peak of a cosine's density under a Hann window, whose mean square is 1.5 times its squared
         // mean.
         for (const rough::SpectralLine& line : discrete_spectrum(variant.answer.genome))
             lines.row(variant.name, line.wave_number, line.power,
                       line.power / (1.5 * spectrum.wave_number[0]));
     }
-    Csv points("pressure_MPa,stiffness_MPa_per_mm");
-    for (rough::Index k = 0; k < target.target.points(); ++k)
-        points.row(target.target.x[k], target.target.y[k]);
-    files[place + "curves.csv"] = curves.text();
-    files[place + "stiffness.csv"] = stiffness.text();
-    files[place + "heights.csv"] = heights.text();
-    files[place + "spectra.csv"] = spectra.text();
-    files[place + "lines.csv"] = lines.text();
-    files[place + "target.csv"] = points.text();
+    add_points(found.table(place + "target.csv", "pressure_MPa,stiffness_MPa_per_mm"), target.target.x,
+               target.target.y);
 }
 
 /// The runs on one target as the page shows them.
@@ -221,16 +205,18 @@ json target_page(const TargetRun& target, const std::string& folder) {
 }
 
 /// One reading of Algorithm 1: what it keeps of the database, and the answers with it.
-json dominance_json(const PaperRun& run, const std::vector<Reduction>& rows, bool ours) {
+json dominance_json(const PaperRun& run, const Studies& studies, bool ours) {
     constexpr std::array names{"pressure", "step", "raw"};
     const auto reading = ours ? run.dominance : other(run.dominance);
-    json result = {{"reading", names[static_cast<std::size_t>(reading)]},
-                   {"ours", ours},
-                   {"similarity", rough::median(rough::column(rows, &Reduction::similarity))},
-                   {"kept", rough::mean(rough::column(rows, &Reduction::kept))},
-                   {"only_best", std::count_if(rows.begin(), rows.end(),
-                                               [](const Reduction& row) { return row.only_best; })},
-                   {"answers", json::array()}};
+    const auto which = ours ? &GenomeStudy::ours : &GenomeStudy::other;
+    json result = {
+        {"reading", names[static_cast<std::size_t>(reading)]},
+        {"ours", ours},
+        {"similarity", rough::median(genome_column(studies, which, &Reduction::similarity))},
+        {"kept", rough::mean(genome_column(studies, which, &Reduction::kept))},
+        {"only_best", std::count_if(studies.genomes.begin(), studies.genomes.end(),
+                                    [&](const GenomeStudy& one) { return (one.*which).only_best; })},
+        {"answers", json::array()}};
     for (const TargetRun& target : run.targets)
         for (const VariantRun& variant : ours ? target.variants : target.other_reading)
             if (is_papers(variant.name))
@@ -241,19 +227,20 @@ json dominance_json(const PaperRun& run, const std::vector<Reduction>& rows, boo
 }
 
 json datum_json(const PaperRun& run, const Studies& studies) {
-    const auto [least, greatest] =
-        std::minmax_element(studies.datum_similarity.begin(), studies.datum_similarity.end());
-    json result = {{"factor", studies.datum_factor},
-                   {"similarity_least", *least},
-                   {"similarity_greatest", *greatest},
+    const auto similarities = rough::column(studies.genomes, &GenomeStudy::datum_similarity);
+    const auto [lowest, highest] = std::minmax_element(similarities.begin(), similarities.end());
+    json result = {{"factor", datum_factor},
+                   {"similarity_least", *lowest},
+                   {"similarity_greatest", *highest},
                    {"targets", json::array()}};
-    for (std::size_t t = 0; t < run.targets.size(); ++t) {
-        double best = unknown;
-        for (const Scores& scores : run.targets[t].database)
+    for (const TargetRun& target : run.targets) {
+        double best = unknown, best_there = unknown;
+        for (const Scores& scores : target.database)
             best = std::fmax(best, scores.all);
-        result["targets"].push_back({{"on", run.targets[t].title},
-                                     {"best_similarity", best},
-                                     {"best_similarity_there", studies.datum_best[t]}});
+        for (const GenomeStudy& genome : studies.genomes)
+            best_there = std::fmax(best_there, similarity(target.target, genome.at_other_datum));
+        result["targets"].push_back(
+            {{"on", target.title}, {"best_similarity", best}, {"best_similarity_there", best_there}});
     }
     return result;
 }
@@ -262,12 +249,10 @@ json datum_json(const PaperRun& run, const Studies& studies) {
 
 Findings findings_of(const PaperRun& run, const Studies& studies) {
     Findings found;
-    Csv claims(claims_header);
-    json page = claims_json(run, studies, claims);
-    found.files["claims.csv"] = claims.text();
+    json page = claims_json(run, studies, found);
     page["seconds"] = run.seconds;
     page["database_size"] = run.database.size();
-    page["dominance"] = {dominance_json(run, studies.ours, true), dominance_json(run, studies.other, false)};
+    page["dominance"] = {dominance_json(run, studies, true), dominance_json(run, studies, false)};
     page["datum"] = datum_json(run, studies);
     std::string target_figure;
     for (const TargetRun& target : run.targets) {
@@ -275,8 +260,8 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
         const std::string place = first ? "" : "heldout/", shown = first ? "./" : place;
         page["targets"].push_back(target_page(target, shown));
         target_figure += shown + " " + target.title + " ";
-        add_search_tables(target, place, found.files);
-        add_answer_tables(run, target, place, found.files);
+        add_search_tables(target, place, found);
+        add_answer_tables(run, target, place, found);
         json result = result_json(
             {run.origin, run.searched, {run.searched}, run.max_pressure, target.target, target.variants});
         result["threshold_MPa"] = target.p_bar;
@@ -287,8 +272,8 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
     }
     page["target_figure"] = target_figure;
     found.result.update(page);
-    add_database_tables(run, found.files);
-    add_study_tables(studies, found.files);
+    add_database_tables(run, found);
+    add_study_tables(studies, found);
     return found;
 }
 

@@ -1,172 +1,145 @@
-#include "apps/experiments/solvers/accuracy.hpp"
-
+#include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
 #include "apps/report/result.hpp"
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/design/error_budget.hpp"
+#include "domain/design/trust.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "ga/base/stopwatch.hpp"
 
 #include <cmath>
-#include <limits>
 #include <map>
-#include <tuple>
 
 namespace app {
 
 namespace {
 
-/// Medians over the random surfaces of a kind.
-Csv medians_table(const AccuracyRun& run) {
-    std::map<std::tuple<std::string, std::string, std::string, double>, std::vector<SavingRow>> groups;
-    for (const SavingRow& row : run.savings)
-        groups[{row.kernel, row.surface, row.load, row.accuracy}].push_back(row);
-    Csv table("kernel,surface,load,accuracy,milliseconds,saving", 6);
+using nlohmann::json;
+
+/// Medians over the random surfaces of a kind, and errors against their estimates and limits for each
+/// accuracy.
+void add_medians(Findings& found, const json& savings) {
+    std::map<json, std::vector<json>> groups;
+    std::map<double, std::vector<json>, std::greater<>> by_accuracy;
+    for (const json& row : savings) {
+        groups[{row["kernel"], row["surface"], row["load"], row["accuracy"]}].push_back(row);
+        by_accuracy[row["accuracy"]].push_back(row);
+    }
+    const auto over = [](const std::vector<json>& rows, const char* of, const char* by) {
+        return rough::column(rows,
+                             [&](const json& row) { return row[of].get<double>() / row[by].get<double>(); });
+    };
+    Csv& medians = found.table("medians.csv", "kernel,surface,load,accuracy,milliseconds,saving", 6);
     for (const auto& [group, rows] : groups) {
-        std::vector<double> seconds, savings;
-        for (const SavingRow& row : rows)
-            seconds.push_back(row.seconds), savings.push_back(row.saving());
-        const auto& [kernel, surface, load, accuracy] = group;
-        table.row(kernel, surface, load, accuracy, 1e3 * rough::median(seconds), rough::median(savings));
+        const auto seconds =
+            rough::column(rows, [](const json& row) { return row["seconds"].get<double>(); });
+        medians.row(group[0], group[1], group[2], group[3], 1e3 * rough::median(seconds),
+                    rough::median(over(rows, "resolved_seconds", "seconds")));
     }
-    return table;
-}
-
-/// Whether the errors are what they are promised to be, for each accuracy.
-Csv coverage_table(const AccuracyRun& run) {
-    std::map<double, std::vector<SavingRow>, std::greater<>> by_accuracy;
-    for (const SavingRow& row : run.savings)
-        by_accuracy[row.accuracy].push_back(row);
-    Csv table("accuracy,scenes,covered,within,worst_over_accuracy,median_saving");
+    Csv& coverage =
+        found.table("coverage.csv", "accuracy,scenes,covered,within,worst_over_accuracy,median_saving");
     for (const auto& [accuracy, rows] : by_accuracy) {
-        double covered = 0, within = 0, worst = 0;
-        std::vector<double> savings;
-        for (const SavingRow& row : rows) {
-            covered += row.covered();
-            within += row.true_error <= accuracy;
-            worst = std::max(worst, row.true_error / accuracy);
-            savings.push_back(row.saving());
-        }
-        const auto scenes = static_cast<double>(rows.size());
-        table.row(accuracy, rows.size(), covered / scenes, within / scenes, worst, rough::median(savings));
-    }
-    return table;
-}
-
-/// Each accuracy on one surface.
-void add_savings(AccuracyRun& run, SavingRow row, const rough::Genome& genome, const rough::Model& model,
-                 const std::vector<double>& accuracies) {
-    rough::AccountedResponse exact, cheap;
-    row.resolved_seconds = least_seconds([&] { exact = respond_exactly(genome, model); }, 2, HUGE_VAL);
-    row.resolved_nodes = model.grid.nodes;
-    for (const double accuracy : accuracies) {
-        row.accuracy = accuracy;
-        row.seconds = least_seconds([&] { cheap = respond_within(genome, model, accuracy); }, 2, HUGE_VAL);
-        // Both err by what their solvers' certificates leave open.
-        row.estimated_error = cheap.account.estimated_error + exact.account.estimated_error;
-        row.true_error = rough::relative_error(cheap.response.pressure, exact.response.pressure);
-        row.nodes = cheap.account.grids.back();
-        row.dropped = cheap.account.dropped.size();
-        run.savings.push_back(row);
+        const auto errors = over(rows, "true_error", "accuracy");
+        const auto covered =
+            rough::column(rows, [](const json& row) { return row["true_error"] <= row["estimated_error"]; });
+        coverage.row(accuracy, rows.size(), rough::mean(covered), rough::share_up_to(errors, 1),
+                     *std::max_element(errors.begin(), errors.end()),
+                     rough::median(over(rows, "resolved_seconds", "seconds")));
     }
 }
 
-/// Random surfaces of each kind on each body under each load.
-void try_accuracies(AccuracyRun& run, const Settings& settings, const Conditions& conditions) {
+/// Adds the time and the error of each accuracy for random surfaces of each kind on each body under each
+/// load.
+void try_accuracies(Csv& savings, const rough::Model& base, const Settings& settings,
+                    const Conditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces");
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
         throw rough::InputError(settings.place("accuracy.accuracies") +
-                                ": none given, expected numbers with commas between");
+                                ": the list is empty; give numbers separated by commas");
     const double light = settings.number("accuracy.light");
     for (const std::string kind : {"smooth", "rough"})
         for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::strip})
             for (const std::string load : {"light", "full"})
                 for (long sample = 0; sample < samples && !conditions.stop; ++sample) {
                     conditions.progress.show(kind + ", " + name_of(kernel) + ", " + load + " load");
-                    rough::Model model = rough::exactly(run.setup.model);
+                    rough::Model model = rough::exactly(base);
                     model.body.kernel = kernel;
                     model.loading.reach = load == "light" ? light : 1;
                     const double H = settings.number("accuracy." + kind + "-H"), length = model.grid.length;
                     ga::Stream random(
-                        ga::fold(ga::fold(run.origin.seed, kind), static_cast<std::uint64_t>(sample)));
+                        ga::fold(ga::fold(conditions.origin.seed, kind), static_cast<std::uint64_t>(sample)));
                     const rough::Genome genome = rough::random_genome(
                         [&](double from, double to) { return random.uniform(from, to); }, 1, 1, length,
                         length / settings.number("accuracy." + kind + "-waves"),
                         {.A_from = 1, .A_to = 1, .H_from = H, .H_to = H});
                     model.grid = rough::resolved_grid(genome, length, false);
-                    add_savings(run, {kind, name_of(kernel), load, static_cast<int>(sample)}, genome, model,
-                                accuracies);
+                    rough::AccountedResponse exact, cheap;
+                    const double resolved =
+                        lowest_seconds([&] { exact = respond_within(genome, exactly(model)); }, 2, HUGE_VAL);
+                    for (const double accuracy : accuracies) {
+                        rough::Model within = model;
+                        within.accuracy = accuracy;
+                        const double seconds =
+                            lowest_seconds([&] { cheap = respond_within(genome, within); }, 2, HUGE_VAL);
+                        // Both curves have the error that their solvers' certificates allow.
+                        savings.row(kind, name_of(kernel), load, sample, accuracy, seconds, resolved,
+                                    cheap.account.estimated_error + exact.account.estimated_error,
+                                    rough::relative_error(cheap.response.pressure, exact.response.pressure),
+                                    cheap.account.grids.back(), model.grid.nodes,
+                                    cheap.account.dropped.size());
+                    }
                 }
 }
 
-void design(AccuracyRun& run, const Settings& settings, const Conditions& conditions) {
-    conditions.progress.show("a designed surface");
-    rough::SearchOptions options;
-    options.seed = run.origin.seed;
-    options.threads = run.origin.threads;
-    options.evaluations = settings.whole("accuracy.design-budget");
-    options.stop = &conditions.stop;
-    std::vector<StageRecord> stages;
-    const ga::Stopwatch clock;
-    const rough::SearchResult found = rough::search(run.setup, options, {recorder(stages)});
-    run.design = variant_run(found.name, found, std::move(stages), clock.seconds());
-    run.design.answer.response =
-        respond(run.setup, found.best.genome, rough::exactly(run.setup.model)).responses.front();
-    run.budget = error_budget(run.setup, found.best);
-}
-
 Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
-    AccuracyRun run;
-    run.origin = conditions.origin;
-    run.setup.model = model_from(settings, "model.");
-    run.setup.model.accuracy = accuracy_from(settings, "model.");
-    run.setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
-    run.setup.max_pressure = settings.number("targets.max-pressure");
     const ga::Stopwatch clock;
-    try_accuracies(run, settings, conditions);
-    if (!conditions.stop)
-        design(run, settings, conditions);
-    run.seconds = clock.seconds();
-    return findings_of(run);
+    rough::DesignSetup setup;
+    setup.model = model_from(settings, "model.");
+    setup.model.accuracy = accuracy_from(settings, "model.");
+    setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
+    setup.max_pressure = settings.number("targets.max-pressure");
+    Findings found;
+    Csv& savings = found.table("savings.csv", "surface,kernel,load,sample,accuracy,seconds,resolved_seconds,"
+                                              "estimated_error,true_error,nodes,resolved_nodes,"
+                                              "dropped_chromosomes");
+    try_accuracies(savings, setup.model, settings, conditions);
+    add_medians(found, savings.rows());
+    Record record{conditions.origin,  setup.model,           loaded_models(setup),
+                  setup.max_pressure, setup.targets.front(), {}};
+    Csv& budget = found.table("budget.csv", "kind,source,size");
+    if (!conditions.stop) {
+        conditions.progress.show("a designed surface");
+        rough::SearchOptions options;
+        options.seed = conditions.origin.seed;
+        options.threads = conditions.origin.threads;
+        options.evaluations = settings.whole("accuracy.design-budget");
+        options.stop = &conditions.stop;
+        std::vector<StageRecord> stages;
+        const ga::Stopwatch search_clock;
+        const rough::SearchResult result = rough::search(setup, options, {recorder(stages)});
+        record.variants = {variant_run(result.name, result, std::move(stages), search_clock.seconds())};
+        record.variants[0].answer.response =
+            respond(setup, result.best.genome, rough::exactly(setup.model)).responses.front();
+        for (const rough::ErrorSource& row : error_budget(setup, result.best))
+            budget.row(row.kind, row.source, row.size);
+    }
+    found.result = result_json(record);
+    found.result.update(
+        {{"seconds", clock.seconds()}, {"savings", savings.rows()}, {"error_budget", budget.rows()}});
+    return found;
 }
 
 } // namespace
 
-Findings findings_of(const AccuracyRun& run) {
-    const rough::DesignSetup& setup = run.setup;
-    Record record{run.origin,         setup.model,           loaded_models(setup),
-                  setup.max_pressure, setup.targets.front(), {}};
-    if (!run.design.name.empty())
-        record.variants.push_back(run.design);
-    Csv savings("surface,kernel,load,sample,accuracy,seconds,resolved_seconds,estimated_error,true_error,"
-                "nodes,resolved_nodes,dropped_chromosomes");
-    for (const SavingRow& row : run.savings)
-        savings.row(row.surface, row.kernel, row.load, row.sample, row.accuracy, row.seconds,
-                    row.resolved_seconds, row.estimated_error, row.true_error, row.nodes, row.resolved_nodes,
-                    row.dropped);
-    Csv budget("kind,source,size");
-    for (const rough::ErrorSource& row : run.budget)
-        budget.row(row.kind, row.source, row.size);
-    nlohmann::json result = result_json(record);
-    result.update({{"seconds", run.seconds}, {"savings", savings.rows()}, {"error_budget", budget.rows()}});
-    return {.result = result,
-            .files = {{"savings.csv", savings.text()},
-                      {"medians.csv", medians_table(run).text()},
-                      {"coverage.csv", coverage_table(run).text()},
-                      {"budget.csv", budget.text()}}};
-}
-
 Experiment accuracy_experiment() {
     return {
         .kind = "accuracy",
-        .summary = "what accuracy costs, and what is gained by modelling no more than an answer needs",
+        .summary = "time of curves within an accuracy, and the error budget of a designed surface",
         .settings = joined(
             {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", ga::above_zero,
                                  1, "accuracies to try, separated by commas"))

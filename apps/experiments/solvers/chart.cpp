@@ -29,7 +29,7 @@ constexpr double longest_wave = 0.84942; ///< mm
 
 bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }
 
-/// Displacement, pressure, stiffness and contact fraction at each of so many points behind 0.
+/// A truth with a point at 0 and `points` more: displacement, pressure, stiffness and contact fraction.
 ChartTruth truth_through(int points, const std::function<std::array<double, 4>(int)>& at) {
     ChartTruth truth;
     const std::array columns{&truth.displacement, &truth.pressure, &truth.stiffness, &truth.fraction};
@@ -43,41 +43,25 @@ ChartTruth truth_through(int points, const std::function<std::array<double, 4>(i
     return truth;
 }
 
-/// Presses a scene until its contact has the half-width `widest` (mm).
-void press_exactly(ChartScene& scene, const std::function<rough::exact::Contact(double)>& contact,
-                   double widest) {
-    scene.last = contact(widest).displacement;
-    scene.exact = [contact, widest, length = scene.length] {
+/// A scene over 1 mm with an exact solution, given for each half-width of the contact (mm) up to 0.4.
+ChartScene exact_scene(const std::string& name, const std::string& words, rough::Kernel kernel,
+                       const std::function<double(double)>& height,
+                       const std::function<rough::exact::Contact(double)>& contact) {
+    constexpr double widest = 0.4;
+    ChartScene scene{name, words, {}, 1, height, contact(widest).displacement, {}};
+    scene.body.kernel = kernel;
+    scene.body.datum = 1;
+    scene.exact = [contact] {
         constexpr int points = 20000;
         ChartTruth truth = truth_through(points, [&](int k) -> std::array<double, 4> {
             const double a = widest * k / points;
             const rough::exact::Contact c = contact(a);
-            return {c.displacement, c.load / length, c.stiffness / length, 2 * a / length};
+            return {c.displacement, c.load, c.stiffness, 2 * a};
         });
         truth.origin = "the exact solution";
         truth.finest_verified = std::numeric_limits<Index>::max();
         return truth;
     };
-}
-
-ChartScene hertz() {
-    constexpr double radius = 1;
-    const rough::exact::HalfPlane body{1, 1};
-    ChartScene scene{"hertz", "a Hertz parabola, contact growing to 80 % of the length", {}, 1, {}, 0, {}};
-    scene.body.datum = body.datum;
-    scene.height = [](double x) { return -(x - 0.5) * (x - 0.5) / (2 * radius); };
-    press_exactly(
-        scene, [=](double a) { return rough::exact::parabola(radius, a, body); }, 0.4);
-    return scene;
-}
-
-ChartScene westergaard() {
-    ChartScene scene{
-        "westergaard", "Westergaard's wave, periodic, contact growing to 80 %", {}, 1, {}, 0, {}};
-    scene.body.kernel = rough::Kernel::periodic;
-    scene.height = [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; };
-    press_exactly(
-        scene, [](double a) { return rough::exact::wave(1, 1, a, 1); }, 0.4);
     return scene;
 }
 
@@ -135,22 +119,31 @@ std::vector<ChartScene> chart_scenes() {
     const auto mwm = [](double hurst, double gamma, int count) {
         return rough::self_affine_waves(longest_wave, 0.05, hurst, gamma, count);
     };
-    return {hertz(), westergaard(),
+    return {exact_scene(
+                "hertz", "a Hertz parabola, contact growing to 80 % of the length", rough::Kernel::free,
+                [](double x) { return -(x - 0.5) * (x - 0.5) / 2; },
+                [](double a) {
+                    return rough::exact::parabola(1, a, {1, 1});
+                }),
+            exact_scene(
+                "westergaard", "Westergaard's wave, periodic, contact growing to 80 %",
+                rough::Kernel::periodic, [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; },
+                [](double a) { return rough::exact::wave(1, 1, a, 1); }),
             of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
             of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
             of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
                      rough::brownian_waves(longest_wave, 0.05, 0.8, 64))};
 }
 
-ChartTruth truth_of(const ChartScene& scene, Index most_nodes, const std::function<bool()>& stop) {
+ChartTruth truth_of(const ChartScene& scene, Index max_nodes, const std::function<bool()>& stop) {
     if (scene.exact)
         return scene.exact();
     constexpr int steps = 160;
     constexpr double still = 1e-6;
-    Index nodes = (most_nodes - 1) / 16 + 1;
+    Index nodes = (max_nodes - 1) / 16 + 1;
     ChartTruth truth = refined(scene, nodes, steps, stop);
     double moved = 1;
-    while (moved > still && 4 * (nodes - 1) + 1 <= most_nodes) {
+    while (moved > still && 4 * (nodes - 1) + 1 <= max_nodes) {
         nodes = 4 * (nodes - 1) + 1;
         ChartTruth finer = refined(scene, nodes, steps, stop);
         moved = root_mean_square(truth.pressure.tail(steps).array() / finer.pressure.tail(steps).array() - 1);
@@ -197,7 +190,7 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
         return run.late || (stop && stop());
     };
     ContactTrial trial;
-    run.seconds = least_seconds([&] {
+    run.seconds = lowest_seconds([&] {
         start = processor_seconds();
         trial = try_contact(contact, options);
     });
@@ -213,102 +206,17 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
 
 namespace {
 
-class Course {
-  public:
-    Course(const std::vector<ChartScene>& scenes, const ChartExtent& extent, const ChartBounds& bounds)
-        : scenes_(scenes), extent_(extent), bounds_(bounds), plan_(chart_plan(extent)) {
-        data_.limit = extent.limit;
-    }
-
-    ChartData run() {
-        if (bounds_.finest_map > 0) {
-            tell("theories, profiles and maps");
-            data_.models = charted_models(bounds_.finest_map, bounds_.stop);
-        }
-        for (const ChartScene& scene : scenes_)
-            find_truth(scene);
-        for (const ChartSetting& setting : plan_)
-            try_on_all(setting);
-        return std::move(data_);
-    }
-
-  private:
-    bool stopped() const { return bounds_.stop && bounds_.stop(); }
-
-    void find_truth(const ChartScene& scene) {
-        tell("reference of " + scene.name);
-        try {
-            truths_.push_back(truth_of(scene, extent_.most_for_truth, bounds_.stop));
-        } catch (const rough::NotConverged&) {
-            if (!stopped())
-                throw;
-            truths_.emplace_back(); // nothing will be measured against it
-        }
-        data_.scenes.push_back(scene);
-        data_.scenes.back().reference = truths_.back().origin;
-    }
-
-    /// The same method, steps and tolerance on the scene, whatever the grid.
-    static ChartSetting on_any_grid(ChartSetting setting) {
-        setting.nodes = 0;
-        return setting;
-    }
-
-    /// Why a setting is not tried; a curve takes at least as many times its coarser grid's time as it has
-    /// more nodes.
-    std::optional<LeftOutFor> barred(const ChartSetting& setting, bool is_late) const {
-        const auto found = coarser_.find(on_any_grid(setting));
-        if (stopped())
-            return LeftOutFor::interrupt;
-        if (found == coarser_.end())
-            return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
-        const ChartRun& coarser = found->second;
-        if (coarser.outcome != Outcome::solved && !coarser.late)
-            return LeftOutFor::unsolved;
-        if (coarser.seconds * static_cast<double>(setting.nodes) >
-            extent_.limit * static_cast<double>(coarser.setting.nodes))
-            return LeftOutFor::limit;
-        return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
-    }
-
-    void try_on_all(ChartSetting setting) {
-        const bool is_late = setting.nodes > plan_.front().nodes && clock_.seconds() > bounds_.seconds;
-        for (setting.scene = 0; setting.scene < scenes_.size(); ++setting.scene) {
-            auto why = barred(setting, is_late);
-            if (!why) {
-                const ChartRun run = run_chart(scenes_[setting.scene], truths_[setting.scene], setting,
-                                               extent_.limit, bounds_.stop);
-                if (stopped()) {
-                    why = LeftOutFor::interrupt;
-                } else {
-                    coarser_[on_any_grid(setting)] = run;
-                    data_.runs.push_back(run);
-                    tell(scenes_[setting.scene].name + ", " + name_of(setting.method) +
-                         ", N = " + std::to_string(setting.nodes));
-                }
-            }
-            if (why)
-                data_.left_out.push_back({setting, *why});
-        }
-    }
-
-    void tell(const std::string& what) const {
-        if (bounds_.watch)
-            bounds_.watch(data_, std::to_string(data_.runs.size() + data_.left_out.size()) + " of " +
-                                     std::to_string(plan_.size() * scenes_.size()) + ", at most " +
-                                     duration_words(std::max(0.0, bounds_.seconds - clock_.seconds())) +
-                                     " left: " + what);
-    }
-
-    const std::vector<ChartScene>& scenes_;
-    const ChartExtent& extent_;
-    const ChartBounds& bounds_;
-    std::vector<ChartSetting> plan_;
-    std::vector<ChartTruth> truths_;
-    std::map<ChartSetting, ChartRun> coarser_; ///< the last grid's run
-    ga::Stopwatch clock_;
-    ChartData data_;
-};
+/// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number of
+/// nodes. @param coarser  the run on the next coarser grid, or null
+std::optional<LeftOutFor> barred(const ChartSetting& setting, const ChartRun* coarser, double limit,
+                                 bool is_late) {
+    if (coarser && coarser->outcome != Outcome::solved && !coarser->late)
+        return LeftOutFor::unsolved;
+    if (coarser && coarser->seconds * static_cast<double>(setting.nodes) >
+                       limit * static_cast<double>(coarser->setting.nodes))
+        return LeftOutFor::limit;
+    return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
+}
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
     static const ChartExtent quick_extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1},
@@ -349,7 +257,62 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
 
 ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
                   const ChartBounds& bounds) {
-    return Course(scenes, extent, bounds).run();
+    const ga::Stopwatch clock;
+    const std::vector<ChartSetting> plan = chart_plan(extent);
+    ChartData data;
+    data.limit = extent.limit;
+    const auto stopped = [&] { return bounds.stop && bounds.stop(); };
+    const auto tell = [&](const std::string& what) {
+        if (bounds.watch)
+            bounds.watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
+                                   std::to_string(plan.size() * scenes.size()) + ", at most " +
+                                   duration_words(std::max(0.0, bounds.seconds - clock.seconds())) +
+                                   " left: " + what);
+    };
+    if (bounds.finest_map > 0) {
+        tell("theories, profiles and maps");
+        data.models = charted_models(bounds.finest_map, bounds.stop);
+    }
+    std::vector<ChartTruth> truths;
+    for (const ChartScene& scene : scenes) {
+        tell("reference of " + scene.name);
+        try {
+            truths.push_back(truth_of(scene, extent.max_for_truth, bounds.stop));
+        } catch (const rough::NotConverged&) {
+            if (!stopped())
+                throw;
+            truths.emplace_back(); // not used: the chart ends
+        }
+        data.scenes.push_back(scene);
+        data.scenes.back().reference = truths.back().origin;
+    }
+    std::map<ChartSetting, ChartRun> last; // the run on the last grid, by the setting without its nodes
+    for (ChartSetting setting : plan) {
+        const bool is_late = setting.nodes > plan.front().nodes && clock.seconds() > bounds.seconds;
+        for (setting.scene = 0; setting.scene < scenes.size(); ++setting.scene) {
+            ChartSetting key = setting;
+            key.nodes = 0;
+            const auto coarser = last.find(key);
+            auto why = stopped() ? LeftOutFor::interrupt
+                                 : barred(setting, coarser == last.end() ? nullptr : &coarser->second,
+                                          extent.limit, is_late);
+            if (!why) {
+                const ChartRun run = run_chart(scenes[setting.scene], truths[setting.scene], setting,
+                                               extent.limit, bounds.stop);
+                if (stopped()) {
+                    why = LeftOutFor::interrupt;
+                } else {
+                    last[key] = run;
+                    data.runs.push_back(run);
+                    tell(scenes[setting.scene].name + ", " + name_of(setting.method) +
+                         ", N = " + std::to_string(setting.nodes));
+                }
+            }
+            if (why)
+                data.left_out.push_back({setting, *why});
+        }
+    }
+    return data;
 }
 
 Experiment chart_experiment() {
@@ -358,11 +321,12 @@ Experiment chart_experiment() {
         .summary =
             "Charts the time of a pressure curve against its error for theories, profiles and maps, and for "
             "every contact solver, grid, number of load steps and tolerance, on scenes with a known or a "
-            "refined solution: from coarse grids to fine, so that a chart that ends early has the same of "
-            "every scene. Writes chart.csv (as it goes), models.csv and a page that says which model and "
-            "method to take when, and what was left out and why. Ctrl-C ends it; what was measured is kept.",
+            "refined solution. It goes from coarse grids to fine ones, so that a chart that ends early has "
+            "equal grids for every scene. Writes chart.csv (while it runs), models.csv and a page that "
+            "recommends models and methods and lists settings that were left out. Ctrl-C ends the chart; "
+            "its measurements are kept.",
         .settings = {positive("chart.minutes", "10",
-                              "no setting begins after so many; the coarsest grid is always done"),
+                              "no setting starts after this time, except on the coarsest grid"),
                      {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
         .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
         .run = run_chart_experiment,

@@ -3,6 +3,7 @@
 #include "apps/experiments/solvers/trial.hpp"
 #include "apps/report/csv.hpp"
 
+#include <cmath>
 #include <compare>
 #include <functional>
 #include <optional>
@@ -11,54 +12,54 @@
 /// and simpler models.
 namespace app {
 
-/// What a chart tries once: a curve of a scene by a method.
+/// One trial of a chart: a curve of a scene by a method.
 struct ChartSetting {
     std::size_t scene = 0; ///< among chart_scenes()
     rough::Solver method = rough::Solver::nested;
     rough::Index nodes = 0;
     int steps = 0;
-    double tolerance = 0; ///< 0 for the direct methods, which have none, and for auto, which takes 1e-6
+    double tolerance = 0; ///< 0 for direct methods and for auto, which uses 1e-6
 
     auto operator<=>(const ChartSetting&) const = default;
 };
 
-/// How fine and how patient a chart is.
+/// The settings and the limits of a chart.
 struct ChartExtent {
-    std::vector<rough::Index> nodes;            ///< with 20 load steps, increasing
-    std::vector<rough::Index> nodes_with_steps; ///< of these, with other numbers of load steps too
-    std::vector<int> steps;                     ///< those others
-    std::vector<double> tolerances;             ///< of the iterative methods, 1e-6 among them
-    rough::Index most_for_truth;                ///< nodes of a reference
-    double limit;                               ///< s that one curve may take
+    std::vector<rough::Index> nodes;            ///< grids for 20 load steps, increasing
+    std::vector<rough::Index> nodes_with_steps; ///< the grids that have other numbers of load steps, too
+    std::vector<int> steps;                     ///< other numbers of load steps
+    std::vector<double> tolerances;             ///< for the iterative methods, including 1e-6
+    rough::Index max_for_truth;                 ///< maximum number of nodes of a reference
+    double limit;                               ///< maximum time of one curve, s
 };
 
 constexpr int usual_steps = 20;
-/// 20 load steps, and the tolerance 1e-6 for a method that has one.
+/// A setting with 20 load steps, and with the tolerance 1e-6 if the method is iterative.
 ChartSetting usual_setting(std::size_t scene, rough::Solver method, rough::Index nodes);
 
-/// Everything that a chart tries on each scene, from the coarsest grid to the finest.
+/// All trials of a chart on each scene, from the coarsest grid to the finest.
 std::vector<ChartSetting> chart_plan(const ChartExtent& extent);
 
-/// A curve so fine that other curves are measured against it: between its points it is linear.
+/// A fine curve that other curves are measured against, linear between its points.
 struct ChartTruth {
     Eigen::VectorXd displacement;     ///< mm, increasing from 0
     Eigen::VectorXd pressure;         ///< MPa
     Eigen::VectorXd stiffness;        ///< tangent, MPa/mm
-    Eigen::VectorXd fraction;         ///< of the length in contact
-    std::string origin;               ///< "the exact solution", or how far it was refined
-    rough::Index finest_verified = 0; ///< grids of more nodes are too close to it to be verified by it
+    Eigen::VectorXd fraction;         ///< contact fraction
+    std::string origin;               ///< "the exact solution", or a description of the refinement
+    rough::Index finest_verified = 0; ///< finer grids are too close to the reference to have an error
 };
 
-/// A profile known everywhere, to be sampled on any grid and pressed to a last displacement.
+/// A profile given as a function, which is sampled on any grid and pressed to a last displacement.
 struct ChartScene {
     std::string name;
-    std::string words; ///< what it is
+    std::string words; ///< description
     rough::Body body;
     double length = 1; ///< mm
     std::function<double(double)> height;
     double last = 0;                   ///< mm
-    std::function<ChartTruth()> exact; ///< where there is an exact solution
-    std::string reference = {};        ///< what it is measured against, once that is known
+    std::function<ChartTruth()> exact; ///< the exact solution; empty if it is not known
+    std::string reference = {};        ///< origin of the truth, set by charted()
 
     rough::Profile profile(rough::Index nodes) const;
 };
@@ -66,70 +67,69 @@ struct ChartScene {
 /// hertz, westergaard, mwm-smooth, mwm-rough and fractional-brownian.
 std::vector<ChartScene> chart_scenes();
 
-/// The exact curve, or that of ever finer grids (four times the nodes, at most `most_nodes`) until pressures
-/// move by less than 1e-6 of themselves (root mean square). Throws rough::NotConverged when `stop` says so.
-ChartTruth truth_of(const ChartScene& scene, rough::Index most_nodes, const std::function<bool()>& stop = {});
+/// The exact curve, or the curve of a refined grid. Each refinement has four times the nodes. It ends when
+/// pressures change by less than 1e-6 (relative, root mean square), or with `most_nodes` nodes. Throws
+/// rough::NotConverged if `stop` returns true.
+ChartTruth truth_of(const ChartScene& scene, rough::Index max_nodes, const std::function<bool()>& stop = {});
 
-/// What became of a setting: a row of chart.csv.
+/// The result of a setting: a row of chart.csv.
 struct ChartRun {
     ChartSetting setting;
-    double seconds = 0; ///< of one curve, on one core: the least of a few
-    double error_pressure = unknown, error_stiffness = unknown, error_contact = unknown;
+    double seconds = 0; ///< time of one curve on one core, the lowest of a few
+    double error_pressure = NAN, error_stiffness = NAN, error_contact = NAN; ///< NaN if unknown
     long iterations = 0;
     Outcome outcome = Outcome::solved;
-    bool late = false;           ///< given up at the limit
+    bool late = false;           ///< stopped at the limit
     double contact_fraction = 0; ///< at the last step
-
-    static constexpr double unknown = -1;
 };
 
-/// Pressure: relative errors at the curve's own displacements. Stiffness: relative errors of the tangent,
-/// linear in between, at 20 pressures. Contact: errors of the contact fraction at the displacements. Root
-/// mean squares.
+/// Sets the root mean square errors of a run. Pressure: relative errors at the curve's displacements.
+/// Stiffness: relative errors of the tangent at 20 pressures, linear between the load steps. Contact: errors
+/// of the contact fraction at the displacements.
 void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run);
 
-/// Solves a few times; gives up after `limit` seconds of processor time, or when `stop` says so. Errors are
-/// known on grids that the truth resolves.
+/// Solves a few times. Stops after `limit` seconds of processor time, or if `stop` returns true. Errors are
+/// known on grids of at most `finest_verified` nodes.
 ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
                    double limit, const std::function<bool()>& stop = {});
 
-/// What a model predicts of a scene: a theory, one line in place of the map, or a coarser grid.
+/// The prediction of a model for a scene: a theory, one line instead of the map, or a coarser grid.
 struct ModelRun {
     std::string family;     ///< theories, one line or solved
-    std::string model;      ///< its name
-    rough::Index nodes = 0; ///< 0 of a theory
-    double seconds = 0;     ///< of the whole curve on one core, the least of a few
-    Eigen::VectorXd contact_fraction = {}, stiffness = {};   ///< at the loads; NaN where it has no answer
+    std::string model;      ///< name
+    rough::Index nodes = 0; ///< 0 for a theory
+    double seconds = 0;     ///< time of the whole curve on one core, the lowest of a few
+    Eigen::VectorXd contact_fraction = {}, stiffness = {};   ///< at the loads; NaN without an answer
     Eigen::VectorXd area_errors = {}, stiffness_errors = {}; ///< relative, at each load
     double area_error = 0, stiffness_error = 0;              ///< root mean squares of these
 };
 
-/// A random surface that repeats, its exact curve and the models measured against it.
+/// A periodic random surface, its exact curve and the models that are measured against it.
 struct ModelScene {
     std::string name, words;
-    std::string reference;                                 ///< what it is measured against
-    double rms_slope = 0;                                  ///< h', rms gradient of a map
+    std::string reference;                                 ///< origin of the exact curve
+    double rms_slope = 0;                                  ///< h'; for a map the rms gradient
     double rms_height = 0;                                 ///< mm
-    double aspect_ratio = 0;                               ///< Str; 0: a line
-    Eigen::VectorXd pressure = {};                         ///< of the loads, MPa; E* is 1 MPa
+    double aspect_ratio = 0;                               ///< Str; 0 for a line
+    Eigen::VectorXd pressure = {};                         ///< loads, MPa; E* is 1 MPa
     Eigen::VectorXd contact_fraction = {}, stiffness = {}; ///< exact, MPa/mm
     std::vector<ModelRun> runs = {};
 };
 
-/// The scenes self-affine-line (a profile), self-affine-map (isotropic) and ground-map (ridges along y with a
-/// tenth of roughness of every direction on them), H = 0.8, pressed from 0.5 % to nearly full contact. Exact
-/// is a map of `finest` nodes a side; shorter waves than 8 nodes of 128 a side there are none. Ends early
-/// where `stop` says so, with what there is.
+/// The scenes self-affine-line (a profile), self-affine-map (isotropic) and ground-map. The last one has
+/// ridges along y and a tenth of the isotropic roughness. H = 0.8; loads from 0.5 % to nearly full contact.
+/// The exact maps have `finest` x `finest` nodes; waves have at least 8 nodes on 128 x 128. If `stop` returns
+/// true, only the finished scenes and models are returned.
 std::vector<ModelScene> charted_models(rough::Index finest, const std::function<bool()>& stop = {});
 
-/// Of the errors that are known; NaN of none.
+/// Root mean square of the known errors; NaN if all are unknown.
 double root_mean_square(const Eigen::VectorXd& errors);
 
-/// Why a setting was not tried.
+/// The reason to leave a setting out.
 enum class LeftOutFor {
-    limit,    ///< one curve takes too long, to go by a coarser grid
+    limit,    ///< one curve would take too long, estimated from a coarser grid
     unsolved, ///< a coarser grid was refused or did not converge
-    time,     ///< the chart's own time was over
+    time,     ///< the chart's time was over
     interrupt
 };
 
@@ -138,47 +138,46 @@ struct LeftOut {
     LeftOutFor why;
 };
 
-/// All that a chart shows.
+/// All results of a chart.
 struct ChartData {
-    std::vector<ChartScene> scenes; ///< a setting's scene is its place here
+    std::vector<ChartScene> scenes; ///< ChartSetting::scene is an index into these
     std::vector<ChartRun> runs;     ///< in the order of the plan
-    std::vector<LeftOut> left_out;  ///< the rest of the plan
-    double limit = 0;               ///< s that one curve might take
+    std::vector<LeftOut> left_out;  ///< all other settings of the plan
+    double limit = 0;               ///< maximum time of one curve, s
     std::vector<ModelScene> models; ///< theories, lines and maps
 
-    /// The run at a setting, or none.
-    const ChartRun* at(const ChartSetting& setting) const;
-    /// A scene's contact fraction at its last step on the finest grid that was solved; 0 of none.
+    /// A scene's contact fraction at its last step on the finest solved grid; 0 without one.
     double contact(std::size_t scene) const;
 };
 
-/// What bounds a chart besides its extent, and who watches it.
+/// Further limits of a chart, and its observer.
 struct ChartBounds {
-    double seconds = 0;          ///< of the wall's clock
-    rough::Index finest_map = 0; ///< nodes a side of the maps that models are measured on; 0: none
-    std::function<bool()> stop;  ///< asked often where set; true ends the chart with what there is
-    /// After each setting and reference: what there is, and words such as "12 of 740, at most 3 min left".
+    double seconds = 0;          ///< wall time
+    rough::Index finest_map = 0; ///< nodes along each side of the exact maps; 0: no models
+    std::function<bool()> stop;  ///< called often; true ends the chart, which keeps its results
+    /// Called after each setting and reference with the results so far and with words such as "12 of 740, at
+    /// most 3 min left".
     std::function<void(const ChartData&, const std::string&)> watch;
 };
 
 /// Works through the plan, one setting on all scenes before the next. The references and the coarsest grid
-/// are always done; past its time no setting begins. What would take more than the limit, to go by the
-/// coarser grid, or was not solved there, is left out.
+/// are always done; after the time is over no setting starts. A setting is left out if the coarser grid was
+/// not solved, or if its curve would take longer than the limit.
 ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
                   const ChartBounds& bounds);
 
-/// chart.csv: a row a run, of solvers and of models.
+/// chart.csv: one row per run of solvers and of models.
 Csv chart_table(const ChartData& data);
-/// models.csv: a row a load of each run.
+/// models.csv: one row per load and run.
 Csv models_table(const std::vector<ModelScene>& scenes);
-/// points.csv: each run that has an error, by kind; `best` is 1 if no run of its method is faster and more
-/// accurate, 2 if no run of any method is. Errors that differ by less than a twentieth count as equal.
+/// points.csv: each run that has an error, by kind. `best` is 1 if no run of its method is faster and more
+/// accurate, and 2 if no run of any method is. Errors that differ by less than a twentieth count as equal.
 Csv points_table(const ChartData& data);
 /// model_errors.csv: the errors of each model over the loads, and its time.
 Csv model_errors_table(const std::vector<ModelScene>& scenes);
-/// What was left out and why, in one line; "" if all were tried.
+/// The settings that were left out with reasons, in one line; "" if all were tried.
 std::string left_out_in_a_line(const ChartData& data);
-/// Everything else that the page says: scenes, failures, and where theories, a line and a map hold.
+/// Everything else on the page: scenes, failures, and the ranges in which theories, a line and a map hold.
 nlohmann::json chart_facts(const ChartData& data);
 
 } // namespace app

@@ -34,7 +34,7 @@ Profile ground_on(Index side) {
     return map;
 }
 
-/// Contact fraction and stiffness at pressures; NaN at those that the surface cannot bear.
+/// Contact fraction and stiffness at pressures; NaN beyond full contact.
 rough::TheoryCurve pressed(const Profile& surface, const VectorXd& pressures) {
     rough::Body body;
     body.kernel = rough::Kernel::periodic;
@@ -62,7 +62,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
     const rough::RandomSurface random = random_surface(surface, true);
     ModelScene scene{name,
                      words,
-                     "the same surface on " + std::to_string(finest) +
+                     "this surface on " + std::to_string(finest) +
                          (is_map ? " x " + std::to_string(finest) : "") + " nodes",
                      rms_slope(random),
                      std::sqrt(spectral_moments(random).m0),
@@ -79,7 +79,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
             return;
         rough::TheoryCurve curve;
         ModelRun run{.family = family, .model = model, .nodes = nodes};
-        run.seconds = least_seconds([&] { curve = work(); });
+        run.seconds = lowest_seconds([&] { curve = work(); });
         run.contact_fraction = curve.contact_fraction;
         run.stiffness = curve.stiffness;
         run.area_errors = run.contact_fraction.array() / scene.contact_fraction.array() - 1;
@@ -91,7 +91,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
     for (const std::string& theory : rough::theory_names()) {
         const auto which = static_cast<rough::Theory>(&theory - rough::theory_names().data());
         if (holds_for(which, is_map))
-            measure("theories", theory, 0, [&] { return foretold_curve(which, random, 1, scene.pressure); });
+            measure("theories", theory, 0, [&] { return predicted_curve(which, random, 1, scene.pressure); });
     }
     if (is_map) {
         const auto [columns, rows] = surface.shape();

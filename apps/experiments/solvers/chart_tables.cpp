@@ -24,10 +24,10 @@ struct ErrorKind {
     double ChartRun::*value;
     bool between_steps; ///< also measured between the load steps, so that more of them help
 
-    /// Whether a run has it, in a way to be compared with other runs: errors at the load steps only are
-    /// compared for the usual number of steps. Auto stands for the solver that it chooses.
+    /// Whether a run has this error and can be compared with other runs. Errors measured at the load steps
+    /// are compared only for the usual number of steps. Auto is left out, as it is one of the other solvers.
     bool compares(const ChartRun& run) const {
-        return run.setting.method != Solver::automatic && run.*value != ChartRun::unknown &&
+        return run.setting.method != Solver::automatic && !std::isnan(run.*value) &&
                (between_steps || run.setting.steps == usual_steps);
     }
 };
@@ -37,10 +37,12 @@ constexpr std::array<ErrorKind, 3> error_kinds{{{"pressure", &ChartRun::error_pr
 
 const std::string& method_of(const ChartRun& run) { return rough::name_of(run.setting.method); }
 
-/// The run at a setting, or none if it was not solved.
+/// The run at a setting, or null if it was not solved.
 const ChartRun* solved(const ChartData& data, const ChartSetting& setting) {
-    const ChartRun* run = data.at(setting);
-    return run && run->outcome == Outcome::solved ? run : nullptr;
+    for (const ChartRun& run : data.runs)
+        if (run.setting == setting && run.outcome == Outcome::solved)
+            return &run;
+    return nullptr;
 }
 
 /// The grids of the runs, increasing.
@@ -51,8 +53,7 @@ std::set<Index> grids_of(const ChartData& data) {
     return grids;
 }
 
-/// Brings the fastest to the front, or nested where it is about as fast: it needs no tolerance, and NNLS,
-/// which is, is there to check it.
+/// Sorts runs by time, and puts nested first if it is about as fast as the fastest: it needs no tolerance.
 void fastest_first(std::vector<const ChartRun*>& runs) {
     constexpr double same_time = 1.1;
     std::stable_sort(runs.begin(), runs.end(),
@@ -134,9 +135,9 @@ json left_out_rows(const ChartData& data) {
     return rows;
 }
 
-constexpr double fair = 0.2; ///< up to this error a model is said to hold
+constexpr double fair = 0.2; ///< a model holds up to this error
 
-/// Contact fractions between which an error stays fair, around the load where it is lowest; null if nowhere.
+/// The range of contact fractions around the lowest error in which errors stay fair; null if it is empty.
 json fair_range(const Eigen::VectorXd& errors, const Eigen::VectorXd& fractions) {
     Index best = -1;
     for (Index j = 0; j < errors.size(); ++j)
@@ -173,16 +174,16 @@ json line_rows(const std::vector<ModelScene>& scenes) {
         double grid_error = HUGE_VAL;
         for (const ModelRun& run : of.runs) {
             const double error = std::max(run.area_error, run.stiffness_error);
-            const json told{{"area", run.area_error},
-                            {"stiffness", run.stiffness_error},
-                            {"seconds", run.seconds},
-                            {"nodes", run.nodes}};
+            const json errors{{"area", run.area_error},
+                              {"stiffness", run.stiffness_error},
+                              {"seconds", run.seconds},
+                              {"nodes", run.nodes}};
             if (run.model == "section")
-                row["section"] = told;
+                row["section"] = errors;
             else if (run.model == "mean-line")
-                row.update({{"line", told}, {"line_is_enough", error <= fair}});
+                row.update({{"line", errors}, {"line_is_enough", error <= fair}});
             else if (run.family == "solved" && grid_error >= 0.03)
-                row["map"] = told, grid_error = error;
+                row["map"] = errors, grid_error = error;
         }
         if (row.contains("line") && row.contains("section") && row.contains("map"))
             rows.push_back(row);
@@ -210,12 +211,6 @@ json losses_of_auto(const ChartData& data) {
 
 } // namespace
 
-const ChartRun* ChartData::at(const ChartSetting& setting) const {
-    const auto found =
-        std::find_if(runs.begin(), runs.end(), [&](const ChartRun& run) { return run.setting == setting; });
-    return found == runs.end() ? nullptr : &*found;
-}
-
 double ChartData::contact(std::size_t scene) const {
     double fraction = 0;
     for (const ChartRun& run : runs)
@@ -229,14 +224,11 @@ Csv chart_table(const ChartData& data) {
         "scene,kernel,method,nodes,steps,tolerance,seconds,error_pressure,error_stiffness,error_contact,"
         "iterations,outcome",
         6);
-    const auto known = [](double error) {
-        return error == ChartRun::unknown ? std::nullopt : std::optional(error);
-    };
     for (const ChartRun& run : data.runs) {
         const ChartScene& scene = data.scenes[run.setting.scene];
         table.row(scene.name, name_of(scene.body.kernel), method_of(run), run.setting.nodes,
-                  run.setting.steps, run.setting.tolerance, run.seconds, known(run.error_pressure),
-                  known(run.error_stiffness), known(run.error_contact), run.iterations, name_of(run.outcome));
+                  run.setting.steps, run.setting.tolerance, run.seconds, run.error_pressure,
+                  run.error_stiffness, run.error_contact, run.iterations, name_of(run.outcome));
     }
     for (const ModelScene& scene : data.models)
         for (const ModelRun& run : scene.runs) // errors of the fraction itself, as above
@@ -271,17 +263,17 @@ Csv points_table(const ChartData& data) {
             std::stable_sort(runs.begin(), runs.end(), [&](const ChartRun* a, const ChartRun* b) {
                 return std::pair(a->seconds, a->*kind.value) < std::pair(b->seconds, b->*kind.value);
             });
-            double least = HUGE_VAL; // of the faster runs, of all methods and of the same
-            std::map<Solver, double> least_of;
+            double lowest = HUGE_VAL; // lowest error of the faster runs: any method, and each method
+            std::map<Solver, double> lowest_of;
             for (const ChartRun* run : runs) {
                 const double error = run->*kind.value;
-                double& own = least_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
-                const int best = error < 0.95 * least ? 2 : error < 0.95 * own ? 1 : 0;
+                double& lowest_here = lowest_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
+                const int best = error < 0.95 * lowest ? 2 : error < 0.95 * lowest_here ? 1 : 0;
                 table.row(data.scenes[scene].name, kind.name, method_of(*run), run->seconds, error, best);
                 if (best == 2)
-                    least = error;
-                if (error < 0.95 * own)
-                    own = error;
+                    lowest = error;
+                if (error < 0.95 * lowest_here)
+                    lowest_here = error;
             }
         }
     return table;

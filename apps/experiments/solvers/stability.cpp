@@ -2,11 +2,12 @@
 
 #include "apps/experiments/experiment.hpp"
 #include "apps/report/csv.hpp"
-#include "domain/contact/solvers/oracle.hpp"
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/plain_stream.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace app {
 
@@ -14,16 +15,13 @@ using nlohmann::json;
 
 namespace {
 
-constexpr rough::Index largest_for_oracle = 256;
-constexpr double seconds_per_cell = 30; ///< and for a second opinion
+constexpr rough::Index max_small = 256; ///< nodes of a small grid
+constexpr double seconds_per_cell = 30; ///< also for the solver that verifies a cell
 
-std::pair<double, double> span_of(const std::vector<double>& values, double factor = 1) {
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return {factor * *least, factor * *most};
-}
+/// The lowest and highest pressure, stiffness and number of contact nodes that a load step may have.
+using Span = std::array<std::pair<double, double>, 3>;
 
 /// How a load step differs from its reference, or "".
-template <class Span>
 std::string difference(const rough::LoadStep& step, std::size_t j, const Span& span, double tolerance) {
     const std::array<std::pair<const char*, double>, 3> results{
         {{"pressure", step.pressure},
@@ -31,21 +29,21 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
          {"number of contact nodes", static_cast<double>(step.contact_nodes)}}};
     for (std::size_t k = 0; k < results.size(); ++k) {
         const auto& [what, given] = results[k];
-        const auto& [least, most] = span[k];
-        const double slack = k == 2 ? 0 : tolerance * std::max(std::abs(least), std::abs(most));
-        if (given >= least - slack && given <= most + slack)
+        const auto& [lowest, highest] = span[k];
+        const double slack = k == 2 ? 0 : tolerance * std::max(std::abs(lowest), std::abs(highest));
+        if (given >= lowest - slack && given <= highest + slack)
             continue;
         rough::PlainStream line;
         line.precision(12);
-        line << what << " of step " << j + 1 << " is " << given << " where the reference has " << least;
-        if (most > least)
-            line << " to " << most;
+        line << what << " of step " << j + 1 << " is " << given << ", but the reference has " << lowest;
+        if (highest > lowest)
+            line << " to " << highest;
         return line.str();
     }
     return "";
 }
 
-/// A scene and what each solver made of it, in the order of their names.
+/// A scene and the trial of each solver, in the order of their names.
 struct StabilityRow {
     std::string scene, kernel;
     bool has_solution;
@@ -54,94 +52,57 @@ struct StabilityRow {
 using Rows = std::vector<StabilityRow>;
 
 constexpr std::array outcomes{Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong};
-
-/// How many cells have an outcome; of one method, or of all (-1).
-long count(const Rows& rows, Outcome outcome, int method = -1) {
-    long number = 0;
-    for (const StabilityRow& row : rows)
-        for (std::size_t m = 0; m < row.trials.size(); ++m)
-            number +=
-                row.trials[m].outcome == outcome && (method < 0 || m == static_cast<std::size_t>(method));
-    return number;
-}
-
-/// Outcomes of each method over all scenes.
-json by_method(const Rows& rows) {
-    json table = json::array();
-    for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
-        table.push_back({{"method", rough::solver_names()[m]},
-                         {"missed", std::count_if(rows.begin(), rows.end(), [&](const StabilityRow& row) {
-                              return row.has_solution && row.trials[m].outcome != Outcome::solved;
-                          })}});
-        for (const Outcome outcome : outcomes)
-            table.back()["outcomes"].push_back(count(rows, outcome, static_cast<int>(m)));
-    }
-    return table;
-}
-
-/// Each scene and kernel with one cell per method.
-json by_scene(const Rows& rows) {
-    json table = json::array();
-    for (const StabilityRow& row : rows) {
-        table.push_back({{"scene", row.scene}, {"kernel", row.kernel}});
-        for (const ContactTrial& trial : row.trials) {
-            const bool solved = trial.outcome == Outcome::solved;
-            table.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
-                                             {"failure", solved ? "" : name_of(trial.outcome)}});
-        }
-    }
-    return table;
-}
-
-/// Messages of the cells that were not solved; equal ones of a scene once, with their methods.
-json messages(const Rows& rows) {
-    json table = json::array();
-    for (const StabilityRow& row : rows) {
-        std::map<std::string, std::size_t> known;
-        for (std::size_t m = 0; m < row.trials.size(); ++m) {
-            const ContactTrial& trial = row.trials[m];
-            const std::string& method = rough::solver_names()[m];
-            if (trial.outcome == Outcome::solved)
-                continue;
-            const auto [entry, is_new] = known.emplace(trial.message, table.size());
-            if (is_new)
-                table.push_back({{"scene", row.scene},
-                                 {"kernel", row.kernel},
-                                 {"methods", method},
-                                 {"outcome", name_of(trial.outcome)},
-                                 {"message", trial.message}});
-            else
-                table[entry->second]["methods"].get_ref<std::string&>() += ", " + method;
-        }
-    }
-    return table;
-}
+using Counts = std::array<long, outcomes.size()>; ///< cells with each outcome
 
 Findings findings_of(const Rows& rows) {
-    Csv table("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
-    for (const StabilityRow& row : rows)
-        for (std::size_t m = 0; m < row.trials.size(); ++m) {
+    const std::vector<std::string>& methods = rough::solver_names();
+    Findings found;
+    Csv& table = found.table("stability.csv",
+                             "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
+    Counts all{};
+    std::vector<Counts> by_method(methods.size());
+    std::vector<long> missed(methods.size()); // not solved although there is a solution
+    json scenes = json::array(), messages = json::array();
+    for (const StabilityRow& row : rows) {
+        scenes.push_back({{"scene", row.scene}, {"kernel", row.kernel}});
+        std::map<std::string, std::size_t> known; // equal messages of a scene appear once
+        for (std::size_t m = 0; m < methods.size(); ++m) {
             const ContactTrial& trial = row.trials[m];
-            table.row(row.scene, row.kernel, rough::solver_names()[m], name_of(trial.outcome),
+            const std::string& outcome = name_of(trial.outcome);
+            const bool solved = trial.outcome == Outcome::solved;
+            table.row(row.scene, row.kernel, methods[m], outcome,
                       trial.curve.steps.empty() ? std::nullopt : std::optional(trial.kkt_residual()),
                       trial.curve.iterations, trial.seconds, trial.message);
+            scenes.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
+                                              {"failure", solved ? "" : outcome}});
+            ++all[static_cast<std::size_t>(trial.outcome)];
+            ++by_method[m][static_cast<std::size_t>(trial.outcome)];
+            if (solved)
+                continue;
+            missed[m] += row.has_solution;
+            const auto [entry, is_new] = known.emplace(trial.message, messages.size());
+            if (is_new)
+                messages.push_back({{"scene", row.scene},
+                                    {"kernel", row.kernel},
+                                    {"methods", methods[m]},
+                                    {"outcome", outcome},
+                                    {"message", trial.message}});
+            else
+                messages[entry->second]["methods"].get_ref<std::string&>() += ", " + methods[m];
         }
-    json names = json::array();
-    std::string summary; // "433 cells: 380 solved, ..."
-    for (const Outcome outcome : outcomes) {
-        names.push_back(name_of(outcome));
-        summary += (summary.empty() ? std::to_string(table.rows().size()) + " cells: " : ", ") +
-                   std::to_string(count(rows, outcome)) + " " + name_of(outcome);
     }
-    return {.result = {{"summary", summary},
-                       {"outcomes", names},
-                       {"methods", by_method(rows)},
-                       {"scenes", by_scene(rows)},
-                       {"messages", messages(rows)},
-                       {"runs", table.rows()}},
-            .files = {{"stability.csv", table.text()}},
-            .summary = summary,
-            .code = count(rows, Outcome::wrong) > 0 ? 3 : 0};
+    for (std::size_t m = 0; m < methods.size(); ++m)
+        found.result["methods"].push_back(
+            {{"method", methods[m]}, {"missed", missed[m]}, {"outcomes", by_method[m]}});
+    for (std::size_t o = 0; o < outcomes.size(); ++o) {
+        found.result["outcomes"].push_back(name_of(outcomes[o]));
+        found.summary += (o == 0 ? std::to_string(table.rows().size()) + " cells: " : ", ") +
+                         std::to_string(all[o]) + " " + name_of(outcomes[o]);
+    }
+    found.result.update(
+        {{"summary", found.summary}, {"scenes", scenes}, {"messages", messages}, {"runs", table.rows()}});
+    found.code = all[static_cast<std::size_t>(Outcome::wrong)] > 0 ? 3 : 0;
+    return found;
 }
 
 /// The scenes of a name on all kernels, or all of them.
@@ -163,16 +124,16 @@ Findings run_stability(const Settings& settings, const Conditions& conditions) {
     for (const StabilityScene& scene : scenes_from(settings)) {
         if (conditions.stop)
             break;
-        StabilityReference reference(scene);
         const std::string& kernel = name_of(scene.body.kernel);
         rows.push_back({scene.name, kernel, scene.has_solution, {}});
-        for (const std::string& method : rough::solver_names()) {
+        for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
+            const std::string& method = rough::solver_names()[m];
             conditions.progress.show(scene.name + " (" + kernel + "): " + method);
             rough::ContactOptions options;
-            options.solver = rough::solver_named(method);
+            options.solver = static_cast<rough::Solver>(m);
             ContactTrial& trial =
                 rows.back().trials.emplace_back(try_contact(scene, options, seconds_per_cell));
-            reference.verifier(trial, promised_tolerance(trial.curve, options));
+            verify(scene, trial, promised_tolerance(trial.curve, options));
         }
     }
     return rows.empty() ? Findings() : findings_of(rows);
@@ -180,51 +141,45 @@ Findings run_stability(const Settings& settings, const Conditions& conditions) {
 
 } // namespace
 
-const std::vector<StabilityReference::Span>& StabilityReference::spans(double tolerance) {
-    std::vector<Span>& spans = spans_[tolerance];
-    if (!spans.empty())
-        return spans;
-    const double largest = largest_displacement(scene_.profile, scene_.body);
-    const double range = scene_.profile.heights.maxCoeff() - scene_.profile.heights.minCoeff();
-    for (const double displacement : scene_.displacements) {
-        // First loading: the oracle needs some displacement, which stands for none.
-        const double at = displacement > 0 ? displacement : 1e-9 * range;
-        const rough::Oracle oracle = consult_oracle(
-            scene_.profile, scene_.body,
-            {at * (1 - tolerance), std::min(at, largest), std::min(at * (1 + tolerance), largest)});
-        spans.push_back({span_of(oracle.pressure, displacement > 0), span_of(oracle.tangent_stiffness),
-                         span_of({oracle.contact_nodes.begin(), oracle.contact_nodes.end()})});
-    }
-    return spans;
-}
-
-std::vector<StabilityReference::Span> StabilityReference::by_another(rough::Solver verified) const {
-    rough::ContactOptions options;
-    std::vector<Span> spans;
-    for (const rough::Solver solver :
-         {rough::Solver::nested, rough::Solver::active_set, rough::Solver::polonsky_keer}) {
-        options.solver = solver;
-        if (solver == verified || !spans.empty())
-            continue;
-        for (const rough::LoadStep& step : try_contact(scene_, options, seconds_per_cell).curve.steps) {
-            const auto nodes = static_cast<double>(step.contact_nodes);
-            spans.push_back({{{step.pressure, step.pressure},
-                              {step.tangent_stiffness, step.tangent_stiffness},
-                              {nodes, nodes}}});
+void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance) {
+    const bool small = scene.profile.nodes() <= max_small;
+    const double largest = largest_displacement(scene.profile, scene.body);
+    const double range = scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff();
+    for (std::size_t j = 0; j < scene.displacements.size() && trial.outcome == Outcome::solved; ++j) {
+        const double displacement = scene.displacements[j];
+        StabilityScene verifying = scene;
+        verifying.displacements = {displacement};
+        if (small) {
+            // First touch is compared at a small displacement, which the solvers do not treat apart.
+            const double at = displacement > 0 ? displacement : 1e-9 * range;
+            verifying.displacements = {at * (1 - tolerance), std::min(at, largest),
+                                       std::min(at * (1 + tolerance), largest)};
         }
-    }
-    return spans;
-}
-
-void StabilityReference::verifier(ContactTrial& trial, double tolerance) {
-    if (trial.outcome != Outcome::solved)
-        return;
-    const bool small = scene_.profile.nodes() <= largest_for_oracle;
-    const std::vector<Span> expected = small ? spans(tolerance) : by_another(trial.curve.solver);
-    if (!small)
-        tolerance = std::max(tolerance, 10 * rough::ContactOptions().tolerance);
-    for (std::size_t j = 0; j < expected.size() && trial.outcome == Outcome::solved; ++j) {
-        trial.message = difference(trial.curve.steps[j], j, expected[j], tolerance);
+        rough::ContactCurve reference;
+        for (const rough::Solver solver : {rough::Solver::nested, rough::Solver::nnls,
+                                           rough::Solver::active_set, rough::Solver::polonsky_keer})
+            if (reference.steps.empty() && solver != trial.curve.solver &&
+                (small || solver != rough::Solver::nnls)) {
+                rough::ContactOptions options;
+                options.solver = solver;
+                reference = try_contact(verifying, options, seconds_per_cell).curve;
+            }
+        if (reference.steps.empty())
+            continue;
+        const auto span = [&](auto value) {
+            const auto [low, high] =
+                std::minmax_element(reference.steps.begin(), reference.steps.end(),
+                                    [&](const auto& a, const auto& b) { return value(a) < value(b); });
+            return std::pair(value(*low), value(*high));
+        };
+        const Span expected{
+            span([&](const rough::LoadStep& step) { return displacement > 0 ? step.pressure : 0; }),
+            span([](const rough::LoadStep& step) { return step.tangent_stiffness; }),
+            span([](const rough::LoadStep& step) { return static_cast<double>(step.contact_nodes); })};
+        const bool direct = small && is_direct(reference.solver);
+        trial.message =
+            difference(trial.curve.steps[j], j, expected,
+                       direct ? tolerance : std::max(tolerance, 10 * rough::ContactOptions().tolerance));
         if (!trial.message.empty())
             trial.outcome = Outcome::wrong;
     }
@@ -233,9 +188,9 @@ void StabilityReference::verifier(ContactTrial& trial, double tolerance) {
 Experiment stability_experiment() {
     return {.kind = "stability",
             .summary =
-                "Tries every contact solver on scenes in which methods fail, and says which solved them, "
-                "refused them or did not converge; 'wrong' is a result that a second opinion "
-                "contradicts. Writes stability.csv and a page; a cell takes at most 30 s.",
+                "Tries every contact solver on scenes in which methods fail. A cell is solved, refused, not "
+                "converged, or wrong if a second solution contradicts it. Writes stability.csv and a page; "
+                "a cell takes at most 30 s.",
             .settings = {{"stability.scene", "", "only the scene of this name"}},
             .files = {"stability.csv"},
             .run = run_stability,

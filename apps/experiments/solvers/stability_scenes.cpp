@@ -20,7 +20,7 @@ using rough::Profile;
 constexpr double length = 0.84942;
 constexpr Index usual_nodes = 128;
 
-/// A self-affine profile that repeats, its waves down to four nodes.
+/// A periodic self-affine profile with wavelengths down to four nodes.
 VectorXd rough_heights(Index nodes) {
     const rough::Grid grid{nodes, length, true};
     const int waves = static_cast<int>(std::ceil(std::log(static_cast<double>(nodes) / 4) / std::log(1.5)));
@@ -37,14 +37,14 @@ VectorXd by_node(Index nodes, const std::function<double(Index)>& height) {
 
 double range_of(const VectorXd& heights) { return heights.maxCoeff() - heights.minCoeff(); }
 
-/// Delta_full on a periodic half-plane, the range elsewhere.
+/// Delta_full on a periodic half-plane, otherwise the range of the heights.
 double reach_of(const VectorXd& heights, Kernel kernel) {
     return kernel == Kernel::periodic ? (heights.maxCoeff() - heights.array()).mean() : range_of(heights);
 }
 
 class SceneList {
   public:
-    /// Five steps to 0.9 of the reach, unless displacements are given; changes are the caller's.
+    /// Adds a scene with five steps to 0.9 of the reach, unless displacements are given.
     StabilityScene& add(const std::string& name, Kernel kernel, const VectorXd& heights,
                         const std::vector<double>& displacements = {}) {
         StabilityScene scene;
@@ -66,7 +66,7 @@ class SceneList {
 
 constexpr Kernel all_kernels[] = {Kernel::free, Kernel::periodic, Kernel::strip};
 
-/// Light and full loads, and how they are stepped.
+/// Light and full loads in few and in many steps.
 void add_loadings(SceneList& list, Kernel kernel) {
     const VectorXd rough = rough_heights(usual_nodes);
     const double reach = reach_of(rough, kernel);
@@ -80,7 +80,7 @@ void add_loadings(SceneList& list, Kernel kernel) {
     if (kernel == Kernel::periodic) {
         list.add("near-full-contact", kernel, rough, {0.9 * reach, 0.999 * reach, (1 - 1e-6) * reach});
         list.add("full-contact", kernel, rough, {0.5 * reach, reach});
-    } else { // the pressure that flattens the profile is reached far beyond its range
+    } else { // full contact needs a displacement far beyond the range of the heights
         list.add("near-full-contact", kernel, 0.02 * rough, {0.2 * reach, 0.25 * reach, 0.3 * reach});
         list.add("full-contact", kernel, 1e-3 * rough, {reach, 2 * reach});
     }
@@ -117,7 +117,7 @@ void add_shapes(SceneList& list, Kernel kernel) {
     list.add("nodes-3", kernel, Eigen::Vector3d(-0.02, 0, -0.01));
 }
 
-/// Sizes of the numbers, and numbers that are none.
+/// Very large and very small numbers, infinity and NaN.
 void add_numbers(SceneList& list, Kernel kernel) {
     const VectorXd rough = rough_heights(usual_nodes);
     list.add("heights-1e-12", kernel, 1e-12 / range_of(rough) * rough);

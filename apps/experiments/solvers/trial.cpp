@@ -34,8 +34,12 @@ double ContactTrial::kkt_residual() const {
     return worst;
 }
 
-ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options) {
-    const double spent = processor_seconds();
+ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
+    const ga::Stopwatch clock;
+    const double start = processor_seconds();
+    bool late = false;
+    if (std::isfinite(limit))
+        options.stop = [&] { return late = clock.seconds() > limit; };
     ContactTrial trial;
     try {
         trial.curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
@@ -44,19 +48,9 @@ ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions&
         trial.message = error.what();
     } catch (const rough::NotConverged& error) {
         trial.outcome = Outcome::not_converged;
-        trial.message = error.what();
+        trial.message = late ? "stopped after " + std::to_string(std::lround(limit)) + " s" : error.what();
     }
-    trial.seconds = processor_seconds() - spent;
-    return trial;
-}
-
-ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
-    const ga::Stopwatch clock;
-    bool late = false;
-    options.stop = [&] { return late = clock.seconds() > limit; };
-    ContactTrial trial = try_contact(scene, options);
-    if (late && trial.outcome == Outcome::not_converged)
-        trial.message = "stopped after " + std::to_string(std::lround(limit)) + " s";
+    trial.seconds = processor_seconds() - start;
     return trial;
 }
 

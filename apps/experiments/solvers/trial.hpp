@@ -3,19 +3,20 @@
 #include "domain/contact/names.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
-/// What the experiments on contact solvers share: a solver on a scene, and its time.
+/// Trials of a contact solver on a scene, with times.
 namespace app {
 
-/// A profile pressed on a body, by name.
+/// A named profile that is pressed on a body.
 struct ContactScene {
     std::string name;
     rough::Profile profile;
     rough::Body body;
     std::vector<double> displacements; ///< mm
 };
-/// Displacements of so many even load steps up to `last`.
+/// Displacements of `steps` even load steps up to `last`.
 std::vector<double> even_steps(double last, int steps);
 
 enum class Outcome { solved, refused, not_converged, wrong };
@@ -24,38 +25,35 @@ const std::string& name_of(Outcome outcome);
 /// One method on one scene.
 struct ContactTrial {
     Outcome outcome = Outcome::solved;
-    std::string message;         ///< why it was refused, did not converge or is wrong
-    rough::ContactCurve curve;   ///< where solved
-    double seconds = 0;          ///< of one core, for one solution
-    double kkt_residual() const; ///< the worst of the curve's steps
+    std::string message;         ///< the reason if the outcome is not `solved`
+    rough::ContactCurve curve;   ///< empty if refused or not converged
+    double seconds = 0;          ///< processor time of one solution
+    double kkt_residual() const; ///< maximum over the curve's steps
 };
 
-/// Processor time of this thread: what other work on the machine takes is not counted.
+/// Processor time of this thread, s.
 double processor_seconds();
 
-/// The least processor time of a few rounds of some work, as other work on the machine only adds to it: of
-/// `rounds`, or of fewer if these would take more than `within` seconds.
+/// The lowest processor time of several rounds of some work, because other work on the machine only adds to
+/// it. There are fewer than `rounds` if these would take more than `within` seconds.
 template <class Work>
-double least_seconds(Work work, int rounds = 9, double within = 0.1) {
-    double least = 0, spent = 0;
+double lowest_seconds(Work work, int rounds = 9, double within = 0.1) {
+    double lowest = 0, spent = 0;
     for (int round = 0; round < rounds && (round == 0 || spent * (round + 1) < within * round); ++round) {
         const double start = processor_seconds();
         work();
         const double seconds = processor_seconds() - start;
-        least = round == 0 ? seconds : std::min(least, seconds);
+        lowest = round == 0 ? seconds : std::min(lowest, seconds);
         spent += seconds;
     }
-    return least;
+    return lowest;
 }
 
-/// Solves, by the options as they are.
-ContactTrial try_contact(const ContactScene& scene, const rough::ContactOptions& options);
+/// Solves a scene, or stops after `limit` seconds of wall time. Without a limit, options.stop applies.
+ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit = HUGE_VAL);
 
-/// Solves, and gives up after `limit` seconds by the wall's clock.
-ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit);
-
-/// The tolerance that a method's results are held to: 1e-9 for the direct ones, ten times their own for the
-/// iterative.
+/// The tolerance to which a method's results are verified: 1e-9 for direct methods, ten times the tolerance
+/// of the options for iterative ones.
 double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options);
 
 } // namespace app

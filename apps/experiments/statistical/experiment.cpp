@@ -1,6 +1,5 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/report/csv.hpp"
 #include "apps/report/units.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -16,7 +15,7 @@ const char* const usual_pipeline =
 
 rough::StatisticalTask task_of(const Settings& settings) {
     if (!settings.has("target.file"))
-        throw rough::InputError(settings.place("target.file") + ": missing, expected a target's file");
+        throw rough::InputError(settings.place("target.file") + ": missing; name a target's file (CSV)");
     rough::StatisticalTask task;
     task.target = rough::read_target(settings.path("target.file"));
     settings.take("statistical.theory", task.theory);
@@ -25,7 +24,7 @@ rough::StatisticalTask task_of(const Settings& settings) {
     if (task.is_area && task.nodes > 2048)
         throw rough::InputError(settings.place("statistical.nodes") + ": " +
                                 settings.text("statistical.nodes") +
-                                " given, expected at most 2048 a side of an area");
+                                " is out of range for a map (40 to 2048 along each side)");
     task.length = settings.number("statistical.length");
     task.effective_modulus = settings.number("statistical.modulus");
     return task;
@@ -40,15 +39,16 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
     });
     const std::string theory = name_of(task.theory);
     const rough::Target& target = task.target;
-    Csv curves("curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
+    Findings found;
+    Csv& curves =
+        found.table("curves.csv", "curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
     const auto add = [&](const std::string& name, const Eigen::VectorXd& y) {
         for (Eigen::Index k = 0; k < y.size(); ++k)
             curves.row(name, target.x[k], y[k]);
     };
     add("target", target.y);
-    add(theory, answer.foretold);
-    std::map<std::string, std::string> files;
-    std::vector<double> similarities; ///< of the surfaces that are drawn
+    add(theory, answer.predicted);
+    std::vector<double> similarities; // one per drawn surface
     const long count = settings.whole("statistical.realisations");
     for (long k = 1; k <= count && !conditions.stop; ++k) {
         const std::string name = "surface-" + std::to_string(k);
@@ -57,11 +57,10 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
             realised_answer(task, answer.parameters, conditions.origin.seed + static_cast<std::uint64_t>(k));
         add(name, drawn.exact);
         similarities.push_back(drawn.similarity);
-        files[name + ".x3p"] = x3p(drawn.surface);
+        found.files[name + ".x3p"] = x3p(drawn.surface);
     }
-    files["curves.csv"] = curves.text();
     const rough::SelfAffine& of = answer.parameters;
-    nlohmann::json result{
+    found.result = {
         {"theory", theory},
         {"quantity", is_contact_fraction(target.quantity) ? "Contact fraction A" : "Stiffness K (MPa/mm)"},
         {"parameters",
@@ -75,10 +74,9 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
         {"surfaces", nlohmann::json::array()},
         {"curves", curves.rows()}};
     for (const double similarity : similarities)
-        result["surfaces"].push_back({{"similarity", similarity}});
-    return {.result = result,
-            .files = files,
-            .summary = "similarity " + readable(answer.similarity, 4) + " by " + theory + "'s theory"};
+        found.result["surfaces"].push_back({{"similarity", similarity}});
+    found.summary = "similarity " + readable(answer.similarity, 4) + " by " + theory + "'s theory";
+    return found;
 }
 
 } // namespace
@@ -87,19 +85,20 @@ Experiment statistical_experiment() {
     return {
         .kind = "statistical",
         .summary =
-            "Finds the statistical parameters of a surface (H, two cut-offs, rms slope) whose curve, as "
-            "a theory foretells it, is the target's, and solves surfaces that have them. Writes "
-            "curves.csv, the surfaces (X3P) and a page.",
+            "Finds the statistical parameters of a surface (H, two cut-offs, rms slope) whose curve, by a "
+            "theory, is the target's, and solves surfaces with these parameters. Writes curves.csv, the "
+            "surfaces (X3P) and a page.",
         .settings =
             {{"target.file", "", "stiffness or contact fraction against pressure, CSV"},
-             Setting("statistical.theory", "persson", "of contact").of(rough::theory_names()),
-             Setting("statistical.surface", "area", "a profile by persson alone").of({"profile", "area"}),
-             ga::whole("statistical.nodes", "128", 40, "of the surfaces, a side; no wave is under 8 nodes")
+             Setting("statistical.theory", "persson", "theory of contact").of(rough::theory_names()),
+             Setting("statistical.surface", "area", "area, or profile (only with persson)")
+                 .of({"profile", "area"}),
+             ga::whole("statistical.nodes", "128", 40, "nodes along each side; waves have at least 8 nodes")
                  .up_to(1000000),
-             positive("statistical.length", "1", "of the surfaces, mm"),
+             positive("statistical.length", "1", "length of each side, mm"),
              positive("statistical.modulus", "1", "effective modulus E*, MPa"),
-             ga::whole("statistical.realisations", "3", 0, "surfaces that are drawn and solved").up_to(100),
-             {"statistical.pipeline", usual_pipeline, "how the parameters are searched for"}},
+             ga::whole("statistical.realisations", "3", 0, "number of surfaces to draw and solve").up_to(100),
+             {"statistical.pipeline", usual_pipeline, "search for the parameters"}},
         .files = {"curves.csv", "*.x3p"},
         .run = run_statistical};
 }

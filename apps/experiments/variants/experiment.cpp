@@ -3,7 +3,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -23,10 +22,10 @@ namespace {
 
 using nlohmann::json;
 
-/// The best similarity so far when so much was spent.
+/// A moment of a search with its best similarity so far.
 struct Spent {
     double evaluations; ///< curves and gradients
-    double seconds;     ///< since the search began
+    double seconds;     ///< from the start of the search
     double similarity;
 };
 
@@ -34,8 +33,8 @@ struct RaceRun {
     std::uint64_t seed;
     std::vector<Spent> history; ///< after each stage
     VariantRun run;
-    double last_displacement = 0; ///< of the answer, at the end of the load, mm
-    long crossed = 0, better = 0; ///< children of two scored parents, and those above the better parent
+    double last_displacement = 0; ///< mm, at the answer's last load step
+    long crossed = 0, better = 0; ///< children of two scored parents; children better than both
 };
 
 struct RaceVariant {
@@ -52,7 +51,7 @@ struct RaceVariant {
         });
         return runs[order[(runs.size() - 1) / 2]];
     }
-    /// Median over the runs of the best similarity when so much was spent; -1 if a run had none yet.
+    /// Median over the runs of the best similarity up to this moment; -1 if a run had none yet.
     double median_at(double Spent::*axis, double spent) const {
         return rough::median(rough::column(runs, [&](const RaceRun& run) {
             double best = -1;
@@ -66,11 +65,11 @@ struct RaceVariant {
 
 struct RaceTarget {
     rough::DesignSetup setup;
-    std::vector<RaceVariant> variants; ///< those that ran
+    std::vector<RaceVariant> variants; ///< with at least one finished run
 
     const std::string& name() const { return setup.targets[0].name; }
     bool is_2d() const { return setup.model.grid.is_2d(); }
-    /// The highest similarity first.
+    /// The variants by falling similarity.
     std::vector<const RaceVariant*> ranked() const {
         std::vector<const RaceVariant*> order;
         for (const RaceVariant& variant : variants)
@@ -82,7 +81,8 @@ struct RaceTarget {
     }
 };
 
-/// Every target on every grid of model.nodes; those of the first grid are called by the target alone.
+/// Every target on every grid of model.nodes. On the first grid the name is the target's, on others the grid
+/// follows.
 std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
     if (grids.empty())
@@ -111,52 +111,30 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     return targets;
 }
 
-/// An individual's similarity, where it was found.
-std::optional<double> similarity_of(const ga::Individual<rough::Genome>& individual) {
-    static const ga::Name similarity("similarity");
-    const ga::Fitness& fitness = individual.fitness;
-    return fitness.known(similarity) && !fitness.has_failed() ? std::optional(fitness.value()) : std::nullopt;
-}
-
-/// Counts children of two parents whose similarity is known, and how many are better than both, as they come.
-class ParentsWatch {
-  public:
-    explicit ParentsWatch(RaceRun& run) : run_(run) {}
-
-    void operator()(const ga::Event<rough::Genome>& event) {
-        for (const auto& individual : event.population) {
-            const auto similarity = similarity_of(individual);
-            if (!similarity)
-                continue;
-            const bool fresh = similarity_.emplace(individual.identity, *similarity).second;
-            if (fresh && individual.parents.size() == 2) {
-                const auto first = similarity_.find(*individual.parents.begin()),
-                           second = similarity_.find(*(individual.parents.begin() + 1));
-                if (first != similarity_.end() && second != similarity_.end()) {
-                    ++run_.crossed;
-                    run_.better += *similarity > std::max(first->second, second->second);
-                }
-            }
-            similarity_[individual.identity] = *similarity;
-        }
-    }
-
-  private:
-    RaceRun& run_;
-    std::map<ga::Identity, double> similarity_;
-};
-
 RaceRun run_once(const RaceTarget& target, const std::string& name, const rough::SearchOptions& options) {
+    static const ga::Name similarity("similarity");
     RaceRun run{options.seed, {}, {}, 0};
     std::vector<StageRecord> stages;
     double best = -HUGE_VAL;
-    ParentsWatch parents(run);
+    std::map<ga::Identity, double> known; // similarities so far
     const auto watch = [&](const ga::Event<rough::Genome>& event) {
-        for (const auto& individual : event.population)
-            best = std::max(best, similarity_of(individual).value_or(-HUGE_VAL));
+        for (const auto& individual : event.population) {
+            if (!individual.fitness.known(similarity) || individual.fitness.has_failed())
+                continue;
+            const double value = individual.fitness.value();
+            best = std::max(best, value);
+            const bool is_new = known.insert_or_assign(individual.identity, value).second;
+            if (!is_new || individual.parents.size() != 2)
+                continue;
+            const auto first = known.find(*individual.parents.begin()),
+                       second = known.find(*std::next(individual.parents.begin()));
+            if (first != known.end() && second != known.end()) {
+                ++run.crossed;
+                run.better += value > std::max(first->second, second->second);
+            }
+        }
         if (std::isfinite(best))
             run.history.push_back({static_cast<double>(event.counters.asked), event.seconds, best});
-        parents(event);
     };
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
@@ -197,18 +175,18 @@ json result_of(const RaceTarget& target, const Origin& origin, long budget) {
 
 std::vector<Setting> variants_settings() {
     const std::vector<Setting> settings{
-        ga::whole("experiment.seeds", "3", 1, "runs of each way").up_to(1000),
-        ga::whole("experiment.budget", "3000", 1, "curves and gradients each run may ask for").up_to(1e9),
-        {"targets.files", "", "target curves (CSV), with commas between"},
+        ga::whole("experiment.seeds", "3", 1, "runs of each pipeline").up_to(1000),
+        ga::whole("experiment.budget", "3000", 1, "maximum number of curves and gradients of a run")
+            .up_to(1e9),
+        {"targets.files", "", "target curves (CSV), separated by commas"},
         pressure("targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"),
-        positive("targets.shortest-wave", "", "shortest wave, mm [8 node distances]"),
-        ga::whole("database.ridges", "", 1, "ridges of each chromosome [1; an area, their directions: 8]")
-            .up_to(64),
-        {"variants.*", "", "a way to search: a named variant or a pipeline as text"},
+        positive("targets.shortest-wave", "", "shortest wave, mm [8 node spacings]"),
+        ga::whole("database.ridges", "", 1, "ridges of each chromosome [1; on a map 8 directions]").up_to(64),
+        {"variants.*", "", "a named variant or a pipeline as text"},
     };
     std::vector<Setting> model = model_settings("model.");
     for (Setting& setting : model)
-        if (setting.name == "model.nodes") // of several grids, with commas between
+        if (setting.name == "model.nodes") // several grids, separated by commas
             setting.takes = ga::word_list({}, {});
     return joined({settings, model, {accuracy_setting("model.")}});
 }
@@ -253,10 +231,10 @@ std::vector<RaceTarget> raced(const Settings& settings, const Conditions& condit
     return targets;
 }
 
-/// 1 less the best similarity so far, in the median over the seeds, against what was spent.
-Csv shortfall_table(const std::vector<RaceTarget>& targets, long budget) {
+/// 1 less the best similarity so far, median over the seeds, against evaluations and seconds.
+void add_shortfall(Findings& found, const std::vector<RaceTarget>& targets, long budget) {
     constexpr int points = 60;
-    Csv table("target,variant,axis,spent,shortfall", 6);
+    Csv& table = found.table("shortfall.csv", "target,variant,axis,spent,shortfall", 6);
     for (const RaceTarget& target : targets) {
         double longest = 0.1;
         for (const RaceVariant& variant : target.variants)
@@ -274,12 +252,12 @@ Csv shortfall_table(const std::vector<RaceTarget>& targets, long budget) {
                         table.row(target.name(), variant.name, name, spent, std::max(1e-5, 1 - similarity));
                 }
     }
-    return table;
 }
 
 /// Medians at the end of each variant's runs.
-Csv ended_table(const std::vector<RaceTarget>& targets) {
-    Csv table("target,surface,variant,similarity,seconds,curves,gradients,children_of_two,better_than_both");
+void add_ends(Findings& found, const std::vector<RaceTarget>& targets) {
+    Csv& table = found.table("ended.csv", "target,surface,variant,similarity,seconds,curves,gradients,"
+                                          "children_of_two,better_than_both");
     for (const RaceTarget& target : targets)
         for (const RaceVariant* variant : target.ranked()) {
             const VariantRun& run = variant->median_run().run;
@@ -291,13 +269,12 @@ Csv ended_table(const std::vector<RaceTarget>& targets) {
                       crossed > 0 ? std::optional(static_cast<double>(better) / static_cast<double>(crossed))
                                   : std::nullopt);
         }
-    return table;
 }
 
 /// Heights and last contact pressure of the best variant's median run on each map, on at most 128 x 128
 /// nodes.
-Csv surfaces_table(const std::vector<RaceTarget>& targets) {
-    Csv table("target,x_mm,y_mm,height_mm,pressure_MPa", 6);
+void add_surfaces(Findings& found, const std::vector<RaceTarget>& targets) {
+    Csv& table = found.table("surfaces.csv", "target,x_mm,y_mm,height_mm,pressure_MPa", 6);
     for (const RaceTarget& target : targets) {
         const rough::Model& model = target.setup.model;
         const rough::Grid& grid = model.grid;
@@ -309,8 +286,7 @@ Csv surfaces_table(const std::vector<RaceTarget>& targets) {
         options.states = true;
         const auto state = solve_contact(surface, model.body, {best.last_displacement}, options).states[0];
         Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
-        for (std::size_t i = 0; i < state.nodes.size(); ++i)
-            pressure[state.nodes[i]] = state.pressure[static_cast<rough::Index>(i)];
+        pressure(state.nodes) = state.pressure;
         const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
         for (rough::Index j = 0; j < grid.rows; j += every)
             for (rough::Index i = 0; i < grid.nodes; i += every)
@@ -318,31 +294,30 @@ Csv surfaces_table(const std::vector<RaceTarget>& targets) {
                           static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
                           pressure[j * grid.nodes + i]);
     }
-    return table;
 }
 
 Findings run_variants(const Settings& settings, const Conditions& conditions) {
     const long budget = settings.whole("experiment.budget");
     const std::vector<RaceTarget> targets = raced(settings, conditions, budget);
-    Csv table("target,variant,seed,curves_and_gradients,seconds,similarity");
     Findings found{.result = result_of(targets.front(), conditions.origin, budget)};
+    Csv& table = found.table("variants.csv", "target,variant,seed,curves_and_gradients,seconds,similarity");
     for (const RaceTarget& target : targets) {
         if (&target != &targets.front())
             found.files[target.name() + "/result.json"] =
                 rough::json_text(result_of(target, conditions.origin, budget)) + "\n";
-        json told = model_json(target.setup.model); // what the page says of its grid
-        told.update({{"name", target.name()}, {"is_2d", target.is_2d()}, {"ridges", target.setup.ridges}});
-        found.result["targets"].push_back(std::move(told));
+        json grid_json = model_json(target.setup.model); // for the page's sentence on the grid
+        grid_json.update(
+            {{"name", target.name()}, {"is_2d", target.is_2d()}, {"ridges", target.setup.ridges}});
+        found.result["targets"].push_back(std::move(grid_json));
         for (const RaceVariant& variant : target.variants)
             for (const RaceRun& run : variant.runs)
                 for (const Spent& spent : run.history)
                     table.row(target.name(), variant.name, run.seed, spent.evaluations, spent.seconds,
                               spent.similarity);
     }
-    found.files["variants.csv"] = table.text();
-    found.files["shortfall.csv"] = shortfall_table(targets, budget).text();
-    found.files["ended.csv"] = ended_table(targets).text();
-    found.files["surfaces.csv"] = surfaces_table(targets).text();
+    add_shortfall(found, targets, budget);
+    add_ends(found, targets);
+    add_surfaces(found, targets);
     return found;
 }
 
@@ -350,7 +325,7 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
 
 Experiment variants_experiment() {
     return {.kind = "variants",
-            .summary = "ways to search, on the same targets with the same budget and seeds",
+            .summary = "search pipelines on the same targets with the same budget and seeds",
             .settings = variants_settings(),
             .files = {"variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv"},
             .run = run_variants};

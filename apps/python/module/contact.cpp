@@ -1,215 +1,159 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/response/partial_slip.hpp"
 
 namespace rugosa::python {
 
-using Eigen::VectorXd;
-using rough::Response;
-
 namespace {
 
-/// Read-only access to a member array, without a copy.
-template <class Member>
-auto view(Member member) {
-    return [member](const Curve& curve) -> const auto& { return curve.response.*member; };
-}
-
-/// What interrupts a solution; the exception that Python knows for it.
+/// Runs a solution that Ctrl-C stops; then throws Python's KeyboardInterrupt.
 template <class Solve>
 auto interruptible(rough::Model& model, Solve solve) {
     Interruptible interrupt;
-    model.contact.stop = [&] { return interrupt.asked(); };
+    model.contact.stop = [&] { return interrupt.requested(); };
     try {
         const py::gil_scoped_release unlocked;
         return solve();
     } catch (const rough::NotConverged&) {
-        if (!interrupt.asked())
+        if (!interrupt.requested())
             throw;
     }
     PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw py::error_already_set();
 }
 
-/// Which derivatives are asked for.
-struct Gradient {
-    bool of_pressure = false, of_area = false;
-};
+/// The response of a surface under the model, with the requested derivatives. They are with respect to the
+/// genes if the heights are a genome's, else to the heights.
+Curve press(const rough::Profile& surface, const rough::Genome* genome, const rough::Model& model,
+            bool gradient, bool area_gradient) {
+    Curve curve;
+    rough::Response& response = curve;
+    if (gradient || area_gradient) {
+        auto both = respond_with_gradient(surface, model.body, model.loading, model.contact, area_gradient);
+        const auto pull_back = [&](const Eigen::MatrixXd& rows) {
+            return rough::pulled_back(rows, *genome, model.grid);
+        };
+        auto rows = genome ? rough::in_genes(both.gradient, pull_back, both.area)
+                           : rough::ResponseJacobian{both.gradient.pressure, both.gradient.last_displacement,
+                                                     both.area.by_heights};
+        response = std::move(both.response);
+        curve.smooth_contact_fraction = both.area.fraction;
+        curve.pressure_gradient = std::move(rows.pressure);
+        curve.displacement_gradient = rows.last_displacement.transpose();
+        curve.contact_fraction_gradient = std::move(rows.contact_fraction);
+    } else if (model.accuracy > 0) {
+        auto within = genome ? respond_within(*genome, model) : respond_within(surface, model);
+        response = std::move(within.response);
+        curve.account = in_words(within.account);
+    } else {
+        response = respond(surface, model);
+    }
+    return curve;
+}
 
-/// Presses heights; `in_genes` pulls rows of derivatives in heights back where they are a genome's.
-template <class Accounted, class Pull>
-Curve pressed(const rough::Profile& surface, rough::Model model, Gradient gradient, Accounted accounted,
-              Pull pull) {
+Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, bool area_gradient,
+              const py::kwargs& given) {
+    Keywords keywords(given, "contact");
+    const auto* genome =
+        py::isinstance<rough::Genome>(heights) ? &heights.cast<const rough::Genome&>() : nullptr;
+    if (genome && spacing)
+        throw py::type_error("contact: a Genome has no spacing; give nodes and length");
+    rough::Profile surface = genome ? rough::Profile() : surface_from(heights, spacing, "contact");
+    rough::Model model = genome ? model_from(keywords) : model_from(keywords, surface);
+    std::optional<rough::Resolution> resolution;
+    if (genome)
+        surface = sample(*genome, model.grid);
+    else if (const auto scan = keywords.settings({app::resolution_setting()}); scan.given("resolution"))
+        resolution = app::resolution_from(scan);
+    keywords.expect_none_left();
     return interruptible(model, [&] {
-        Curve curve;
-        if (gradient.of_pressure || gradient.of_area) {
-            auto both =
-                respond_with_gradient(surface, model.body, model.loading, model.contact, gradient.of_area);
-            curve.response = std::move(both.response);
-            curve.smooth_fraction = both.area.fraction;
-            auto rows = pull(both.gradient, both.area);
-            curve.pressure_gradient = std::move(rows.pressure);
-            curve.displacement_gradient = rows.last_displacement.transpose();
-            curve.fraction_gradient = std::move(rows.contact_fraction);
-        } else if (model.accuracy > 0) {
-            auto within = accounted(model);
-            curve.response = std::move(within.response);
-            curve.account = in_words(within.account);
-        } else {
-            curve.response = respond(surface, model);
-        }
+        Curve curve = press(surface, genome, model, gradient, area_gradient);
+        if (resolution)
+            static_cast<rough::ResolutionBand&>(curve) = resolution_band(surface, model, curve, *resolution);
         return curve;
     });
 }
 
-Curve of_surface(const rough::Profile& surface, Keywords& keywords, Gradient gradient) {
-    rough::Model model = model_from(keywords, surface);
-    const app::Settings of_scan = keywords.settings({app::resolution_setting()});
-    keywords.expect_none_left();
-    Curve curve = pressed(
-        surface, model, gradient,
-        [&](const rough::Model& m) { return respond_within(surface, m, m.accuracy); },
-        [](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
-            return rough::ResponseJacobian{rows.pressure, rows.last_displacement, area.by_heights};
-        });
-    if (of_scan.given("resolution"))
-        curve.band = interruptible(model, [&] {
-            return resolution_band(surface, model, curve.response, app::resolution_from(of_scan));
-        });
-    return curve;
-}
-
-Curve of_genome(const rough::Genome& genome, Keywords& keywords, Gradient gradient) {
-    const rough::Model model = model_from(keywords);
-    keywords.expect_none_left();
-    return pressed(
-        sample(genome, model.grid), model, gradient,
-        [&](const rough::Model& m) { return respond_accounted(genome, m); },
-        [&](const rough::ResponseGradient& rows, const rough::AreaGradient& area) {
-            return rough::in_genes(
-                rows,
-                [&](const Eigen::MatrixXd& each) { return rough::pulled_back(each, genome, model.grid); },
-                area);
-        });
-}
-
 py::tuple slip_of(const Curve& curve, double friction) {
-    rough::PartialSlip slip = rough::partial_slip(curve.response, friction);
+    rough::PartialSlip slip = rough::partial_slip(curve, friction);
     return py::make_tuple(std::move(slip.displacement), std::move(slip.traction), std::move(slip.stiffness),
                           std::move(slip.stick_fraction));
 }
 
-/// Read-only access to a member of the band.
-auto band(Eigen::VectorXd rough::ResolutionBand::*member) {
-    return [member](const Curve& curve) -> const VectorXd& { return curve.band.*member; };
-}
+constexpr const char* help_of_contact = R"(Presses a rough surface on an elastic body, load step by load step.
+
+heights: N heights (mm) of a line, or N_y x N_x of a 2-D surface, with their spacing (mm; a pair along x
+and y); a Profile, a Surface or a Genome. Only a Genome takes nodes and length (pairs for a 2-D grid).
+datum, strip_width and accuracy are for lines. resolution='auto' or 'on' adds the band of a scan's or
+map's resolution (Curve.contact_fraction_low and so on); heights in an array are taken as they are.
+Returns a Curve. Raises InputError, NotConverged.
+
+>>> import numpy, rugosa
+>>> x = (numpy.arange(512) - 255.5) / 512
+>>> curve = rugosa.contact(-x**2 / 2, 1 / 512)
+>>> curve.pressure.shape
+(20,)
+>>> bool(curve.kkt_residual.max() < 1e-9)
+True
+)";
 
 } // namespace
 
 void add_contact(py::module_& module) {
-    using rough::ResolutionBand;
-    constexpr auto inside = py::return_value_policy::reference_internal;
     py::class_<Curve>(module, "Curve",
-                      "What a surface answers to its load steps; arrays are read-only views.")
-        .def_property_readonly("displacement", view(&Response::displacement), inside, "Approach, mm.")
-        .def_property_readonly("pressure", view(&Response::pressure), inside, "Mean pressure, MPa.")
-        .def_property_readonly("contact_fraction", view(&Response::contact_fraction), inside,
-                               "Nodes that touch over all nodes.")
-        .def_property_readonly("tangent_stiffness", view(&Response::tangent_stiffness), inside,
-                               "dp/d displacement, MPa/mm.")
-        .def_property_readonly("kkt_residual", view(&Response::kkt_residual), inside,
-                               "Certificate of each step, scale-free.")
+                      "The response of a surface at its load steps; arrays are read-only views.")
+        .def_readonly("displacement", &Curve::displacement, "Approach, mm.")
+        .def_readonly("pressure", &Curve::pressure, "Mean pressure, MPa.")
+        .def_readonly("contact_fraction", &Curve::contact_fraction,
+                      "Number of nodes in contact over that of all nodes.")
+        .def_readonly("tangent_stiffness", &Curve::tangent_stiffness, "dp/d displacement, MPa/mm.")
+        .def_readonly("kkt_residual", &Curve::kkt_residual, "Certificate of each step, scale-free.")
         .def_property_readonly(
-            "interface_stiffness", [](const Curve& c) { return rough::interface_stiffness(c.response); },
+            "interface_stiffness", [](const Curve& c) { return rough::interface_stiffness(c); },
             "1/(1/K - 1/K_full), MPa/mm; does not depend on the datum.")
+        .def_readonly("full_stiffness", &Curve::full_stiffness,
+                      "K of the same body with every node in contact, MPa/mm.")
+        .def_readonly("height_range", &Curve::range, "Highest minus lowest height, mm.")
         .def_property_readonly(
-            "full_stiffness", [](const Curve& c) { return c.response.full_stiffness; },
-            "K of the same body with every node in contact, MPa/mm.")
-        .def_property_readonly(
-            "height_range", [](const Curve& c) { return c.response.range; }, "mm.")
-        .def_property_readonly(
-            "solver", [](const Curve& c) { return rough::name_of(c.response.solver); },
+            "solver", [](const Curve& c) { return rough::name_of(c.solver); },
             "Name of the solver that was used.")
-        .def_property_readonly(
-            "contact_fraction_low", band(&ResolutionBand::contact_fraction_low), inside,
-            "With resolution='auto' or 'on': least of the heights as given and interpolated "
-            "4 times, linearly and by a spline. Empty if it was not computed.")
-        .def_property_readonly("contact_fraction_high", band(&ResolutionBand::contact_fraction_high), inside,
-                               "The greatest.")
-        .def_property_readonly("tangent_stiffness_low", band(&ResolutionBand::tangent_stiffness_low), inside,
-                               "The same of K, MPa/mm: least.")
-        .def_property_readonly("tangent_stiffness_high", band(&ResolutionBand::tangent_stiffness_high),
-                               inside, "The greatest.")
-        .def_readonly("account", &Curve::account,
-                      "Under accuracy=: what was modelled and how wrong it may be.")
-        .def_property_readonly(
-            "pressure_gradient", [](const Curve& c) -> const Eigen::MatrixXd& { return c.pressure_gradient; },
-            inside,
-            "With gradient=True: dp/dheights (steps x N, MPa/mm; an area row after row), of a genome "
-            "dp/dgenes.")
-        .def_property_readonly(
-            "displacement_gradient",
-            [](const Curve& c) -> const VectorXd& { return c.displacement_gradient; }, inside,
-            "With gradient=True: the same of the last displacement.")
-        .def_property_readonly(
-            "smooth_contact_fraction", [](const Curve& c) -> const VectorXd& { return c.smooth_fraction; },
-            inside,
-            "With area_gradient=True: the contact fraction without its steps, as targets of area are "
-            "refined.")
-        .def_property_readonly(
-            "contact_fraction_gradient",
-            [](const Curve& c) -> const Eigen::MatrixXd& { return c.fraction_gradient; }, inside,
-            "With area_gradient=True: its derivative, as pressure_gradient (1/mm, or in genes).")
+        .def_readonly("contact_fraction_low", &Curve::contact_fraction_low,
+                      "With resolution='auto' or 'on': lowest value over the heights as given and "
+                      "interpolated 4 times, linearly and by a spline. Empty if it was not computed.")
+        .def_readonly("contact_fraction_high", &Curve::contact_fraction_high, "Highest value likewise.")
+        .def_readonly("tangent_stiffness_low", &Curve::tangent_stiffness_low,
+                      "Lowest K over these heights, MPa/mm.")
+        .def_readonly("tangent_stiffness_high", &Curve::tangent_stiffness_high,
+                      "Highest K over these heights, MPa/mm.")
+        .def_readonly("account", &Curve::account, "With accuracy=: how it was modelled, and its errors.")
+        .def_readonly("pressure_gradient", &Curve::pressure_gradient,
+                      "With gradient=True: dp/dheights (steps x N, MPa/mm; a map row by row); for a genome "
+                      "dp/dgenes.")
+        .def_readonly("displacement_gradient", &Curve::displacement_gradient,
+                      "With gradient=True: derivative of the last displacement, likewise.")
+        .def_readonly("smooth_contact_fraction", &Curve::smooth_contact_fraction,
+                      "With area_gradient=True: contact fraction without its steps, which refinement uses.")
+        .def_readonly("contact_fraction_gradient", &Curve::contact_fraction_gradient,
+                      "With area_gradient=True: its derivative (1/mm, or per gene), as pressure_gradient.")
         .def(
             "secant_stiffness",
             [](const Curve& c) {
-                rough::Curve secants = rough::secant_stiffness(c.response);
+                rough::Curve secants = rough::secant_stiffness(c);
                 return py::make_tuple(std::move(secants.x), std::move(secants.y));
             },
-            "(p in MPa, K in MPa/mm): the stiffness that designs are scored by.")
+            "(p in MPa, K in MPa/mm): the stiffness that the similarity of designs uses.")
         .def("partial_slip", &slip_of, py::arg("friction"),
              "(tangential displacement mm, traction MPa, stiffness MPa/mm, stick fraction) under the last "
              "load (Ciavarella 1998, Jaeger 1998; uncoupled bodies).")
-        .def("__len__", [](const Curve& c) { return c.response.steps(); })
+        .def("__len__", &Curve::steps)
         .def("__repr__", [](const Curve& c) {
-            return "<rugosa.Curve of " + std::to_string(c.response.steps()) + " load steps to " +
-                   rough::line_of(c.response.pressure[c.response.steps() - 1]) + " MPa>";
+            return rough::line_of("<rugosa.Curve of ", c.steps(), " load steps to ",
+                                  c.pressure[c.steps() - 1], " MPa>");
         });
-    module.def(
-        "contact",
-        [](const py::object& surface, const Spacing& spacing, bool of_pressure, bool of_area,
-           const py::kwargs& model) {
-            const Gradient gradient{of_pressure, of_area};
-            Keywords keywords(model, "contact");
-            if (!py::isinstance<rough::Genome>(surface))
-                return of_surface(surface_from(surface, spacing, "contact"), keywords, gradient);
-            if (spacing)
-                throw py::type_error("contact: spacing given with a Genome, expected nodes and length");
-            return of_genome(surface.cast<const rough::Genome&>(), keywords, gradient);
-        },
-        py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("gradient") = false,
-        py::arg("area_gradient") = false,
-        documented(
-            "Presses a rough surface on an elastic body, load step by load step.\n\n"
-            "heights: N heights (mm) of a line, or N_y x N_x of an area, with their spacing (mm; a pair "
-            "along x\n"
-            "and y), a Profile, a Surface, or a Genome.\n"
-            "Only a Genome takes nodes and length (pairs along x and y for an area). An area has no datum,\n"
-            "strip_width or accuracy. resolution='auto' or 'on' adds the band of a scan's or map's "
-            "resolution\n"
-            "(Curve.contact_fraction_low and so on), as the program does; plain heights are taken as they "
-            "are.\n"
-            "Returns a Curve. Raises InputError, NotConverged.\n\n"
-            ">>> import numpy, rugosa\n"
-            ">>> x = (numpy.arange(512) - 255.5) / 512\n"
-            ">>> curve = rugosa.contact(-x**2 / 2, 1 / 512)\n"
-            ">>> curve.pressure.shape\n"
-            "(20,)\n"
-            ">>> bool(curve.kkt_residual.max() < 1e-9)\n"
-            "True\n",
-            response_settings())
-            .c_str());
+    module.def("contact", &contact, py::arg("heights"), py::arg("spacing") = py::none(), py::kw_only(),
+               py::arg("gradient") = false, py::arg("area_gradient") = false,
+               documented(help_of_contact, response_settings()).c_str());
 }
 
 } // namespace rugosa::python

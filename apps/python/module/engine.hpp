@@ -7,32 +7,32 @@
 
 namespace rugosa::python {
 
-/// A search on a problem that Python evaluates, and what came of it.
+/// A search on a problem that Python evaluates, and its result.
 struct Optimisation : app::OutsideSearch {
     py::object problem;
     std::vector<py::object> operators, observers;
     std::vector<bool> minimise;
 
-    app::BestKnown record; ///< of every answer
-    py::array population;  ///< genes of the pipeline's answer, individuals x genes
+    app::BestKnown record; ///< the best of all answers
+    py::array population;  ///< genes of the pipeline's last population, individuals x genes
     bool interrupted = false;
 };
 
-/// A search whose evaluations are made in a loop of the caller's.
-class Asking {
+/// A search whose evaluations the caller makes in a loop.
+class AskTell {
   public:
-    virtual ~Asking() = default;
-    virtual py::array ask() = 0;                    ///< genomes x genes; no rows when the search has ended
-    virtual void tell(const py::list& answers) = 0; ///< of what ask() gave, in its order
+    virtual ~AskTell() = default;
+    virtual py::array ask() = 0;                    ///< genomes x genes; no rows after the end of the search
+    virtual void tell(const py::list& answers) = 0; ///< one per row of ask(), in its order
     virtual void end() = 0;                         ///< ends it and fills in the Optimisation
 };
 
 ///@{
-/// One kind of genome; each is compiled by itself.
+/// For one type of genome; each is compiled in a separate file.
 template <class G>
-void optimise(Optimisation& asked);
+void optimise(Optimisation& search);
 template <class G>
-std::unique_ptr<Asking> asking(Optimisation& asked); ///< `asked` stays where it is until the end
+std::unique_ptr<AskTell> ask_tell(Optimisation& search); ///< `search` must not move until the end
 ///@}
 
 } // namespace rugosa::python

@@ -11,10 +11,10 @@ namespace rugosa::python {
 
 namespace {
 
-const std::thread::id importing = std::this_thread::get_id(); ///< Python handles signals in its main thread
+const std::thread::id main_thread = std::this_thread::get_id(); ///< handles Python's signals
 Interruptible* current = nullptr;
 
-void ask(int) {
+void request_stop(int) {
     if (current)
         current->stop() = true;
 }
@@ -22,11 +22,11 @@ void ask(int) {
 } // namespace
 
 Interruptible::Interruptible() {
-    if (std::this_thread::get_id() != importing || current)
+    if (std::this_thread::get_id() != main_thread || current)
         return;
     current = this;
     holds_ = true;
-    before_ = std::signal(SIGINT, ask);
+    before_ = std::signal(SIGINT, request_stop);
 }
 
 Interruptible::~Interruptible() {
@@ -36,11 +36,11 @@ Interruptible::~Interruptible() {
     current = nullptr;
 }
 
-bool Interruptible::asked() const { return holds_ && stop_; }
+bool Interruptible::requested() const { return holds_ && stop_; }
 
 namespace {
 
-/// A value as the program's flags and keys have it: "on", "1e-3", "64x48", or with commas between.
+/// A value as in the program's flags and keys: "on", "1e-3", "64x48" or, between commas, "1,2".
 std::string text_of(const py::handle& value, const std::string& between) {
     if (py::isinstance<py::bool_>(value))
         return value.cast<bool>() ? "on" : "off";
@@ -62,11 +62,11 @@ rough::Model with_load(rough::Model model, const app::Settings& settings) {
 } // namespace
 
 app::Settings Keywords::settings(const std::vector<app::Setting>& known,
-                                 const std::vector<std::string>& but) {
+                                 const std::vector<std::string>& except) {
     std::map<std::string, std::string> given;
     for (const app::Setting& setting : known) {
         const std::string keyword = app::keyword(setting.name);
-        if (std::find(but.begin(), but.end(), keyword) == but.end())
+        if (std::find(except.begin(), except.end(), keyword) == except.end())
             if (const auto value = take<py::object>(keyword))
                 given[setting.name] = text_of(*value, setting.between == ',' ? "," : "x");
     }
@@ -81,7 +81,7 @@ rough::Model model_from(Keywords& keywords) {
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
     const app::Settings settings = keywords.settings(response_settings(), {"nodes", "length"});
     if (surface.is_2d() && settings.has("accuracy"))
-        throw rough::InputError("accuracy: given with an area, expected none: it is for profiles");
+        throw rough::InputError("accuracy: it is only for profiles; leave it out for a 2-D surface");
     return with_load(model_of(surface, settings), settings);
 }
 
@@ -92,10 +92,10 @@ const std::vector<app::Setting>& response_settings() {
 }
 
 std::string documented(std::string text, const std::vector<app::Setting>& settings,
-                       const std::vector<std::string>& but) {
+                       const std::vector<std::string>& except) {
     for (const app::Setting& setting : settings)
         if (const std::string keyword = app::keyword(setting.name);
-            std::find(but.begin(), but.end(), keyword) == but.end())
+            std::find(except.begin(), except.end(), keyword) == except.end())
             text += "\n" + keyword + ": " + setting.meaning +
                     (setting.fallback.empty() ? "" : " [" + setting.fallback + "]");
     return text;

@@ -5,69 +5,81 @@
 
 namespace rugosa::python {
 
-/// The type of a gene as NumPy has it.
+/// The type of a gene in NumPy.
 template <class G>
 using Gene = std::conditional_t<std::same_as<G, std::vector<double>>, double,
                                 std::conditional_t<std::same_as<G, std::vector<bool>>, bool, long>>;
 
-/// Genomes as rows of an array.
-template <class G, class Genomes>
-py::array_t<Gene<G>> rows_of(const Genomes& genomes, std::size_t columns) {
-    py::array_t<Gene<G>> rows({genomes.size(), columns});
-    auto cell = rows.template mutable_unchecked<2>();
-    for (std::size_t i = 0; i < genomes.size(); ++i) {
-        std::size_t k = 0;
-        for (const auto gene : *genomes[i])
-            cell(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k++)) = static_cast<Gene<G>>(gene);
-    }
+/// The genomes of some items as rows of an array.
+template <class G, class Items, class GenomeOf>
+py::array_t<Gene<G>> rows_of(const Items& items, std::size_t columns, GenomeOf genome_of) {
+    py::array_t<Gene<G>> rows({items.size(), columns});
+    Gene<G>* cell = rows.mutable_data();
+    for (const auto& item : items)
+        for (const auto gene : std::invoke(genome_of, item))
+            *cell++ = static_cast<Gene<G>>(gene);
     return rows;
 }
+template <class G>
+py::array_t<Gene<G>> genes_of(const ga::Population<G>& population, std::size_t columns) {
+    return rows_of<G>(population, columns, &ga::Individual<G>::genome);
+}
 
-/// A genome of a row. Throws rough::InputError on what is none.
+/// The fitness of each individual, NaN if it has none or several.
+template <class G>
+py::array_t<double> fitness_of(const ga::Population<G>& population) {
+    py::array_t<double> fitness(population.size());
+    for (std::size_t i = 0; i < population.size(); ++i) {
+        const ga::Fitness& f = population[i].fitness;
+        fitness.mutable_at(i) =
+            f.known() && !f.has_failed() && !f.several() ? population[i].value() : std::nan("");
+    }
+    return fitness;
+}
+
+/// A genome from a row. Throws InputError if it has another number of genes.
 template <class G>
 G genome_of(const py::object& row, std::size_t count) {
     const auto values = row.cast<std::vector<Gene<G>>>();
     if (values.size() != count)
-        throw rough::InputError("genes: " + std::to_string(values.size()) + " given, expected " +
-                                std::to_string(count));
+        rough::refuse("genes: an operator returned ", values.size(), " genes; return ", count);
     if constexpr (std::same_as<G, ga::Permutation>)
-        return ga::Permutation{{values.begin(), values.end()}};
+        return {{values.begin(), values.end()}};
     else
         return G(values.begin(), values.end());
 }
 
-/// The answer that an `evaluate` returned: a number, several, or (numbers, violation), the violation a number
-/// or one per constraint.
+/// The answer that `evaluate` returned: a number, several, or (numbers, violation), the violation a number or
+/// one per constraint.
 inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
+    const auto has_length = [](const py::object& value) { return py::hasattr(value, "__len__"); };
+    const auto numbers = [&](const py::object& value) {
+        return has_length(value) ? value.cast<std::vector<double>>()
+                                 : std::vector<double>{value.cast<double>()};
+    };
+    const auto whole = py::reinterpret_borrow<py::object>(given);
     app::Answer answer;
-    py::object values = py::reinterpret_borrow<py::object>(given);
-    if (py::isinstance<py::tuple>(given) && py::len(given) == 2 &&
-        py::hasattr(py::reinterpret_borrow<py::tuple>(given)[0], "__len__")) {
-        const auto pair = py::reinterpret_borrow<py::tuple>(given);
-        values = pair[0];
-        answer.violation = py::hasattr(pair[1], "__len__") ? pair[1].cast<std::vector<double>>()
-                                                           : std::vector<double>{pair[1].cast<double>()};
-    }
-    answer.objectives = py::hasattr(values, "__len__") ? values.cast<std::vector<double>>()
-                                                       : std::vector<double>{values.cast<double>()};
+    if (py::isinstance<py::tuple>(whole) && py::len(whole) == 2 && has_length(whole[py::int_(0)]))
+        answer = {numbers(whole[py::int_(0)]), numbers(whole[py::int_(1)])};
+    else
+        answer = {numbers(whole)};
     if (answer.objectives.size() != objectives)
-        throw rough::InputError("evaluate: " + std::to_string(answer.objectives.size()) +
-                                " objectives returned, expected " + std::to_string(objectives));
+        rough::refuse("evaluate: ", answer.objectives.size(), " objectives returned; return ", objectives);
     return answer;
 }
 
-/// Real genes, of which Python may know a gradient. What is Python's is pointed at: the engine copies
-/// problems without the interpreter's lock.
+/// A problem of real genes, for which Python may have a gradient. Python's objects are pointed at, because
+/// the engine copies problems without the interpreter's lock.
 struct RealProblem : app::OutsideProblem<std::vector<double>> {
     const py::object* object;
     bool has_gradient;
     Callback* callback;
 
-    RealProblem(const Optimisation& asked, Callback& call)
-        : app::OutsideProblem<std::vector<double>>(asked.genes, asked.minimise), object(&asked.problem),
+    RealProblem(const Optimisation& search, Callback& call)
+        : app::OutsideProblem<std::vector<double>>(search.genes, search.minimise), object(&search.problem),
           has_gradient(py::hasattr(*object, "gradient")), callback(&call) {}
 
-    /// Of the objective that `refine` climbs.
+    /// The derivative of the objective that `refine` improves.
     std::vector<double> gradient(const Genome& genome, const std::string&) const {
         std::vector<double> slopes;
         if (!has_gradient)
@@ -81,78 +93,55 @@ struct RealProblem : app::OutsideProblem<std::vector<double>> {
     }
 };
 
-///@{
-/// The problem as the engine takes it.
 template <class G>
-app::OutsideProblem<G> problem_of(const Optimisation& asked, Callback&, G) {
-    return {asked.genes, asked.minimise};
-}
-inline RealProblem problem_of(const Optimisation& asked, Callback& callback, std::vector<double>) {
-    return {asked, callback};
-}
-///@}
-template <class G>
-using PythonProblem = decltype(problem_of(std::declval<Optimisation>(), std::declval<Callback&>(), G()));
+using PythonProblem =
+    std::conditional_t<std::same_as<G, std::vector<double>>, RealProblem, app::OutsideProblem<G>>;
 
-/// Throws InputError where a batch has more or fewer answers than genomes.
-inline void expect_answers(const std::string& of, std::size_t given, std::size_t expected) {
-    if (given != expected)
-        throw rough::InputError(of + ": " + std::to_string(given) + " answers given, expected " +
-                                std::to_string(expected));
+/// Throws InputError if there are more or fewer answers than genomes.
+inline void expect_answers(const char* where, std::size_t given, std::size_t genomes) {
+    if (given != genomes)
+        rough::refuse(where, ": ", given, " answers given for ", genomes, " genomes; give one for each");
 }
 
-/// The paid calls, made by Python with the interpreter's lock: all of a batch at once where the problem has
-/// `evaluate_batch`, else one after the other.
+/// Evaluations by Python, with the interpreter's lock: a whole batch if the problem has `evaluate_batch`,
+/// else one after the other.
 template <class P>
 class ByPython : public ga::Evaluator<P> {
   public:
-    ByPython(Callback& callback, Optimisation& asked) : callback_(callback), asked_(asked) {}
+    ByPython(Callback& callback, Optimisation& search) : callback_(callback), search_(search) {}
 
     void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
+        using G = typename P::Genome;
         callback_([&] {
-            std::vector<const typename P::Genome*> genomes;
-            for (const auto& call : calls)
-                genomes.push_back(call.genome);
-            const auto rows = rows_of<typename P::Genome>(genomes, problem.count);
-            const py::object& own = asked_.problem;
+            const auto rows =
+                rows_of<G>(calls, problem.count, [](const auto& call) -> const G& { return *call.genome; });
+            const py::object& own = search_.problem;
             const std::size_t objectives = problem.objectives().size();
+            const auto take = [&](ga::Call<P>& call, const py::handle& given) {
+                app::Answer answer = answer_of(given, objectives);
+                search_.record.take({app::genes_text(*call.genome), answer});
+                *call.answer = std::move(answer);
+            };
             if (py::hasattr(own, "evaluate_batch")) {
                 const py::list answers(own.attr("evaluate_batch")(rows));
                 expect_answers("evaluate_batch", answers.size(), calls.size());
                 for (std::size_t i = 0; i < calls.size(); ++i)
-                    take(calls[i], answer_of(answers[i], objectives));
+                    take(calls[i], answers[i]);
                 return;
             }
             const py::object evaluate = py::hasattr(own, "evaluate") ? py::object(own.attr("evaluate")) : own;
             for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i)
-                take(calls[i], answer_of(evaluate(rows[py::int_(i)]), objectives));
+                take(calls[i], evaluate(rows[py::int_(i)]));
         });
     }
 
   private:
-    void take(ga::Call<P>& call, app::Answer answer) {
-        asked_.record.take({app::genes_text(*call.genome), answer});
-        *call.answer = std::move(answer);
-    }
-
     Callback& callback_;
-    Optimisation& asked_;
+    Optimisation& search_;
 };
 
-/// One number each; NaN where there is none.
-template <class Population>
-py::array_t<double> fitness_of(const Population& population) {
-    py::array_t<double> fitness(population.size());
-    for (std::size_t i = 0; i < population.size(); ++i) {
-        const ga::Fitness& f = population[i].fitness;
-        fitness.mutable_at(i) =
-            f.known() && !f.has_failed() && !f.several() ? population[i].value() : std::nan("");
-    }
-    return fitness;
-}
-
-/// An operator written in Python: called with (genes, fitness, random), it returns a new array of genes, or
-/// positions of the individuals that stay.
+/// An operator written in Python. It is called with (genes, fitness, random) and returns a new array of genes
+/// or the positions of the individuals to keep.
 struct PythonOperator : ga::Operator {
     const py::object* object;
     std::string name;
@@ -167,23 +156,18 @@ struct PythonOperator : ga::Operator {
         using G = typename P::Genome;
         ga::Population<G> made;
         (*callback)([&] {
-            std::vector<const G*> genomes;
-            const py::array_t<double> fitness = fitness_of(population);
-            for (const auto& individual : population)
-                genomes.push_back(&individual.genome);
             const std::size_t columns = context.problem().count;
             const auto seed = static_cast<std::uint64_t>(context.stream(0).uniform(0, 0x1p53));
             const py::object random = py::module_::import("numpy.random").attr("default_rng")(seed);
             const py::array answer =
-                py::array::ensure((*object)(rows_of<G>(genomes, columns), fitness, random));
+                py::array::ensure((*object)(genes_of(population, columns), fitness_of(population), random));
             if (answer && answer.ndim() == 1) {
                 for (const long i : answer.cast<std::vector<long>>())
                     made.push_back(population.at(static_cast<std::size_t>(i)));
                 return;
             }
             if (!answer || answer.ndim() != 2)
-                throw rough::InputError("operator " + name +
-                                        ": expected an array of genes or of positions to be returned");
+                rough::refuse("operator ", name, ": it returned no array; return genes or positions");
             for (py::ssize_t i = 0; i < answer.shape(0); ++i) {
                 ga::Individual<G> child;
                 child.genome = genome_of<G>(answer[py::int_(i)], columns);
@@ -192,158 +176,150 @@ struct PythonOperator : ga::Operator {
             }
         });
         if (made.empty())
-            throw ga::NothingLeft("operator " + name + " left nobody");
+            throw ga::NothingLeft("operator " + name + " returned an empty population");
         return made;
     }
 };
 
-/// A search as it was asked for, ready to run. Nothing in it owns what is Python's: it is copied and
-/// destroyed without the interpreter's lock.
+/// A search that is ready to run. It only points at Python's objects, because it is copied and destroyed
+/// without the interpreter's lock.
 template <class G>
 struct Prepared {
     using P = PythonProblem<G>;
-    Optimisation& asked;
+    Optimisation& search;
     Callback callback;
     P problem;
     ga::Stage<P> stage;
     ga::RunOptions run;
 
     Prepared(Optimisation& of, std::atomic<bool>& stop)
-        : asked(of), callback(stop), problem(problem_of(of, callback, G())), stage(parsed()) {
-        asked.searched = stage.text();
-        run.variant = asked.variant;
-        run.seed = asked.seed;
-        run.budget = {asked.evaluations, asked.seconds, &stop};
+        : search(of), callback(stop), problem([&]() -> P {
+              if constexpr (std::same_as<P, RealProblem>)
+                  return {of, callback};
+              else
+                  return {of.genes, of.minimise};
+          }()),
+          stage(parsed()) {
+        search.searched = stage.text();
+        run.variant = search.variant;
+        run.seed = search.seed;
+        run.budget = {search.evaluations, search.seconds, &stop};
     }
 
     ga::Stage<P> parsed() {
         auto registry = ga::whole_vocabulary<P>();
-        for (const py::object& each : asked.operators) {
+        for (const py::object& each : search.operators) {
             const auto name = each.attr("name").template cast<std::string>();
             registry.add(name, "yours", "written in Python", PythonOperator{{}, &each, name, &callback});
         }
-        return app::stage_of(asked, asked.minimise.size(), std::move(registry));
+        return app::stage_of(search, search.minimise.size(), std::move(registry));
     }
 
     std::vector<ga::Observer<G>> observers() {
+        using namespace py::literals;
         std::vector<ga::Observer<G>> all;
-        for (const py::object& each : asked.observers)
+        for (const py::object& each : search.observers)
             all.push_back([this, one = &each](const ga::Event<G>& event) {
                 callback([&] {
-                    py::dict told;
-                    told["path"] = event.path;
-                    told["generation"] = event.generation;
-                    told["genes"] = genes_of(event.population);
-                    told["fitness"] = fitness_of(event.population);
-                    told["evaluations"] = event.counters.asked;
-                    (*one)(told);
+                    (*one)(py::dict("path"_a = event.path, "generation"_a = event.generation,
+                                    "genes"_a = genes_of(event.population, problem.count),
+                                    "fitness"_a = fitness_of(event.population),
+                                    "evaluations"_a = event.counters.asked));
                 });
             });
         return all;
     }
 
-    template <class Population>
-    py::array genes_of(const Population& population) const {
-        std::vector<const G*> genomes;
-        for (const auto& individual : population)
-            genomes.push_back(&individual.genome);
-        return rows_of<G>(genomes, problem.count);
-    }
-
-    /// What a run without the interpreter's lock found goes to the Optimisation; an exception of Python's
-    /// ends it.
+    /// Runs without the interpreter's lock and stores the result. Rethrows an exception of Python's.
     template <class Run>
-    void finish(Run found_by) {
+    void finish(Run result_of_run) {
         ga::Result<G> found;
         try {
             const py::gil_scoped_release unlocked;
-            found = found_by();
+            found = result_of_run();
         } catch (const std::exception&) {
             callback.rethrow();
             throw;
         }
         callback.rethrow();
-        asked.population = genes_of(found.population);
-        asked.spent = found.counters.evaluations;
-        asked.stopped = found.stopped;
-        asked.notes = found.notes;
+        search.population = genes_of(found.population, problem.count);
+        search.spent = found.counters.evaluations;
+        search.stopped = found.stopped;
+        search.notes = found.notes;
     }
 };
 
 template <class G>
-void optimise(Optimisation& asked) {
+void optimise(Optimisation& search) {
     Interruptible interrupt;
-    Prepared<G> search(asked, interrupt.stop());
-    ByPython<PythonProblem<G>> evaluator(search.callback, asked);
-    search.finish([&] {
-        return ga::run_by(evaluator, search.stage, search.problem, {}, search.run, search.observers());
+    Prepared<G> prepared(search, interrupt.stop());
+    ByPython<PythonProblem<G>> evaluator(prepared.callback, search);
+    prepared.finish([&] {
+        return ga::run_by(evaluator, prepared.stage, prepared.problem, {}, prepared.run,
+                          prepared.observers());
     });
-    asked.interrupted = interrupt.asked();
+    search.interrupted = interrupt.requested();
 }
 
-/// The same search, asking.
 template <class G>
-class AskingFor : public Asking {
-    using P = PythonProblem<G>;
+class AskTellOf : public AskTell {
+    using Engine = ga::AskTell<PythonProblem<G>>;
 
   public:
-    explicit AskingFor(Optimisation& asked)
-        : search_(asked, stop_),
-          engine_(search_.stage, search_.problem, {}, search_.run, search_.observers()) {}
-    ~AskingFor() override {
+    explicit AskTellOf(Optimisation& search)
+        : prepared_(search, stop_),
+          engine_(prepared_.stage, prepared_.problem, {}, prepared_.run, prepared_.observers()) {}
+    ~AskTellOf() override {
         const py::gil_scoped_release unlocked; // its thread may call Python
         engine_.stop();
         stop_ = true;
         try {
             engine_.result();
-        } catch (...) { // told by ask() or end(), or of no interest
+        } catch (...) { // thrown before by ask() or end(), or not needed any more
         }
     }
 
     py::array ask() override {
-        search_.callback.rethrow();
+        prepared_.callback.rethrow();
         {
             const py::gil_scoped_release unlocked;
             try {
                 open_ = engine_.ask();
             } catch (...) {
-                if (!search_.callback.failed())
+                if (!prepared_.callback.failed())
                     throw;
                 open_.clear();
             }
         }
-        search_.callback.rethrow();
-        std::vector<const G*> genomes;
-        for (const auto& question : open_)
-            genomes.push_back(&question.genome);
-        return rows_of<G>(genomes, search_.problem.count);
+        prepared_.callback.rethrow();
+        return rows_of<G>(open_, prepared_.problem.count, &Engine::Question::genome);
     }
-    void tell(const py::list& answers) override {
-        expect_answers("tell", answers.size(), open_.size());
-        std::vector<app::Answer> read;
-        for (const py::handle& each : answers)
-            read.push_back(answer_of(each, search_.problem.objectives().size()));
+    void tell(const py::list& given) override {
+        expect_answers("tell", given.size(), open_.size());
+        std::vector<app::Answer> answers;
+        for (const py::handle& each : given)
+            answers.push_back(answer_of(each, prepared_.search.minimise.size()));
         const py::gil_scoped_release unlocked;
-        for (std::size_t i = 0; i < read.size(); ++i) {
-            search_.asked.record.take({app::genes_text(open_[i].genome), read[i]});
-            engine_.tell(open_[i].id, std::move(read[i]));
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            prepared_.search.record.take({app::genes_text(open_[i].genome), answers[i]});
+            engine_.tell(open_[i].id, std::move(answers[i]));
         }
         open_.clear();
     }
     void end() override {
-        search_.finish([&] { return engine_.result(); });
+        prepared_.finish([&] { return engine_.result(); });
     }
 
   private:
     std::atomic<bool> stop_ = false;
-    Prepared<G> search_;
-    ga::AskTell<P> engine_;
-    std::vector<typename ga::AskTell<P>::Question> open_;
+    Prepared<G> prepared_;
+    Engine engine_;
+    std::vector<typename Engine::Question> open_;
 };
 
 template <class G>
-std::unique_ptr<Asking> asking(Optimisation& asked) {
-    return std::make_unique<AskingFor<G>>(asked);
+std::unique_ptr<AskTell> ask_tell(Optimisation& search) {
+    return std::make_unique<AskTellOf<G>>(search);
 }
 
 } // namespace rugosa::python

@@ -9,45 +9,35 @@
 namespace rugosa::python {
 
 using rough::Profile;
+using namespace py::literals;
 
-Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& of) {
+Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where) {
     if (const bool map = py::isinstance<Surface>(heights); map || py::isinstance<Profile>(heights)) {
         if (spacing)
-            throw py::type_error(of + ": spacing given with a surface, which has its own");
+            throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
         return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
     }
     const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(heights);
     if (!array)
         throw py::error_already_set();
     if (array.ndim() != 1 && array.ndim() != 2)
-        throw rough::InputError(of + ": heights of " + std::to_string(array.ndim()) +
-                                " dimensions given, expected one or two");
+        rough::refuse(where, ": the heights have ", array.ndim(), " dimensions; give one or two dimensions");
     if (!spacing)
-        throw py::type_error(of + ": spacing is missing, expected the distance of the nodes, mm");
+        throw py::type_error(where + ": spacing is missing; give the distance of the nodes, mm");
     if (array.ndim() == 1 && spacing->index() == 1)
-        throw py::type_error(of + ": two spacings given with heights along a line, expected one");
+        throw py::type_error(where + ": two spacings for heights along a line; give one");
     const auto [along, across] = both(*spacing);
-    for (const double distance : {along, across})
-        if (!(distance > 0))
-            throw rough::InputError(of + ": spacing " + rough::line_of(distance) +
-                                    " given, expected above 0");
+    if (!(along > 0 && across > 0))
+        rough::refuse(where, ": spacing ", along > 0 ? across : along, " is out of range (above 0)");
     Profile surface{Eigen::Map<const Eigen::VectorXd>(array.data(), array.size()), along};
     if (array.ndim() == 2) {
         if (array.shape(0) < 2 || array.shape(1) < 2)
-            throw rough::InputError(of + ": a map of " + std::to_string(array.shape(0)) + " x " +
-                                    std::to_string(array.shape(1)) +
-                                    " heights given, expected 2 x 2 at least");
+            rough::refuse(where, ": a map of ", array.shape(0), " x ", array.shape(1),
+                          " heights; give at least 2 x 2");
         surface.rows = array.shape(0);
         surface.row_spacing = across;
     }
     return surface;
-}
-
-Profile profile_from(const py::object& heights, const Spacing& spacing, const std::string& of) {
-    Profile profile = surface_from(heights, spacing, of);
-    if (profile.is_2d())
-        throw rough::InputError(of + ": heights of 2 dimensions given, expected one");
-    return profile;
 }
 
 py::object as_python(Profile surface) {
@@ -63,6 +53,27 @@ py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
     return all;
 }
 
+Profile profile_from(const py::object& heights, double spacing) {
+    Profile profile = surface_from(heights, OneOrTwo<double>(spacing), "Profile");
+    if (profile.is_2d())
+        rough::refuse("Profile: the heights have 2 dimensions; give one");
+    return profile;
+}
+
+Surface map_from(const py::object& heights, const OneOrTwo<double>& spacing) {
+    Surface surface{surface_from(heights, spacing, "Surface")};
+    if (!surface.is_2d())
+        rough::refuse("Surface: the heights have 1 dimension; give two");
+    return surface;
+}
+
+Profile row_of(const Surface& surface, rough::Index row) {
+    if (row < 0 || row >= surface.rows)
+        throw py::index_error(rough::line_of("row: ", row, " is out of range (0 to ", surface.rows - 1, ")"));
+    const rough::Index columns = surface.shape().columns;
+    return {surface.heights.segment(row * columns, columns), surface.spacing};
+}
+
 /// The options of a scan that a map has, too.
 std::vector<app::Setting> map_options() {
     std::vector<app::Setting> options = app::scan_settings();
@@ -72,25 +83,39 @@ std::vector<app::Setting> map_options() {
     return options;
 }
 
+Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
+    Keywords keywords(options, "read");
+    app::Settings settings = keywords.settings(app::joined({app::area_settings(), map_options()}));
+    keywords.expect_none_left();
+    if (!settings.given("detrend"))
+        settings = settings.with({{"detrend", "none"}});
+    return {app::surface_from(settings.with({{"surface", file.string()}})).heights};
+}
+
+py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {
+    Keywords keywords(options, "read");
+    const app::Settings settings = keywords.settings(app::scan_settings());
+    keywords.expect_none_left();
+    rough::Source source = app::scan_from(file, settings, 0);
+    return py::make_tuple(std::move(source.measured), std::move(source.account));
+}
+
 } // namespace
 
 void add_profile(py::module_& module) {
-    py::class_<Profile>(module, "Profile",
-                        "Heights on an even grid (mm).\n\n"
-                        ">>> import numpy, rugosa\n"
-                        ">>> x = numpy.arange(512) / 512\n"
-                        ">>> wave = rugosa.Profile(0.01 * numpy.cos(2 * numpy.pi * x), 1 / 512)\n"
-                        ">>> round(wave.roughness()['Pq'], 6)\n"
-                        "0.007071\n")
-        .def(py::init([](const py::object& heights, double spacing) {
-                 return profile_from(heights, OneOrTwo<double>(spacing), "Profile");
-             }),
-             py::arg("heights"), py::arg("spacing"), "heights: N numbers, mm; spacing: their distance, mm.")
-        .def_property_readonly(
-            "heights", [](const Profile& p) -> const Eigen::VectorXd& { return p.heights; },
-            py::return_value_policy::reference_internal, "N heights, mm: a read-only view.")
+    py::class_<Profile>(module, "Profile", R"(Heights on an even grid (mm).
+
+>>> import numpy, rugosa
+>>> x = numpy.arange(512) / 512
+>>> wave = rugosa.Profile(0.01 * numpy.cos(2 * numpy.pi * x), 1 / 512)
+>>> round(wave.roughness()['Pq'], 6)
+0.007071
+)")
+        .def(py::init(&profile_from), "heights"_a, "spacing"_a,
+             "heights: N numbers, mm; spacing: their distance, mm.")
+        .def_readonly("heights", &Profile::heights, "N heights, mm: a read-only view.")
         .def_readonly("spacing", &Profile::spacing, "Distance of the nodes, mm.")
-        .def_property_readonly("nodes", &Profile::nodes, "How many.")
+        .def_property_readonly("nodes", &Profile::nodes, "Number of nodes.")
         .def(
             "roughness", [](const Profile& profile) { return in_dictionary(roughness(profile)); },
             "Pa, Pq, Pz, ... (ISO 21920-2; heights in mm), spectral moments and bandwidth.")
@@ -103,22 +128,17 @@ void add_profile(py::module_& module) {
             "(q in rad/mm, C(q) in mm^3): the one-sided power spectral density.")
         .def("__len__", &Profile::nodes)
         .def("__repr__", [](const Profile& p) {
-            return "<rugosa.Profile of " + std::to_string(p.nodes()) + " nodes, " +
-                   rough::line_of(p.spacing) + " mm apart>";
+            return rough::line_of("<rugosa.Profile of ", p.nodes(), " nodes, ", p.spacing, " mm apart>");
         });
     py::class_<Surface>(module, "Surface",
-                        "Heights over an area (mm): a row along x, y grows from row to row.\n\n"
-                        ">>> import numpy, rugosa\n"
-                        ">>> surface = rugosa.Surface(numpy.random.default_rng(1).random((32, 48)), 0.01)\n"
-                        ">>> surface.nodes, surface.heights.shape\n"
-                        "((48, 32), (32, 48))\n")
-        .def(py::init([](const py::object& heights, const OneOrTwo<double>& spacing) {
-                 Surface surface{surface_from(heights, spacing, "Surface")};
-                 if (!surface.is_2d())
-                     throw rough::InputError("Surface: heights of 1 dimension given, expected two");
-                 return surface;
-             }),
-             py::arg("heights"), py::arg("spacing"),
+                        R"(Heights on a 2-D grid (mm): a row along x, y grows from row to row.
+
+>>> import numpy, rugosa
+>>> surface = rugosa.Surface(numpy.random.default_rng(1).random((32, 48)), 0.01)
+>>> surface.nodes, surface.heights.shape
+((48, 32), (32, 48))
+)")
+        .def(py::init(&map_from), "heights"_a, "spacing"_a,
              "heights: N_y x N_x numbers, mm; spacing: their distance, mm, or those along x and y.")
         .def_property_readonly(
             "heights",
@@ -135,58 +155,30 @@ void add_profile(py::module_& module) {
             "Distances of the nodes along x and y, mm.")
         .def_property_readonly(
             "nodes", [](const Surface& s) { return std::pair(s.shape().columns, s.rows); },
-            "How many along x and y.")
+            "Numbers of nodes along x and y.")
         .def(
             "roughness",
             [](const Surface& surface, bool periodic) {
                 return in_dictionary(areal_parameters(surface, periodic));
             },
-            py::arg("periodic") = false,
-            "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2; lengths in mm) about the mean plane; periodic: it "
-            "repeats.")
-        .def(
-            "row",
-            [](const Surface& s, rough::Index row) {
-                if (row < 0 || row >= s.rows)
-                    throw py::index_error("row " + std::to_string(row) + " given, expected 0 to " +
-                                          std::to_string(s.rows - 1));
-                const rough::Index columns = s.shape().columns;
-                return Profile{s.heights.segment(row * columns, columns), s.spacing};
-            },
-            py::arg("row"), "One row as a Profile, counted from 0.")
+            "periodic"_a = false,
+            "Sa, Sq, Sdq, Sal, Str, ... (ISO 25178-2, lengths in mm) about the mean plane. periodic: "
+            "whether\n"
+            "the surface repeats.")
+        .def("row", &row_of, "row"_a, "One row as a Profile, counted from 0.")
         .def("__repr__", [](const Surface& s) {
-            return "<rugosa.Surface of " + std::to_string(s.shape().columns) + " x " +
-                   std::to_string(s.rows) + " nodes, " + rough::line_of(s.spacing) + " x " +
-                   rough::line_of(s.row_spacing) + " mm apart>";
+            return rough::line_of("<rugosa.Surface of ", s.shape().columns, " x ", s.rows, " nodes, ",
+                                  s.spacing, " x ", s.row_spacing, " mm apart>");
         });
-    module.def(
-        "read_surface",
-        [](const std::filesystem::path& file, const py::kwargs& options) {
-            Keywords keywords(options, "read");
-            app::Settings settings = keywords.settings(app::joined({app::area_settings(), map_options()}));
-            keywords.expect_none_left();
-            if (!settings.given("detrend"))
-                settings = settings.with({{"detrend", "none"}});
-            return Surface{app::surface_from(settings.with({{"surface", file.string()}})).heights};
-        },
-        py::arg("file"),
-        documented("A measured area: X3P, SDF, SUR, GSF, columns x, y, height, or a text matrix with its "
-                   "spacing (a pair along x and y); detrend is none unless it is given.",
-                   map_options())
-            .c_str());
-    module.def(
-        "read_profile",
-        [](const std::filesystem::path& file, const py::kwargs& options) {
-            Keywords keywords(options, "read");
-            const app::Settings settings = keywords.settings(app::scan_settings());
-            keywords.expect_none_left();
-            rough::Source source = app::scan_from(file, settings, 0);
-            return py::make_tuple(std::move(source.measured), std::move(source.account));
-        },
-        py::arg("file"),
-        documented("(Profile, what was read and done to it in words) of a measured scan.",
-                   app::scan_settings())
-            .c_str());
+    module.def("read_surface", &read_surface, "file"_a,
+               documented("Reads a map: X3P, SDF, SUR, GSF, columns x, y, height, or a text matrix with its "
+                          "spacing (a pair along x and y). By default detrend='none'.",
+                          map_options())
+                   .c_str());
+    module.def("read_profile", &read_profile, "file"_a,
+               documented("Reads a measured scan: (Profile, how it was read and changed, in words).",
+                          app::scan_settings())
+                   .c_str());
 }
 
 } // namespace rugosa::python

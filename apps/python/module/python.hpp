@@ -14,7 +14,7 @@ namespace rugosa::python {
 namespace py = pybind11;
 
 ///@{
-/// Each adds its classes and functions to the module.
+/// Adds classes and functions to the module.
 void add_genome(py::module_& module);
 void add_profile(py::module_& module);
 void add_contact(py::module_& module);
@@ -24,15 +24,16 @@ void add_database(py::module_& module);
 void add_engine(py::module_& module);
 ///@}
 
-/// What a Python caller says of a model set-up and a search, each word taken once.
+/// The keyword arguments of a call. Each is taken once.
 class Keywords {
   public:
-    Keywords(const py::dict& given, std::string of) : of_(std::move(of)) {
+    /// `where` begins the messages.
+    Keywords(const py::dict& given, std::string where) : where_(std::move(where)) {
         for (const auto& [name, value] : given)
             if (!value.is_none())
                 left_[py::cast<std::string>(name)] = py::reinterpret_borrow<py::object>(value);
     }
-    /// The value, if it was given (None is not).
+    /// The value, or nothing if it was not given or is None. Throws TypeError if it has another type.
     template <class T>
     std::optional<T> take(const std::string& name) {
         const auto found = left_.find(name);
@@ -43,26 +44,27 @@ class Keywords {
         try {
             return py::cast<T>(value);
         } catch (const py::cast_error&) {
-            throw py::type_error(of_ + ": " + name + "=" + std::string(py::repr(value)) +
-                                 " given, expected another type");
+            throw py::type_error(where_ + ": " + name + "=" + std::string(py::repr(value)) +
+                                 " has the wrong type; give another type");
         }
     }
-    /// The value, or what stands for it.
+    /// The value, or `fallback` if it was not given or is None.
     template <class T>
-    T take(const std::string& name, T otherwise) {
-        return take<T>(name).value_or(std::move(otherwise));
+    T take(const std::string& name, T fallback) {
+        return take<T>(name).value_or(std::move(fallback));
     }
-    /// The keywords with the names of these settings ('_' for '-'), to be read as the program reads its
+    /// The keywords with the names of these settings ('_' for '-') except some, read as the program reads its
     /// flags.
-    app::Settings settings(const std::vector<app::Setting>& known, const std::vector<std::string>& but = {});
-    /// Throws TypeError that names a keyword nobody took.
+    app::Settings settings(const std::vector<app::Setting>& known,
+                           const std::vector<std::string>& except = {});
+    /// Throws TypeError that names a keyword that was not taken.
     void expect_none_left() const {
         if (!left_.empty())
-            throw py::type_error(of_ + ": unknown keyword '" + left_.begin()->first + "'");
+            throw py::type_error(where_ + ": unknown keyword '" + left_.begin()->first + "'");
     }
 
   private:
-    std::string of_;
+    std::string where_;
     std::map<std::string, py::object> left_;
 };
 
@@ -74,45 +76,40 @@ std::pair<Number, Number> both(const OneOrTwo<Number>& given) {
     const Number* one = std::get_if<Number>(&given);
     return one ? std::pair(*one, *one) : std::get<std::pair<Number, Number>>(given);
 }
-/// Distance of nodes, mm, where it is given.
+/// Distance of the nodes, mm, if it is given.
 using Spacing = std::optional<OneOrTwo<double>>;
 
-/// A response as Python holds it, with what was asked for beside it.
-struct Curve {
-    rough::Response response;
-    Eigen::MatrixXd pressure_gradient;     ///< steps x heights or genes; empty unless asked for
-    Eigen::VectorXd displacement_gradient; ///< of the last step's displacement
-    Eigen::VectorXd smooth_fraction;       ///< contact fraction that has a gradient, and that; empty likewise
-    Eigen::MatrixXd fraction_gradient;
-    std::string account;        ///< within an accuracy, in words
-    rough::ResolutionBand band; ///< empty unless it was asked for and computed
+/// A response, with its resolution band and derivatives, each empty unless it was requested.
+struct Curve : rough::Response, rough::ResolutionBand {
+    Eigen::MatrixXd pressure_gradient;         ///< steps x heights or genes
+    Eigen::VectorXd displacement_gradient;     ///< derivative of the last displacement, heights or genes
+    Eigen::VectorXd smooth_contact_fraction;   ///< contact fraction that has a gradient, one per step
+    Eigen::MatrixXd contact_fraction_gradient; ///< its derivative, steps x heights or genes
+    std::string account;                       ///< how it was modelled within an accuracy, in words
 };
 
-/// Heights over an area; Python has them in two dimensions.
+/// Heights on a 2-D grid.
 struct Surface : rough::Profile {};
 
-/// The model that keywords named like the program's flags describe, for a genome: on 512 nodes over 0.84942
-/// mm unless `nodes` and `length` say otherwise.
+/// The model that keywords describe for a genome, by default on 512 nodes over 0.84942 mm.
 rough::Model model_from(Keywords& keywords);
-/// The same on a surface's own nodes.
+/// The model that keywords describe on the nodes of a surface.
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface);
 
-/// How a response is computed: keywords of contact(), named like the program's flags.
+/// The keywords of contact(), named like the program's flags.
 const std::vector<app::Setting>& response_settings();
-/// A docstring with a line for each setting, but these keywords.
+/// A docstring with a line for each setting except some.
 std::string documented(std::string text, const std::vector<app::Setting>& settings,
-                       const std::vector<std::string>& but = {});
+                       const std::vector<std::string>& except = {});
 
-/// Heights (mm) and their distance as a caller gives them: a Profile or Surface, or an array of one or two
-/// dimensions and a spacing.
-rough::Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& of);
-/// The same where only a profile will do.
-rough::Profile profile_from(const py::object& heights, const Spacing& spacing, const std::string& of);
-/// As Python has it: a Surface where it is an area, else a Profile.
+/// The surface that a caller gives: a Profile or Surface, or an array of one or two dimensions (mm) and a
+/// spacing. `where` begins the messages.
+rough::Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where);
+/// A Surface if it is 2-D, else a Profile.
 py::object as_python(rough::Profile surface);
 
-/// From its construction on, Ctrl-C asks the C++ work of the main thread to stop instead of raising
-/// KeyboardInterrupt later; in other threads it does nothing.
+/// While it lives, Ctrl-C sets `stop` for C++ work of the main thread, and raises no KeyboardInterrupt. In
+/// other threads it has no effect.
 class Interruptible {
   public:
     Interruptible();
@@ -120,8 +117,8 @@ class Interruptible {
     Interruptible(const Interruptible&) = delete;
     Interruptible& operator=(const Interruptible&) = delete;
 
-    bool asked() const;                         ///< whether Ctrl-C was pressed
-    std::atomic<bool>& stop() { return stop_; } ///< for budgets; whoever else wants an end sets it, too
+    bool requested() const;                     ///< whether Ctrl-C was pressed
+    std::atomic<bool>& stop() { return stop_; } ///< for budgets; others may set it, too
 
   private:
     std::atomic<bool> stop_ = false;
@@ -129,11 +126,11 @@ class Interruptible {
     bool holds_ = false;
 };
 
-/// A callable's exception, carried through C++ work that it ends.
+/// Calls Python from C++ work. An exception ends the work and is rethrown after it.
 class Callback {
   public:
     explicit Callback(std::atomic<bool>& stop) : stop_(stop) {}
-    /// Calls with the interpreter's lock; an exception is kept and asks the work to stop.
+    /// Calls with the interpreter's lock. An exception is kept and stops the work; further calls do nothing.
     template <class Call>
     void operator()(Call call) {
         const py::gil_scoped_acquire lock;

@@ -3,66 +3,66 @@
 namespace rugosa::python {
 
 using rough::Target;
+using namespace py::literals;
+
+namespace {
+
+Target target_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const std::string& quantity,
+                   double weight) {
+    if (x.size() != y.size())
+        rough::refuse("Target: ", x.size(), " x and ", y.size(), " y; give as many of each");
+    Target target;
+    target.quantity = rough::quantity_named(quantity);
+    target.name = quantity;
+    target.x = x;
+    target.y = y;
+    target.weight = weight;
+    validate(target);
+    return target;
+}
+
+Target target_like(const py::object& like, const Spacing& spacing, const std::string& quantity,
+                   rough::Index points, double last, const py::kwargs& given) {
+    Keywords keywords(given, "Target.like");
+    const bool is_genome = py::isinstance<rough::Genome>(like);
+    rough::Profile surface = is_genome ? rough::Profile() : surface_from(like, spacing, "Target.like");
+    const rough::Model model = is_genome ? model_from(keywords) : model_from(keywords, surface);
+    keywords.expect_none_left();
+    if (is_genome)
+        surface = sample(like.cast<const rough::Genome&>(), model.grid);
+    return rough::target_like(surface, model, "like", rough::quantity_named(quantity), points, last);
+}
+
+} // namespace
 
 void add_target(py::module_& module) {
-    py::class_<Target>(module, "Target",
-                       "A curve that is asked for.\n\n"
-                       "x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: the\n"
-                       "quantity there ('stiffness' and 'interface_stiffness' in MPa/mm, 'area' a fraction,\n"
-                       "'load' in MPa).\n\n"
-                       ">>> import numpy, rugosa\n"
-                       ">>> p = numpy.linspace(8e-6, 1.6e-4, 20)\n"
-                       ">>> len(rugosa.Target(p, 0.3 + 0.8 * numpy.sqrt(p / 1.6e-4)))\n"
-                       "20\n")
-        .def(py::init([](const Eigen::VectorXd& x, const Eigen::VectorXd& y, const std::string& quantity,
-                         double weight) {
-                 if (x.size() != y.size())
-                     throw rough::InputError("Target: " + std::to_string(x.size()) + " x and " +
-                                             std::to_string(y.size()) + " y given, expected as many");
-                 Target target;
-                 target.quantity = rough::quantity_named(quantity);
-                 target.name = quantity;
-                 target.x = x;
-                 target.y = y;
-                 target.weight = weight;
-                 validate(target);
-                 return target;
-             }),
-             py::arg("x"), py::arg("y"), py::arg("quantity") = "stiffness", py::arg("weight") = 1.0)
+    py::class_<Target>(module, "Target", R"(A requested curve.
+
+x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: values of the quantity
+('stiffness' and 'interface_stiffness' in MPa/mm, 'area' a fraction, 'load' in MPa).
+
+>>> import numpy, rugosa
+>>> p = numpy.linspace(8e-6, 1.6e-4, 20)
+>>> len(rugosa.Target(p, 0.3 + 0.8 * numpy.sqrt(p / 1.6e-4)))
+20
+)")
+        .def(py::init(&target_from), "x"_a, "y"_a, "quantity"_a = "stiffness", "weight"_a = 1.0)
         .def_static(
-            "read", [](const std::filesystem::path& file) { return rough::read_target(file); },
-            py::arg("file"), "Reads a target file (CSV).")
-        .def_static(
-            "like",
-            [](const py::object& surface, const Spacing& spacing, const std::string& quantity,
-               rough::Index points, double last, const py::kwargs& model) {
-                Keywords keywords(model, "Target.like");
-                const bool genome = py::isinstance<rough::Genome>(surface);
-                const rough::Profile own =
-                    genome ? rough::Profile() : surface_from(surface, spacing, "Target.like");
-                const rough::Model under = genome ? model_from(keywords) : model_from(keywords, own);
-                keywords.expect_none_left();
-                return rough::target_like(genome ? sample(surface.cast<const rough::Genome&>(), under.grid)
-                                                 : own,
-                                          under, "like", rough::quantity_named(quantity), points, last);
-            },
-            py::arg("surface"), py::arg("spacing") = py::none(), py::kw_only(),
-            py::arg("quantity") = "stiffness", py::arg("points") = 20, py::arg("last") = 0.0,
-            "A surface's own response at even points up to `last` (0: as far as it is loaded); model\n"
-            "keywords as in contact().")
-        .def_property_readonly(
-            "x", [](const Target& t) -> const Eigen::VectorXd& { return t.x; },
-            py::return_value_policy::reference_internal)
-        .def_property_readonly(
-            "y", [](const Target& t) -> const Eigen::VectorXd& { return t.y; },
-            py::return_value_policy::reference_internal)
+            "read", [](const std::filesystem::path& file) { return rough::read_target(file); }, "file"_a,
+            "Reads a target file (CSV).")
+        .def_static("like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
+                    "quantity"_a = "stiffness", "points"_a = 20, "last"_a = 0.0,
+                    "The response of a surface at evenly spaced points up to `last` (0: its whole load);\n"
+                    "model keywords as in contact().")
+        .def_readonly("x", &Target::x)
+        .def_readonly("y", &Target::y)
         .def_property_readonly("quantity", [](const Target& t) { return rough::name_of(t.quantity); })
-        .def_readwrite("weight", &Target::weight, "(0, 1]: a misfit counts so much.")
-        .def("to_csv", &rough::to_csv, "As a target file.")
+        .def_readwrite("weight", &Target::weight, "Factor of the misfit, in (0, 1].")
+        .def("to_csv", &rough::to_csv, "The text of a target file.")
         .def("__len__", &Target::points)
         .def("__repr__", [](const Target& t) {
-            return "<rugosa.Target of " + rough::name_of(t.quantity) + ", " + std::to_string(t.points()) +
-                   " points>";
+            return rough::line_of("<rugosa.Target of ", rough::name_of(t.quantity), ", ", t.points(),
+                                  " points>");
         });
 }
 

@@ -1,8 +1,8 @@
 """Rough profiles with a given contact behaviour.
 
 Lengths are in mm, pressures in MPa, stiffness in MPa/mm, angles in rad. `contact` presses a surface on an
-elastic body, `design` finds one that answers as asked, `optimise` is the genetic-algorithm engine for a problem
-of one's own.
+elastic body, `design` finds one that matches a target, and `optimise` runs the genetic-algorithm engine on your
+problem.
 
 >>> import numpy, rugosa
 >>> x = (numpy.arange(512) - 255.5) / 512
@@ -25,20 +25,20 @@ __all__ = ["Answer", "Curve", "Database", "Design", "Genome", "InputError", "Not
 def read(file, *, surface=False, **options):
     """A genome file (.json) as a Genome, a measured scan as a Profile, or a map as a Surface.
 
-    Options of a scan as the program's flags: unit, spacing, row, detrend, outliers, lambda_s, lambda_c, fill.
-    With surface=True, or a spacing that is a pair along x and y, the file is a map; it has spacing, unit and
-    detrend.
+    The options are the program's flags: unit, spacing, row, detrend, outliers, lambda_s, lambda_c and fill of a
+    scan; spacing, unit, detrend, lambda_s and lambda_c of a map. The file is a map with surface=True, or if spacing
+    is a pair along x and y.
     """
     if _pathlib.Path(file).suffix == ".json":
         if options:
-            raise TypeError(f"read: {next(iter(options))} given with a genome file, expected with a scan only")
+            raise TypeError(f"read: {next(iter(options))} is only for scans; leave it out for a genome file")
         return Genome.read(file)
     if surface or isinstance(options.get("spacing"), (tuple, list)):
         return read_surface(file, **options)
     return read_profile(file, **options)[0]
 
 
-InputError.__doc__ = "What was given cannot be used: one line says what, and what was expected."
-NotConverged.__doc__ = "A solver ended without an answer that its certificate bears out."
-UsageError.__doc__ = "A pipeline cannot work: one line says where and why."
+InputError.__doc__ = "An argument or file cannot be used. The message says where, why, and what to do."
+NotConverged.__doc__ = "A solver ended without a certified solution."
+UsageError.__doc__ = "A pipeline cannot work. The message says where and why."
 _show.attach(Curve, Profile, Surface, Design)

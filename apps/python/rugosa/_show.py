@@ -1,4 +1,4 @@
-"""How objects show themselves: .plot() by matplotlib, _repr_html_ by a few lines of SVG."""
+"""Pictures of objects: .plot() by matplotlib, _repr_html_ by a few lines of SVG."""
 
 import base64
 import struct
@@ -43,7 +43,7 @@ def _plot_surface(surface, axes=None, **style):
 
 
 def _plot_design(design, axes=None):
-    """The answer's scored curve over its target; returns the axes."""
+    """The secant stiffness of the answer and the targets; returns the axes."""
     axes = _axes(axes)
     for target in design.targets:
         axes.plot(target.x, target.y, "o", label=f"target: {target.quantity}")
@@ -103,12 +103,12 @@ def _design_box(design):
                or ("not verified" if worst is None else "not found"))
     worst = "none" if worst is None else f"{worst:.4f}"
     return (f'<div style="border:1px solid #888;padding:8px"><b>{escape(verdict)}</b>: similarity '
-            f"{worst} at worst, {design.similarity:.4f} on the grid of the design<br>"
+            f"{worst} (lowest), {design.similarity:.4f} on the grid of the design<br>"
             f"{design.profile._repr_html_()}{_curve_picture(design.curve)}</div>")
 
 
 def attach(curve, profile, surface, design):
-    """Gives the classes of the module their pictures."""
+    """Adds the pictures to the classes of the module."""
     curve.plot, curve._repr_html_ = _plot_curve, _curve_picture
     profile.plot, profile._repr_html_ = _plot_profile, _profile_picture
     surface.plot, surface._repr_html_ = _plot_surface, _surface_picture

@@ -1,4 +1,4 @@
-# A quantity of contact of all models beside the exact one against pressure.
+# Contact fraction or stiffness of all models and of the exact solution against pressure.
 what = word(arg, 1); scene = arg[strlen(what) + 2:*]
 set logscale xy; set format "10^{%T}"
 set xlabel "Mean pressure p over E*"; set ylabel (what eq "area" ? "Contact fraction A" : "Stiffness K (MPa/mm)")

@@ -1,4 +1,4 @@
-# Contact pressure, or the gap between the profile and the deformed body, along the profile at some mean pressures.
+# Contact pressure, or the gap between the profile and the deformed body, along the profile at several mean pressures.
 # arg: pressure or gap
 is_pressure = arg eq "pressure"; file = tables."along.csv"; shown = is_pressure ? "pressure_MPa" : "gap_mm"
 loads = ""

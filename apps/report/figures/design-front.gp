@@ -1,4 +1,4 @@
-# Similarity to the second target against that to the first, of the genomes that no other one dominates.
+# Similarity to the second target against similarity to the first, for genomes that no other dominates.
 set xlabel "Similarity to the first target"; set ylabel "Similarity to the second target"
 file = tables."front.csv"
 plot file using "similarity_1":"similarity_2" with linespoints lc rgb blue title "front", \

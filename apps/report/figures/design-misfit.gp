@@ -1,5 +1,5 @@
-# How far the answer is off at each point of the target, in percent, on its grid and on a finer one.
-# arg: number of the target, its quantity, pressure or displacement, and "finer" if that is known
+# Misfit of the answer at each point of the target, in percent, on its grid and on a finer one.
+# arg: number of the target, its quantity, pressure or displacement, and "finer" if it is known
 here(i) = column("target") == int(word(arg, 1)); is_pressure = word(arg, 3) eq "pressure"
 points = tables."points.csv"
 stats points using (here(0) ? column("x") : NaN) nooutput

@@ -1,5 +1,5 @@
 # A target, and the curves of the answer on its grid and on a finer one.
-# arg: number of the target, its quantity, pressure or displacement, and what else there is: finer, before, band
+# arg: number of the target, its quantity, pressure or displacement, and further curves: finer, before, band
 here(i) = column("target") == int(word(arg, 1)); quantity = word(arg, 2); is_pressure = word(arg, 3) eq "pressure"
 has(name) = strstrt(arg, name) > 0
 curves = tables."curves.csv"; points = tables."points.csv"

@@ -1,4 +1,4 @@
-# The similarity that 95 % of the surfaces made with a height noise keep, over the rms of the noise.
+# Similarity that 95 % of the surfaces with height noise keep, against the rms of the noise.
 noise = tables."tolerance.csv"
 stats noise using "noise_rms_mm" nooutput
 factor = length_factor(STATS_max)

@@ -1,4 +1,4 @@
-# The look of all figures. A colour stands for a meaning; the page replaces it by its own.
+# Style of all figures. Each colour has one meaning; the page replaces it by a colour of its theme.
 # Another height: `eval sized(340)`.
 sized(h) = sprintf("set terminal svg size 480,%d dynamic rounded enhanced font 'Arial,14' name '%s'", h, figure)
 eval sized(300)
@@ -17,7 +17,7 @@ colours = blue." ".orange." ".green." ".purple." ".sky." ".red
 do for [i = 7:12] { set linetype i lc rgb word(colours, i - 6) lw 2 dt 2 }
 set linetype cycle 12
 set palette defined (0 "#352a87", 0.25 "#0f5cdd", 0.5 "#06a4ca", 0.75 "#b1be59", 1 "#f9fb0e") maxcolors 64
-# The unit in which the largest of some values (MPa, mm) is a number below 1000, and its factor.
+# The unit in which a largest value m (MPa, mm) is a number below 1000, and its factor.
 pressure_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3
 pressure_unit(m) = m < 1e-3 ? "Pa" : m < 1 ? "kPa" : m < 1e3 ? "MPa" : "GPa"
 length_factor(m) = m < 1e-3 ? 1e6 : m < 1 ? 1e3 : m < 1e3 ? 1 : 1e-3

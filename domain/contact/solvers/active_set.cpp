@@ -1,10 +1,10 @@
 #include "domain/contact/solvers/advance.hpp"
-#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,22 +13,22 @@ namespace rough {
 
 namespace {
 
-/// The residual under which rounding makes further iterations pointless.
+/// The residual below which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
-/// How far the residual falls before the contact set is looked at again.
+/// Factor by which the residual falls before the contact set is examined again.
 constexpr double loosening = 0.05, area_loosening = 0.1;
-/// How well displacements must be known, over the approach, while the residual is far above this.
+/// Accuracy of displacements over the approach while the residual is far above it.
 constexpr double rough_accuracy = 1e-5;
-constexpr int most_rounds = 200;
-/// An area's contact set swings after so many rounds in a row that leave more than a share of the least
+constexpr int max_rounds = 200;
+/// An area's contact set swings if this many rounds in a row leave more than this share of the lowest
 /// residual.
-constexpr int most_swings = 2;
+constexpr int max_swings = 2;
 constexpr double share_left = 0.9;
-constexpr long most_iterations = 2000;
-/// Up to this size a dense factor is cheaper than a coarser grid; on an area more of the nodes touch each
-/// other's neighbours, and grids shrink faster.
+constexpr long max_iterations = 2000;
+/// Up to this many nodes a dense factor is cheaper than a coarser grid. It is lower for an area, whose grids
+/// shrink faster.
 constexpr Index coarsest_line = 1024, coarsest_area = 256;
-/// From one grid to the next coarser one; an area's nodes grow by its square.
+/// Ratio of the spacings of one grid and the next finer one; an area's nodes grow by its square.
 constexpr Index line_stride = 4, area_stride = 2;
 
 Index coarsest(const ContactProblem& problem) { return problem.is_2d() ? coarsest_area : coarsest_line; }
@@ -43,23 +43,27 @@ class ActiveSet {
 
     StepSolution press(double approach, const std::optional<Eigen::VectorXd>& guess) {
         start(approach, guess);
-        double tolerance = options_.tolerance;
-        settle(approach, tolerance);
-        if (purpose_ == Purpose::guess)
-            return step_solution(set_, load_, tangent_, false);
-        return finished(approach, tolerance);
+        for (double tolerance = options_.tolerance;;) {
+            problem_.is_2d() ? settle_area(approach, tolerance) : settle_line(approach, tolerance);
+            if (purpose_ == Purpose::guess)
+                return step_solution(set_, load_, tangent_, false);
+            find_tangent();
+            const double error =
+                std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
+            if (error <= options_.tolerance || tolerance <= finest)
+                return step_solution(set_, load_, tangent_, options_.states);
+            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
+        }
     }
 
-    /// The same of an area to a load, `approach` becoming the one found: the sum of the pressures is kept
-    /// while they settle, and the approach follows from them. A tangent leads too far, as the stiffness
-    /// grows, of rough areas about as the load (Persson 2007).
+    /// Presses an area to a load and sets `approach` to the one found. The sum of the pressures is kept while
+    /// they settle, and the approach follows from them. A step along the tangent is too long, because the
+    /// stiffness of rough areas grows about as the load (Persson 2007).
     StepSolution press_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
         sum_ = load;
         if (guess) {
             load_.pressure = *guess * (load / guess->sum());
-            for (Index i = 0; i < problem_.nodes(); ++i)
-                load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
-            set_.collect();
+            set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         } else {
             const double before = load_.pressure.sum(), growth = load / before - 1,
                          step = (load - before) / tangent_.pressure.sum();
@@ -71,47 +75,31 @@ class ActiveSet {
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
         find_tangent();
-        double missing = 0; // that by which the approach is off, to first order
-        for (const int i : set_.nodes())
-            missing += tangent_.pressure[i] * (approach - problem_.gap[i] - load_.displacement[i]);
-        approach -= missing / tangent_.pressure.sum();
+        approach -= missing_load(problem_, approach, set_, load_, tangent_) / tangent_.pressure.sum();
         return step_solution(set_, load_, tangent_, options_.states);
     }
     const Eigen::VectorXd& pressure() const { return load_.pressure; }
     long applies() const { return solver_.applies(); }
 
   private:
-    /// All nodes of a periodic area together have none: there that of all but the least loaded, which is the
-    /// tangent just below full contact.
+    /// Finds the tangent. All nodes of a periodic area together have none: there it is that of all but the
+    /// least loaded node, which is the tangent just below full contact.
     void find_tangent() {
-        Index least = problem_.nodes();
+        Index lowest = problem_.nodes();
         if (problem_.is_2d() && problem_.is_singular() &&
             static_cast<Index>(set_.nodes().size()) == problem_.nodes()) {
-            load_.pressure.minCoeff(&least);
-            set_.erase(least);
+            load_.pressure.minCoeff(&lowest);
+            set_.erase(lowest);
             set_.collect();
         }
         tangent_blur_ = solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
-        if (least < problem_.nodes()) {
-            set_.insert(least);
+        if (lowest < problem_.nodes()) {
+            set_.insert(lowest);
             set_.collect();
         }
     }
 
-    /// The tangent, and the load as good as the tolerance.
-    StepSolution finished(double& approach, double tolerance) {
-        for (;;) {
-            find_tangent();
-            const double error = load_error(problem_, approach, set_, load_, tangent_);
-            if (error <= options_.tolerance || tolerance <= finest)
-                break;
-            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
-            settle(approach, tolerance);
-        }
-        return step_solution(set_, load_, tangent_, options_.states);
-    }
-
-    /// Goes on along the tangent; on an area its product is known everywhere.
+    /// Moves the pressures along the tangent, and on an area their known product.
     void move(double by) {
         load_.pressure += by * tangent_.pressure;
         if (!problem_.is_2d() || product_.pressure.size() == 0)
@@ -121,8 +109,9 @@ class ActiveSet {
         product_.blur += by * tangent_blur_;
     }
 
-    /// Starts from the step before, moved along its tangent or by what a coarser grid's pressures have grown
-    /// since (never less, as no node's pressure falls with the load), whichever leaves the smaller residual.
+    /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
+    /// since then, whichever leaves the smaller residual. That growth is not negative, because no node's
+    /// pressure falls with the load.
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
         Loaded grown(guess ? problem_.nodes() : 0);
         if (guess)
@@ -142,9 +131,7 @@ class ActiveSet {
             return;
         load_ = std::move(grown);
         product_ = std::move(grown_product);
-        for (Index i = 0; i < problem_.nodes(); ++i)
-            load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
-        set_.collect();
+        set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         // The guess errs in its pressures more than in its set: those first.
         improve(approach, loosening * left);
     }
@@ -153,34 +140,28 @@ class ActiveSet {
         double level = 0;
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
-            Enough{target * approach, [&](double) { return check_stop(options_), false; }}, most_iterations,
+            Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
             problem_.is_2d() ? &product_ : nullptr, sum_ ? &level : nullptr);
         approach -= level;
         stale_ = !problem_.is_2d();
     }
 
-    /// Under a load the approach is what the nodes in contact say in the mean.
-    void follow(double& approach) const {
-        if (!sum_)
-            return;
+    /// Finds the depth of every node; under load control first the approach, the mean over the contact nodes.
+    void look(double& approach) {
         double sum = 0;
         Index count = 0;
-        for (const int i : set_.nodes())
-            if (load_.pressure[i] > 0) {
-                sum += problem_.gap[i] + load_.displacement[i];
-                ++count;
-            }
+        if (sum_)
+            for (const int i : set_.nodes())
+                if (load_.pressure[i] > 0) {
+                    sum += problem_.gap[i] + load_.displacement[i];
+                    ++count;
+                }
         if (count > 0)
             approach = sum / static_cast<double>(count);
-    }
-
-    /// Looks how deep every node is.
-    void look(double& approach) {
-        follow(approach);
         depth_ = approach - (problem_.gap + load_.displacement).array();
     }
 
-    /// As it was looked at, over the approach.
+    /// The residual of the depths found last, over the approach.
     double residual(double approach) const {
         double worst = std::max(0.0, depth_.maxCoeff());
         for (const int i : set_.nodes())
@@ -198,20 +179,13 @@ class ActiveSet {
         return worst / approach;
     }
 
-    void settle(double& approach, double tolerance) {
-        if (problem_.is_2d())
-            settle_area(approach, tolerance);
-        else
-            settle_line(approach, tolerance);
-    }
-
-    /// Nodes leave and join together here, until that makes the set swing: from then on none joins in a round
-    /// in which any leaves. An area has nodes without number at the brink: which of them touch is known as
-    /// well as the residual, and no better.
+    /// Nodes leave and join in the same round, until that makes the set swing. From then on none joins in a
+    /// round in which any leaves. On an area many nodes are at the edge of touching, and which of them touch
+    /// is known no better than the residual.
     void settle_area(double& approach, double tolerance) {
-        double target = 1, least = std::numeric_limits<double>::infinity();
+        double target = 1, lowest = std::numeric_limits<double>::infinity();
         int swings = 0;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
             change_set(approach, 0.3 * tolerance * approach,
                        std::min(rough_accuracy, 0.1 * target) * approach);
@@ -223,9 +197,9 @@ class ActiveSet {
             }
             if (worst <= tolerance)
                 return;
-            swings = worst < share_left * least ? 0 : swings + 1;
-            least = std::min(least, worst);
-            swinging_ = swinging_ || swings == most_swings;
+            swings = worst < share_left * lowest ? 0 : swings + 1;
+            lowest = std::min(lowest, worst);
+            swinging_ = swinging_ || swings == max_swings;
             target = std::max(0.5 * tolerance, area_loosening * worst);
             improve(approach, target);
         }
@@ -233,11 +207,11 @@ class ActiveSet {
 
     void settle_line(double& approach, double tolerance) {
         double target = 1;
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
-            const double least = 0.3 * std::min(target, tolerance) * approach;
+            const double min_depth = 0.3 * std::min(target, tolerance) * approach;
             const double accuracy = std::min(rough_accuracy, 0.1 * target) * approach;
-            if (change_set(approach, least, accuracy)) {
+            if (change_set(approach, min_depth, accuracy)) {
                 double worst = 0;
                 for (const int i : set_.nodes())
                     worst = std::max(worst, std::abs(depth_[i]) / approach);
@@ -258,9 +232,9 @@ class ActiveSet {
         }
     }
 
-    /// Drops the nodes under tension, adds those that penetrate by more than `least`, known to `accuracy`;
-    /// false if there are none.
-    bool change_set(double& approach, double least, double accuracy) {
+    /// Drops the nodes under tension and adds those that penetrate by more than `min_depth`, with
+    /// displacements known to `accuracy`. Returns false if the set stays the same.
+    bool change_set(double& approach, double min_depth, double accuracy) {
         std::vector<int> dropped;
         for (const int i : set_.nodes())
             if (!(load_.pressure[i] > 0))
@@ -282,7 +256,7 @@ class ActiveSet {
         look(approach);
         std::vector<int> added;
         if (dropped.empty() || problem_.is_2d())
-            added = advancing_nodes(depth_, set_.touching(), problem_.shape, least + ahead_);
+            added = advancing_nodes(depth_, set_.touching(), problem_.shape, min_depth + ahead_);
         ahead_ = 0;
         if (swinging_ && !dropped.empty())
             added.clear();
@@ -300,31 +274,69 @@ class ActiveSet {
     ContactSet set_;
     Loaded load_, tangent_;
     double tangent_blur_ = 0; ///< error of its displacement
-    double ahead_ = 0; ///< by how much a tangent has gone too far, until nodes have joined in view of that
-    KnownProduct product_; ///< of load_
+    double ahead_ = 0;        ///< excess of the last tangent step, until nodes have joined in view of it
+    KnownProduct product_;    ///< H load_
     Eigen::ArrayXd depth_;
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
-    std::optional<double> sum_; ///< of the pressures, where a load is asked for
+    std::optional<double> sum_; ///< sum of the pressures, under load control
     bool swinging_ = false;     ///< an area's contact set has done so
     bool stale_ = true;         ///< the displacement off the contact set
 };
 
-/// By another path than the solver's.
-void certify_step(const ContactProblem& problem, StepSolution& found, SplitOperator& check,
-                  const Eigen::VectorXd& pressure, double tolerance) {
-    const Eigen::VectorXd displacement = check.apply(pressure);
-    found.residual =
-        certify(problem, found.approach, found.nodes, found.pressure, displacement.data()).residual();
-    if (!(found.residual <= 2 * tolerance))
-        fail("active set", problem, found.approach, found.residual, tolerance);
+/// Interpolates squares of pressures along a coarse line, zero off contact, to the nodes of a fine one. One
+/// value beyond each edge of contact is extrapolated and may be negative. Values are `step` apart, from the
+/// first on.
+void refine_line(const double* squares, Index coarse, Index coarse_step, Index stride, double* fine,
+                 Index nodes, Index step) {
+    const auto square = [&](Index k) { return squares[k * coarse_step]; };
+    auto beyond = [&](Index edge, Index inner) {
+        const double slope = inner >= 0 && inner < coarse ? square(inner) - square(edge) : 0;
+        return -std::max(slope, square(edge));
+    };
+    const double unit = static_cast<double>(stride);
+    for (Index i = 0; i < nodes; ++i) {
+        const Index left = i / stride, right = std::min(left + 1, coarse - 1);
+        double a = square(left), b = square(right);
+        fine[i * step] = 0;
+        if (a == 0 && b == 0)
+            continue;
+        if (a == 0)
+            a = beyond(right, right + 1);
+        else if (b == 0)
+            b = beyond(left, left - 1);
+        const double share = static_cast<double>(i - left * stride) / unit;
+        fine[i * step] = std::max(0.0, a + share * (b - a));
+    }
+}
+
+/// First guess of the pressures at every node of the fine grid, from the solution on every `stride`-th one
+/// from the first on. Linear in p^2 along x, then along y: near an edge p^2 falls linearly to zero, so that
+/// edges are found within the coarse spacing.
+Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to) {
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(from.nodes());
+    for (std::size_t k = 0; k < coarse.nodes.size(); ++k)
+        squares[coarse.nodes[k]] = std::pow(coarse.pressure[static_cast<Index>(k)], 2);
+    Eigen::VectorXd fine(to.columns * from.rows);
+    for (Index j = 0; j < from.rows; ++j)
+        refine_line(squares.data() + j * from.columns, from.columns, 1, stride, fine.data() + j * to.columns,
+                    to.columns, 1);
+    if (to.rows > 1) {
+        const Eigen::VectorXd along_x = std::move(fine);
+        fine.resize(to.nodes());
+        for (Index i = 0; i < to.columns; ++i)
+            refine_line(along_x.data() + i, from.rows, to.columns, stride, fine.data() + i, to.rows,
+                        to.columns);
+    }
+    for (double& value : fine) // pressures are in units of 1/delta
+        value = std::sqrt(value) / static_cast<double>(stride);
+    return fine;
 }
 
 Solution guess(const ContactProblem& problem, ContactOptions options);
 
-/// Every load step; the coarser grid goes first, as long as it is worth while. The first load of the smallest
-/// grid, or of one whose coarser grid is in full contact before it bears that load, begins with an even
-/// pressure.
+/// Solves every load step, on the coarser grid first as long as it is worth it. The first load begins with an
+/// even pressure on the smallest grid, and if the coarser grid is in full contact below the load.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
     const bool cascade = problem.nodes() > coarsest(problem), by_load = !problem.load.empty();
@@ -337,7 +349,7 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
     ActiveSet solver(problem, options, purpose);
     std::optional<SplitOperator> check;
     if (purpose == Purpose::curve)
-        check.emplace(split_operator(problem));
+        check.emplace(problem.column, problem.shape);
     double approach = 0;
     for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = solver.applies();
@@ -356,14 +368,14 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
             by_load ? solver.press_to(problem.load[j], approach, start) : solver.press(approach, start);
         found.approach = approach;
         if (check)
-            certify_step(problem, found, *check, solver.pressure(), options.tolerance);
+            certify_step("active set", problem, found, *check, solver.pressure(), 2 * options.tolerance);
         solution.steps.push_back(std::move(found));
         solution.iterations += solver.applies() - before;
     }
 }
 
-/// A coarse grid's solution, or as much of it as there is: it is a start for the fine grid, whose solution
-/// does not depend on it.
+/// A coarse grid's solution, as far as it is found. It is a start for the fine grid, whose solution does not
+/// depend on it.
 Solution guess(const ContactProblem& problem, ContactOptions options) {
     options.tolerance = 1e-2;
     options.states = false;

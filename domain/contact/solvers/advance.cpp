@@ -6,18 +6,19 @@ namespace rough {
 
 namespace {
 
-/// A summit that touches anew does so where it penetrates by this share of its greatest depth.
+/// A new summit touches at the nodes that penetrate by more than this share of its greatest depth.
 constexpr double new_summit_share = 0.6;
-/// Of a node that no contact's edge nears.
+/// Value of Doubt::edge if no edge of contact is near.
 constexpr double far = 2;
 
 struct Doubt {
-    double edge;    ///< 0: sure to stay in contact, 1: as likely to be dropped; `far` in a run of its own
+    double edge; ///< 0: sure to stay in contact, 1: as likely to be dropped; `far` in a run without a contact
+                 ///< at its ends
     double deepest; ///< depth in the run
 };
 
-/// Verifies a run of penetrating nodes along a line of n nodes, `stride` apart, of which number `place` is
-/// the run's first, node `first`; calls note(node, doubt). Returns how many nodes it has.
+/// Assesses a run of penetrating nodes along a line of n nodes, `stride` apart. The run begins at number
+/// `place` of the line, node `first`. Calls note(node, doubt); returns the number of its nodes.
 template <class Penetrates, class Touches, class Note>
 Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index place, Index n,
                  Penetrates penetrates, Touches touches, Note note) {
@@ -42,9 +43,9 @@ Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index p
 } // namespace
 
 std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Extent shape,
-                                 double least) {
+                                 double min_depth) {
     auto touches = [&](Index i) { return touching[static_cast<std::size_t>(i)] != 0; };
-    auto penetrates = [&](Index i) { return depth[i] > least && !touches(i); };
+    auto penetrates = [&](Index i) { return depth[i] > min_depth && !touches(i); };
     std::vector<int> deep;
     for (Index i = 0; i < depth.size(); ++i)
         if (penetrates(i))
@@ -64,7 +65,7 @@ std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<
                                                 deep.begin())];
     };
     if (area)
-        for (const Index i : deep) // by the first node of each run
+        for (const Index i : deep) // starting at the first node of each run
             if (i < columns || !penetrates(i - columns))
                 assess_run(depth, i, columns, i / columns, shape.rows, penetrates, touches,
                            [&](Index k, const Doubt& doubt) { of_y(k) = doubt; });

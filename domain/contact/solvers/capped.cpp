@@ -10,14 +10,14 @@ namespace rough {
 
 namespace {
 
-/// Of gaps, over the approach, at which a step is solved.
+/// Residual of the gaps, over the approach, at which a step is solved.
 constexpr double settled = 1e-11;
-/// How far the residual falls before the bounds are looked at again.
+/// Factor by which the residual falls before the bounds are examined again.
 constexpr double loosening = 0.01;
-/// Armijo's share of the descent that the gradient promises.
+/// Armijo's share of the descent that the gradient predicts.
 constexpr double share = 1e-4;
-constexpr int most_rounds = 500, most_halvings = 40;
-constexpr long most_iterations = 2000;
+constexpr int max_rounds = 500, max_halvings = 40;
+constexpr long max_iterations = 2000;
 constexpr double tangent_tolerance = 1e-10;
 
 class CappedContact {
@@ -31,7 +31,7 @@ class CappedContact {
         solver_.load(load_);
         const double enough = settled * approach;
         double worst = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
             const double before = worst;
             worst = find_free(0.5 * enough);
@@ -41,7 +41,7 @@ class CappedContact {
             if (!descend(std::max(0.1 * enough, loosening * worst)))
                 break;
         }
-        return solution();
+        return solution(approach);
     }
     const Eigen::VectorXd& pressure() const { return load_.pressure; }
     long applies() const { return solver_.applies(); }
@@ -63,22 +63,22 @@ class CappedContact {
             if (problem_.gap[i] > problem_.gap[deepest])
                 deepest = i;
         }
-        // All nodes of a periodic profile together are a singular matrix; the lowest can wait.
+        // All nodes of a periodic profile together have a singular matrix; the lowest one can wait.
         if (problem_.is_singular() && count == problem_.nodes())
             free_.erase(deepest);
         free_.collect();
         return worst;
     }
 
-    /// One projected Newton step; false where none descends any more.
+    /// Takes one projected Newton step; false if none descends any more.
     bool descend(double residual) {
         Loaded newton = load_;
         solver_.improve(
-            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, most_iterations);
+            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, max_iterations);
         const Eigen::VectorXd direction = newton.pressure - load_.pressure;
         Loaded next(problem_.nodes());
         double length = 1;
-        for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+        for (int halving = 0; halving < max_halvings; ++halving, length /= 2) {
             next.pressure = (load_.pressure + length * direction).cwiseMax(0).cwiseMin(problem_.cap);
             solver_.load(next);
             const Eigen::VectorXd step = next.pressure - load_.pressure;
@@ -93,23 +93,18 @@ class CappedContact {
         return false;
     }
 
-    StepSolution solution() {
-        std::vector<int> touching;
-        ContactSet elastic(problem_.nodes());
-        for (Index i = 0; i < problem_.nodes(); ++i)
-            if (load_.pressure[i] > 0) {
-                touching.push_back(static_cast<int>(i));
-                if (load_.pressure[i] < problem_.cap)
-                    elastic.insert(i);
-            }
-        elastic.collect();
+    StepSolution solution(double approach) {
+        ContactSet touching(problem_.nodes()), elastic(problem_.nodes());
+        touching.assign([&](Index i) { return load_.pressure[i] > 0; });
+        elastic.assign([&](Index i) { return load_.pressure[i] > 0 && load_.pressure[i] < problem_.cap; });
         solver_.tangent(elastic, tangent_tolerance, true, tangent_);
         StepSolution step = step_solution(elastic, load_, tangent_, false);
-        step.held = static_cast<Index>(touching.size() - elastic.nodes().size());
-        step.pressure = load_.pressure(touching);
+        step.approach = approach;
+        step.nodes = touching.nodes();
+        step.held = static_cast<Index>(step.nodes.size() - elastic.nodes().size());
+        step.pressure = load_.pressure(step.nodes);
         if (options_.states)
-            step.tangent = tangent_.pressure(touching);
-        step.nodes = std::move(touching);
+            step.tangent = tangent_.pressure(step.nodes);
         return step;
     }
 
@@ -125,14 +120,11 @@ class CappedContact {
 
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     CappedContact contact(problem, options);
-    SplitOperator check = split_operator(problem);
+    SplitOperator check(problem.column, problem.shape);
     for (const double approach : problem.approach) {
         StepSolution step = contact.press(approach);
-        const Eigen::VectorXd displacement = check.apply(contact.pressure());
-        step.residual = certify(problem, approach, step.nodes, step.pressure, displacement.data()).residual();
-        const double tolerance = direct_tolerance(problem, approach, step.pressure, step.stiffness);
-        if (!(step.residual <= tolerance))
-            fail("capped active set", problem, approach, step.residual, tolerance);
+        certify_step("capped active set", problem, step, check, contact.pressure(),
+                     direct_tolerance(problem, step));
         solution.steps.push_back(std::move(step));
     }
     solution.iterations = contact.applies();

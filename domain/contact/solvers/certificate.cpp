@@ -18,7 +18,7 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     bool finite = true;
     double deepest =
         vector_loops().deepest(problem.gap.data(), displacement, problem.nodes(), approach, finite);
-    if (!std::isfinite(mean) || !finite) // a NaN anywhere is no solution at all
+    if (!std::isfinite(mean) || !finite) // a NaN anywhere invalidates the solution
         return {none, none, none, none};
     const bool yields = std::isfinite(problem.cap);
     double misfit = 0;
@@ -39,17 +39,31 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     const auto over_mean = [mean](double excess) {
         return !(excess > 0) ? 0 : mean > 0 ? excess / mean : none;
     };
-    const double least = pressure.size() ? pressure.minCoeff() : 0,
-                 most = pressure.size() ? pressure.maxCoeff() : 0;
-    return {misfit / scale, penetration / scale, over_mean(-least), over_mean(most - problem.cap)};
+    const double lowest = pressure.size() ? pressure.minCoeff() : 0,
+                 largest = pressure.size() ? pressure.maxCoeff() : 0;
+    return {misfit / scale, penetration / scale, over_mean(-lowest), over_mean(largest - problem.cap)};
 }
 
-double direct_tolerance(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
-                        double stiffness) {
+double direct_tolerance(const ContactProblem& problem, const StepSolution& step) {
     constexpr double usual = 1e-9, unit_roundoff = 0x1p-53;
-    const double rows = 3 * static_cast<double>(pressure.size()) + 1, h0 = problem.column[0];
+    const double rows = 3 * static_cast<double>(step.pressure.size()) + 1, h0 = problem.column[0];
     return std::max(usual, rows * unit_roundoff *
-                               (h0 * pressure.cwiseAbs().sum() / approach + 2 * std::sqrt(h0 * stiffness)));
+                               (h0 * step.pressure.cwiseAbs().sum() / step.approach +
+                                2 * std::sqrt(h0 * step.stiffness)));
+}
+
+void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
+                     double tolerance) {
+    if (!(step.residual <= tolerance))
+        fail(solver, problem, step.approach, step.residual, tolerance);
+}
+
+void certify_step(const char* solver, const ContactProblem& problem, StepSolution& step, SplitOperator& check,
+                  const Eigen::VectorXd& pressure, double tolerance) {
+    const Eigen::VectorXd displacement = check.apply(pressure);
+    step.residual =
+        certify(problem, step.approach, step.nodes, step.pressure, displacement.data()).residual();
+    expect_residual(solver, problem, step, tolerance);
 }
 
 double trusted_residual(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,

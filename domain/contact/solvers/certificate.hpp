@@ -15,21 +15,27 @@ struct Certificate {
     double residual() const; ///< the largest of them
 };
 
-/// What a factor's residual may be, over the approach: 1e-9, or the bound of rounding where that is more, as
-/// it is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002, theorem 10.4),
-/// and |L||L'| <= h_0 entry by entry; p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 = `stiffness`, which
-/// diverges as the last nodes touch, so that each of the two terms, all but cancelling, brings its own
+/// Largest residual of a factor's solution, over the approach: 1e-9, or the bound of rounding if that is
+/// larger, as it is near full contact. Cholesky's |H x - b| <= (3 m + 1) 2^-53 |L||L'||x| (Higham 2002,
+/// theorem 10.4), and |L||L'| <= h_0 entry by entry. p = L^-T (Delta z - v) with z'z = sum H_AA^-1 1 =
+/// `stiffness`, which diverges as the last nodes touch. The two terms then nearly cancel, and each brings
 /// sqrt(h_0) |z| Delta.
-double direct_tolerance(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
-                        double stiffness);
+double direct_tolerance(const ContactProblem& problem, const StepSolution& step);
 
 /// `displacement` is u = H p at every node, by another path than the one that found p.
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement);
 
-/// The residual, over the approach, at which no node could touch or leave unseen: with an error e of the
-/// displacement on the contact set, that off it errs by no more than e and the pressures by a few times e.
-/// `pressure` and `displacement` at every node; a node with pressure is in contact. At most 1.
+/// Throws NotConverged if a step's residual exceeds the tolerance, in the words that every solver uses.
+void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
+                     double tolerance);
+/// Sets a step's residual, with H applied to the pressures at every node by `check`; then the same check.
+void certify_step(const char* solver, const ContactProblem& problem, StepSolution& step, SplitOperator& check,
+                  const Eigen::VectorXd& pressure, double tolerance);
+
+/// The residual, over the approach, up to which no node can touch or leave unnoticed. If displacements on the
+/// contact set err by e, those off it err by at most e, and the pressures by a few times e. `pressure` and
+/// `displacement` are given at every node; a node with pressure is in contact. At most 1.
 double trusted_residual(const ContactProblem& problem, double approach, const Eigen::VectorXd& pressure,
                         const Eigen::VectorXd& displacement);
 

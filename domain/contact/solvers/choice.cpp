@@ -1,6 +1,5 @@
 #include "domain/contact/solvers/choice.hpp"
 
-#include "domain/contact/solvers/cascade.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
@@ -14,24 +13,25 @@ namespace rough {
 
 namespace {
 
-// Nanoseconds on the machine that they were fitted on, by benchmark_choice; only their ratios matter. Its
-// curves are of random profiles on every kernel, with 5 to 80 load steps, and those count whose two costs are
-// within a factor of seven: elsewhere the choice is plain.
+// Nanoseconds on the machine that they were fitted on, by benchmark_choice; only their ratios matter. It
+// takes random profiles on every kernel with 5 to 80 load steps. A curve counts if its two costs differ by
+// less than a factor of seven, because otherwise the choice is plain.
 constexpr double per_elimination = 0.05; ///< a multiplication of the factor
 constexpr double per_transform = 0.6;    ///< a node of an FFT apply, times log2 of the padded length
-constexpr double applies_per_step = 36;  ///< of the active set at 1e-6, all its work counted in applies
-constexpr double checks_per_step = 3;    ///< of the nested factor
-constexpr double regrowth = 1.5;         ///< eliminations over those of the final factor
+constexpr double applies_per_step =
+    36; ///< applies per step of the active set at 1e-6, which stand for all its work
+constexpr double checks_per_step = 3; ///< checks per step of the nested factor
+constexpr double regrowth = 1.5;      ///< eliminations over those of the final factor
 
 /// Predictions err by a factor of four in cost at most, as contact sets do by 1.6.
 constexpr double patience = 4;
-/// A sample whose highest node stands lower than the profile's by this part of the approach has missed what
-/// holds the surface apart.
+/// If the highest node of a sample stands lower than the profile's by this part of the approach, the sample
+/// has missed the nodes that keep the surfaces apart.
 constexpr double missed = 0.1;
 
 double expected_contact(const ContactProblem& problem, ContactOptions options) {
-    // Every sixteenth node, and more of a small grid, so that fine waves keep most summits apart; but no more
-    // than costs a few milliseconds.
+    // Every sixteenth node, and more of a small grid, so that summits of short waves stay apart; but at most
+    // as many as take a few milliseconds.
     const Index sample =
         std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
     const Index area_stride = static_cast<Index>(
@@ -66,14 +66,10 @@ double nested_cost(double nodes, double contact, double steps) {
 
 double active_set_cost(double nodes, double steps) { return steps * applies_per_step * apply_cost(nodes); }
 
-/// Numbers that an area's transforms turn over those of a line of as many nodes, which is padded to twice its
-/// length: four times as many padded along both axes, and none where it is periodic.
+/// Numbers in an area's transforms over those of a line with as many nodes, which is padded to twice its
+/// length. An area is padded along both axes, or not at all if it is periodic.
 double turned(const ContactProblem& problem) {
     return !problem.is_2d() ? 1 : problem.kernel == Kernel::periodic ? 0.5 : 2;
-}
-
-double iterative_cost(const ContactProblem& problem, double steps) {
-    return turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps);
 }
 
 } // namespace
@@ -82,18 +78,21 @@ double predicted_cost(double nodes, double contact, double steps) {
     return std::min(nested_cost(nodes, contact, steps), active_set_cost(nodes, steps));
 }
 
-double most_nested_work(const ContactProblem& problem) {
+double max_nested_work(const ContactProblem& problem) {
     if (problem.nodes() <= always_nested)
         return std::numeric_limits<double>::infinity();
     const double steps = static_cast<double>(problem.steps());
-    return patience * iterative_cost(problem, steps) / per_elimination;
+    return patience * turned(problem) * active_set_cost(static_cast<double>(problem.nodes()), steps) /
+           per_elimination;
 }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
     PlainStream reason;
+    if (options.solver != Solver::automatic)
+        return {options.solver, "requested"};
     if (std::isfinite(problem.cap))
         return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
-    if (!problem.is_nested())
+    if (!contact_sets_nest(problem, problem.shape))
         return {problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls,
                 "under these layers contact sets need not be nested"};
     if (problem.nodes() <= always_nested || problem.steps() == 0 ||
@@ -103,8 +102,8 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     }
     const double n = static_cast<double>(problem.nodes()), steps = static_cast<double>(problem.steps());
     const double m = std::ceil(expected_contact(problem, options) * n);
-    const double nested = nested_cost(n, m, steps), active_set = iterative_cost(problem, steps);
-    // Half as much again, as the estimate comes from a coarse grid.
+    const double nested = nested_cost(n, m, steps), active_set = turned(problem) * active_set_cost(n, steps);
+    // Half as much again, because the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
     reason.precision(2);
     reason << "about " << m << " of " << problem.nodes() << " nodes in contact: a factor of " << memory / 1e9

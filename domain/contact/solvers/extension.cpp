@@ -7,8 +7,9 @@ namespace rough {
 
 namespace {
 
-/// The least sum of four squares' fullness that fills the next: a field of 1 on a spot falls off outside
-/// like its potential, which a spot's size measures (2), and at once where its area does (4).
+/// The sum of four squares' weights that fills the next wider square. A field of 1 on a spot falls off
+/// outside like its potential. The spot's size measures the potential (2), its area would give a steeper fall
+/// (4).
 const float filling = std::exp2(1.4F);
 /// A full square's weight.
 constexpr float firmness = 0.7F;
@@ -23,10 +24,11 @@ void each_child(Extent shape, Visit visit) {
                   static_cast<std::size_t>(j / 2 * above + i / 2));
 }
 
-/// The other coarse row beside row j of the fine grid, of `rows` that go round.
+/// The second nearest coarse row of row j of the fine grid. `rows` is the number of coarse rows, which are
+/// periodic.
 Index beside(Index j, Index rows) { return (j / 2 + (j % 2 ? 1 : rows - 1)) % rows; }
 
-constexpr float nearer = 0.75F, farther = 0.25F; // of two squares, by their distance
+constexpr float nearer = 0.75F, farther = 0.25F; // weights of the nearer and the farther of two squares
 
 } // namespace
 
@@ -94,7 +96,7 @@ void Extension::coarsen(float* from, Extent shape, const float* weight, Level& i
     const Index columns = into.shape.columns;
     std::fill(into.value.begin(), into.value.end(), 0.0F);
     float *line = line_.data(), *row = row_.data() + 1;
-    row[2 * columns - 1] = 0; // where the fine row has an odd length
+    row[2 * columns - 1] = 0; // if the fine row has an odd length
     for (Index j = 0; j < shape.rows; ++j) {
         float* at = from + j * shape.columns;
         if (!weight)

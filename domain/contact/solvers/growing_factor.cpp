@@ -1,7 +1,5 @@
 #include "domain/contact/solvers/growing_factor.hpp"
 
-#include "domain/numerics/vector_loops.hpp"
-
 #include <algorithm>
 
 namespace rough {
@@ -9,9 +7,13 @@ namespace rough {
 namespace {
 
 constexpr Index width = panel_width;
-/// Over the diagonal of H. Pivots of a contact set are some hundredths of it; only all nodes of a periodic
-/// profile together, a singular matrix, leave nothing but rounding.
-constexpr double least_pivot = 1e-10;
+/// Smallest accepted pivot over the diagonal of H. Pivots of a contact set are some hundredths of it. Only
+/// those of all nodes of a periodic profile, whose matrix is singular, are of the size of rounding.
+constexpr double min_pivot = 1e-10;
+
+Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
+    return {values.data(), static_cast<Index>(values.size())};
+}
 
 } // namespace
 
@@ -34,7 +36,7 @@ Index GrowingFactor::append(const std::vector<int>& nodes) {
     return size() - before;
 }
 
-/// What goes with the nodes follows them.
+/// Fits the arrays that belong to the nodes to their number.
 void GrowingFactor::resize() {
     const std::size_t known = std::min(places_.size(), nodes_.size());
     places_.resize(nodes_.size());
@@ -92,22 +94,24 @@ void GrowingFactor::remove(const std::vector<Index>& positions) {
 void GrowingFactor::move_row_heads(Index panel, const std::vector<Index>& sources, Index columns) {
     const Index first = panel * width - columns;
     const Index filled = std::min(width, static_cast<Index>(sources.size()) - first);
-    const double* from[width] = {};
-    for (Index r = 0; r < filled; ++r) {
-        const Index source = sources[static_cast<std::size_t>(first + r)];
-        from[r] = panels_[static_cast<std::size_t>(source / width)].data() + source % width;
+    double* target = rows_[static_cast<std::size_t>(panel)];
+    for (Index r = 0; r < width; ++r) {
+        const Index source = r < filled ? sources[static_cast<std::size_t>(first + r)] : 0;
+        const double* from = rows_[static_cast<std::size_t>(source / width)] + source % width;
+        for (Index j = 0; j < columns; ++j)
+            target[width * j + r] = r < filled ? from[width * j] : 0;
     }
-    double* target = panels_[static_cast<std::size_t>(panel)].data();
-    vector_loops().move_rows(from, filled, columns, target);
 }
 
 /// H's entries of a panel's rows from `first_column` on, and rows of the identity past the end.
 void GrowingFactor::fill_influence(Index panel, Index first_column) {
-    double* rows = panels_[static_cast<std::size_t>(panel)].data();
+    double* rows = rows_[static_cast<std::size_t>(panel)];
     const Index first = panel * width, filled = std::min(width, size() - first), columns = first + width;
-    if (const Index last = std::min(columns, size()); last > first_column)
-        vector_loops().fill(influence_.centre(), places_.data() + first, filled,
-                            places_.data() + first_column, last - first_column, rows + width * first_column);
+    for (Index j = first_column; j < std::min(columns, size()); ++j) {
+        const double* h = influence_.centre() + places_[static_cast<std::size_t>(j)];
+        for (Index r = 0; r < width; ++r)
+            rows[width * j + r] = r < filled ? h[-places_[static_cast<std::size_t>(first + r)]] : 0;
+    }
     for (Index j = size(); j < columns; ++j)
         for (Index r = 0; r < width; ++r)
             rows[width * j + r] = first + r == j;
@@ -123,38 +127,29 @@ Index GrowingFactor::build_panel(Index panel, Index first_block) {
         one[r] = 1;
         gap[r] = gap_[nodes_[static_cast<std::size_t>(first + r)]];
     }
-    return vector_loops().eliminate({rows_.data(), inverse_diagonal_.data(), one_.data(), gap_image_.data()},
-                                    panel, first_block, one, gap, least_pivot);
+    return vector_loops().eliminate(factor(), panel, first_block, one, gap, min_pivot);
 }
 
-void GrowingFactor::back_substitute(Eigen::VectorXd& x) {
-    vector_loops().back_substitute({rows_.data(), inverse_diagonal_.data(), one_.data(), gap_image_.data()},
-                                   x.size() / width, x.data());
+PanelFactor GrowingFactor::factor() {
+    return {rows_.data(), inverse_diagonal_.data(), one_.data(), gap_image_.data()};
+}
+
+/// Sets x to the first size() entries of L^-T `padded`, which has an entry for each row of whole panels.
+void GrowingFactor::back_substitute(Eigen::VectorXd padded, Eigen::VectorXd& x) {
+    vector_loops().back_substitute(factor(), padded.size() / width, padded.data());
+    x = padded.head(size());
 }
 
 void GrowingFactor::pressures(double approach, Eigen::VectorXd& p) {
-    const auto padded = static_cast<Index>(one_.size());
-    padded_ = approach * Eigen::Map<const Eigen::VectorXd>(one_.data(), padded) -
-              Eigen::Map<const Eigen::VectorXd>(gap_image_.data(), padded);
-    back_substitute(padded_);
-    p = padded_.head(size());
+    back_substitute(approach * vector(one_) - vector(gap_image_), p);
 }
 
-void GrowingFactor::tangent(Eigen::VectorXd& w) {
-    padded_ = Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size()));
-    back_substitute(padded_);
-    w = padded_.head(size());
-}
+void GrowingFactor::tangent(Eigen::VectorXd& w) { back_substitute(vector(one_), w); }
 
 double GrowingFactor::approach_at(double load) const {
-    const auto padded = static_cast<Index>(one_.size());
-    const double moment = Eigen::Map<const Eigen::VectorXd>(one_.data(), padded)
-                              .dot(Eigen::Map<const Eigen::VectorXd>(gap_image_.data(), padded));
-    return (load + moment) / stiffness();
+    return (load + vector(one_).dot(vector(gap_image_))) / stiffness();
 }
 
-double GrowingFactor::stiffness() const {
-    return Eigen::Map<const Eigen::VectorXd>(one_.data(), static_cast<Index>(one_.size())).squaredNorm();
-}
+double GrowingFactor::stiffness() const { return vector(one_).squaredNorm(); }
 
 } // namespace rough

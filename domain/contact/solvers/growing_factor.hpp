@@ -6,10 +6,9 @@
 
 namespace rough {
 
-/// Cholesky factor L of H_AA on a contact set A that is appended to and cut at its tail, never rebuilt, with
-/// z = L^-1 1 and v = L^-1 g0_A beside it: H_AA p = Delta - g0_A has p = L^-T (Delta z - v), and sum H_AA^-1
-/// 1 = z.z. L is kept as panels of eight rows, columns first, so that a panel's eight rows are eliminated
-/// together.
+/// Cholesky factor L of H_AA on a contact set A that is appended to and cut at its tail, never rebuilt. With
+/// it come z = L^-1 1 and v = L^-1 g0_A: H_AA p = Delta - g0_A has p = L^-T (Delta z - v), and sum H_AA^-1 1
+/// = z.z. L is stored as panels of eight rows, columns first, so that eight rows are eliminated together.
 class GrowingFactor {
   public:
     /// An empty contact set. `gap` is g0 at every node (N entries, in a ContactProblem's units); both must
@@ -34,7 +33,7 @@ class GrowingFactor {
     void tangent(Eigen::VectorXd& w);
     /// sum of w
     double stiffness() const;
-    /// bytes of a factor of so many rows
+    /// Bytes of a factor with `size` rows.
     static double bytes(Index size) {
         return 4.0 * static_cast<double>(size + 8) * static_cast<double>(size + 8);
     }
@@ -45,15 +44,15 @@ class GrowingFactor {
     void move_row_heads(Index panel, const std::vector<Index>& sources, Index columns);
     Index build_panel(Index panel, Index first_block);
     void fill_influence(Index panel, Index first_column);
-    void back_substitute(Eigen::VectorXd& x);
+    void back_substitute(Eigen::VectorXd padded, Eigen::VectorXd& x);
+    PanelFactor factor();
 
     const Influence& influence_;
     const Eigen::VectorXd& gap_;
     std::vector<int> nodes_, places_;
     std::vector<AlignedBuffer<double>> panels_;              ///< panel b: 8 (b + 1) columns of 8 rows
-    std::vector<double*> rows_;                              ///< of each panel
+    std::vector<double*> rows_;                              ///< data of each panel
     std::vector<double> inverse_diagonal_, one_, gap_image_; ///< 1/L_ii, z, v, padded to whole panels
-    Eigen::VectorXd padded_;                                 ///< for substitution
 };
 
 } // namespace rough

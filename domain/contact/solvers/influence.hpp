@@ -1,21 +1,23 @@
 #pragma once
 
 #include "domain/numerics/aligned.hpp"
+#include "domain/numerics/vector_loops.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rough {
 
-/// H's entries by the offset of two nodes, as loops along x read them: a node stands at a place, and two
-/// nodes' entry at the difference of their places from the centre. A line's places are its nodes; an area's
-/// rows lie so far apart that no offset along x reaches the next row.
+/// H's entries by the offset of two nodes, laid out for loops along x. A node stands at a place, and the
+/// entry of two nodes stands at the difference of their places from the centre. The places of a line are its
+/// nodes. Rows of an area lie so far apart that no offset along x reaches the next row.
 class Influence {
   public:
-    /// From the first column of N entries; a line, if no shape is given.
-    explicit Influence(const Eigen::VectorXd& first_column, Extent shape = {})
-        : shape_(shape == Extent{} ? Extent{first_column.size()} : shape),
-          padded_((shape_.columns + block - 1) / block * block), stride_(shape_.columns - 1 + padded_),
-          table_((2 * shape_.rows - 1) * stride_) {
+    /// From the first column of N entries.
+    Influence(const Eigen::VectorXd& first_column, Extent shape)
+        : shape_(shape), padded_((shape_.columns + block - 1) / block * block),
+          stride_(shape_.columns - 1 + padded_), table_((2 * shape_.rows - 1) * stride_) {
         std::fill_n(table_.data(), (2 * shape_.rows - 1) * stride_, 0.0);
         double* middle = table_.data() + (shape_.rows - 1) * stride_ + shape_.columns - 1;
         for (Index j = 0; j < shape_.rows; ++j)
@@ -25,14 +27,14 @@ class Influence {
         centre_ = middle;
     }
 
-    static constexpr Index block = 64; ///< of which loops over a row take whole ones
+    static constexpr Index block = 64; ///< loops over a row take whole blocks of this many numbers
 
     Extent shape() const { return shape_; }          ///< N_x, N_y
     Index padded_columns() const { return padded_; } ///< N_x in whole blocks: so far a row may be read
     Index stride() const { return stride_; }         ///< places from one row to the next
-    /// The entry of no offset.
+    /// The entry of the offset 0.
     const double* centre() const { return centre_; }
-    /// Where a node stands.
+    /// The place of a node.
     int place(int node) const {
         const int columns = static_cast<int>(shape_.columns);
         return shape_.rows == 1 ? node : node + node / columns * (static_cast<int>(stride_) - columns);
@@ -50,16 +52,32 @@ class Influence {
 class DirectOperator {
   public:
     /// `influence` must outlive it.
-    explicit DirectOperator(const Influence& influence);
+    explicit DirectOperator(const Influence& influence)
+        : influence_(influence), displacement_(influence.shape().nodes() + influence.padded_columns()) {}
 
     /// Pressures on these nodes, in this order; u at every node (N entries), valid until the next call.
-    const double* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure);
-    /// Whether so many loaded nodes cost less than a Fourier operator's two transforms; a fixed rule.
-    bool pays(std::size_t loaded) const { return static_cast<Index>(loaded) <= most_loaded_; }
+    const double* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure) {
+        places_.clear();
+        for (const int node : nodes)
+            places_.push_back(influence_.place(node));
+        const Index columns = influence_.shape().columns;
+        for (Index j = 0; j < influence_.shape().rows; ++j) // each row's end is the next one's to write
+            vector_loops().toeplitz(influence_.centre() + j * influence_.stride(),
+                                    influence_.padded_columns(), places_.data(), pressure.data(),
+                                    static_cast<Index>(nodes.size()), displacement_.data() + j * columns);
+        return displacement_.data();
+    }
+
+    /// Whether direct sums over `loaded` nodes cost less than a Fourier operator's two transforms of M = 2 N
+    /// numbers, by a fixed rule: one of the M log2 M operations of the transforms costs as much as four
+    /// multiplications.
+    bool pays(std::size_t loaded) const {
+        return static_cast<double>(loaded) <=
+               4 * 2 * std::log2(2 * static_cast<double>(influence_.shape().nodes()));
+    }
 
   private:
     const Influence& influence_;
-    Index most_loaded_;
     AlignedBuffer<double> displacement_; ///< and room for a row in whole blocks
     std::vector<int> places_;
 };

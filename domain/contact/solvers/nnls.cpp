@@ -34,10 +34,10 @@ class LawsonHanson {
             ++iterations_;
             reach_solution(approach);
         }
-        StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual(approach)};
-        const double tolerance = direct_tolerance(problem_, approach, pressure_, step.stiffness);
-        if (!(step.residual <= tolerance))
-            fail("NNLS", problem_, approach, step.residual, tolerance);
+        const double* u = fourier_.apply(factor_.nodes(), pressure_);
+        const double residual = certify(problem_, approach, factor_.nodes(), pressure_, u).residual();
+        StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual, 0, approach};
+        expect_residual("NNLS", problem_, step, direct_tolerance(problem_, step));
         if (options_.states)
             factor_.tangent(step.tangent);
         return step;
@@ -46,8 +46,8 @@ class LawsonHanson {
     long iterations() const { return iterations_; }
 
   private:
-    /// Walks from the feasible pressures to those of the passive set, dropping the nodes that reach zero on
-    /// the way.
+    /// Moves from the feasible pressures towards those of the passive set, and drops the nodes that reach
+    /// zero before.
     void reach_solution(double approach) {
         VectorXd goal;
         while (factor_.size() > 0) {
@@ -77,27 +77,19 @@ class LawsonHanson {
         }
     }
 
-    /// The node where the gap is violated most, or -1.
+    /// The node that violates the gap most, or -1.
     Index most_violated(double approach) {
         const double* u = direct_.apply(factor_.nodes(), pressure_);
         Index worst = -1;
-        double most = rounding * approach;
+        double deepest = rounding * approach;
         for (Index i = 0; i < problem_.nodes(); ++i) {
             const double depth = approach - problem_.gap[i] - u[i];
-            if (depth > most && !passive_[static_cast<std::size_t>(i)]) {
-                most = depth;
+            if (depth > deepest && !passive_[static_cast<std::size_t>(i)]) {
+                deepest = depth;
                 worst = i;
             }
         }
         return worst;
-    }
-
-    double residual(double approach) {
-        double* p = fourier_.input();
-        std::fill_n(p, problem_.nodes(), 0.0);
-        for (Index k = 0; k < factor_.size(); ++k)
-            p[factor_.nodes()[static_cast<std::size_t>(k)]] = pressure_[k];
-        return certify(problem_, approach, factor_.nodes(), pressure_, fourier_.apply()).residual();
     }
 
     const ContactProblem& problem_;
@@ -106,7 +98,7 @@ class LawsonHanson {
     std::vector<char> passive_;
     Influence influence_;
     DirectOperator direct_;
-    GrowingFactor factor_; ///< of the passive set
+    GrowingFactor factor_; ///< its nodes are the passive set
     VectorXd pressure_;    ///< on the passive set
     long iterations_ = 0;
 };

@@ -11,69 +11,56 @@ namespace {
 
 using Eigen::ArrayXd;
 
-constexpr long most_iterations = 5000;
-/// The residual under which rounding makes further iterations pointless.
+constexpr long max_iterations = 5000;
+/// The residual below which rounding makes further iterations pointless.
 constexpr double finest = 1e-12;
 
 class PolonskyKeer {
   public:
     PolonskyKeer(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem), check_(split_operator(problem)),
+        : problem_(problem), options_(options), solver_(problem), check_(problem.column, problem.shape),
           set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()),
           tangent_(problem.nodes()) {}
 
     /// One step to an approach, or to a load if one is given.
     StepSolution press(double approach, std::optional<double> load = {}) {
-        if (load)
-            start_at_load(*load);
-        else if (load_.pressure.maxCoeff() == 0)
-            start_at_approach(approach);
+        if (load) {
+            const double sum = load_.pressure.sum();
+            if (sum > 0)
+                load_.pressure *= *load / sum;
+            else
+                load_.pressure.setConstant(*load / static_cast<double>(problem_.nodes()));
+        } else if (load_.pressure.maxCoeff() == 0) { // the overlap, scaled to the lowest energy
+            load_.pressure = (approach - problem_.gap.array()).max(0);
+            solver_.load(load_);
+            const double work = load_.pressure.dot(load_.displacement);
+            if (work > 0)
+                load_.pressure *= load_.pressure.squaredNorm() / work;
+        }
         for (double tolerance = options_.tolerance;;) {
             iterate(approach, load, tolerance);
-            for (Index i = 0; i < problem_.nodes(); ++i)
-                load_.pressure[i] > 0 ? set_.insert(i) : set_.erase(i);
-            set_.collect();
+            set_.assign([&](Index i) { return load_.pressure[i] > 0; });
             solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
-            const double error = load_error(problem_, approach, set_, load_, tangent_);
+            const double error =
+                std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
             if (error <= options_.tolerance || tolerance <= finest)
                 break;
             tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
         }
         StepSolution step = step_solution(set_, load_, tangent_, options_.states);
         step.approach = approach;
-        const Eigen::VectorXd displacement = check_.apply(load_.pressure);
-        step.residual =
-            certify(problem_, approach, step.nodes, step.pressure, displacement.data()).residual();
-        if (!(step.residual <= 2 * options_.tolerance))
-            fail("Polonsky-Keer", problem_, approach, step.residual, options_.tolerance);
+        certify_step("Polonsky-Keer", problem_, step, check_, load_.pressure, 2 * options_.tolerance);
         return step;
     }
 
     long iterations() const { return iterations_; }
 
   private:
-    void start_at_load(double load) {
-        const double sum = load_.pressure.sum();
-        if (sum > 0)
-            load_.pressure *= load / sum;
-        else
-            load_.pressure.setConstant(load / static_cast<double>(problem_.nodes()));
-    }
-
-    /// The overlap, scaled to do the least work.
-    void start_at_approach(double approach) {
-        load_.pressure = (approach - problem_.gap.array()).max(0);
-        solver_.load(load_);
-        const double work = load_.pressure.dot(load_.displacement);
-        if (work > 0)
-            load_.pressure *= load_.pressure.squaredNorm() / work;
-    }
-
     void iterate(double& approach, std::optional<double> load, double target) {
         direction_.pressure.setZero();
         double previous = 1, residual = 1;
         bool conjugate = false;
-        for (long iteration = 0; iteration < most_iterations; ++iteration) {
+        for (long iteration = 0; iteration < max_iterations; ++iteration) {
             if (iteration % 16 == 0)
                 check_stop(options_);
             auto& p = load_.pressure;

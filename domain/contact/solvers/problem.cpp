@@ -1,8 +1,6 @@
 #include "domain/contact/solvers/problem.hpp"
 
-#include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/plain_stream.hpp"
 
 #include <cmath>
 #include <limits>
@@ -14,43 +12,41 @@ namespace {
 void check_profile(const Profile& profile) {
     if (profile.is_2d()) {
         if (!std::isfinite(profile.row_spacing))
-            refuse("row spacing ", profile.row_spacing,
-                   " mm was given, a positive finite length is expected");
+            refuse("row spacing: ", profile.row_spacing, " mm is not a positive finite length");
         if (profile.rows < 1 || profile.nodes() % profile.rows != 0 || profile.shape().columns < 2)
-            refuse("a map of ", profile.nodes(), " heights in ", profile.rows,
-                   " rows was given, rows of equal lengths of at least 2 are expected");
+            refuse("map: ", profile.nodes(), " heights do not make ", profile.rows,
+                   " rows of equal length; give rows of at least 2 heights");
     }
     if (profile.nodes() < 2)
-        refuse("a profile of ", profile.nodes(), " node(s) was given, at least 2 are expected");
+        refuse("profile: ", profile.nodes(), " node(s); give at least 2");
     if (!(profile.spacing > 0) || !std::isfinite(profile.spacing))
-        refuse("node spacing ", profile.spacing, " mm was given, a positive finite length is expected");
+        refuse("node spacing: ", profile.spacing, " mm is not a positive finite length");
     for (Index i = 0; i < profile.nodes(); ++i)
         if (!std::isfinite(profile.heights[i]))
-            refuse("height ", profile.heights[i], " mm at node ", i, ", a finite height is expected");
+            refuse("node ", i, ": ", profile.heights[i], " mm is not a finite height");
     if (!std::isfinite(profile.heights.maxCoeff() - profile.heights.minCoeff()))
-        refuse("heights from ", profile.heights.minCoeff(), " to ", profile.heights.maxCoeff(),
-               " mm, a range that fits double precision is expected");
+        refuse("heights: ", profile.heights.minCoeff(), " to ", profile.heights.maxCoeff(),
+               " mm is a range beyond double precision");
 }
 
 void check_displacements(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
     double previous = 0;
     for (const double displacement : displacements) {
         if (!std::isfinite(displacement) || displacement < previous)
-            refuse("displacement ", displacement, " mm was given after ", previous,
-                   " mm, increasing finite values are expected");
+            refuse("displacement: ", displacement, " mm after ", previous,
+                   " mm is not a larger finite value; sort the displacements");
         previous = displacement;
     }
     if (!body.relative_to_mean())
         return;
     const double full = largest_displacement(profile, body);
     if (profile.heights.maxCoeff() == profile.heights.minCoeff())
-        refuse("a flat profile was given, one with height differences is expected: on a periodic half-plane "
-               "a flat "
-               "one bears any load at no approach");
+        refuse("profile: all heights are equal, and a flat profile carries any load at no approach on a "
+               "periodic half-plane; give one with height differences");
     const double rounding = 1e-14 * profile.heights.cwiseAbs().maxCoeff();
     if (previous > full * (1 + 1e-12) + rounding)
-        refuse("displacement ", previous, " mm was given, at most that of full contact, ", full,
-               " mm, is expected: beyond it the periodic half-plane has no solution");
+        refuse("displacement: ", previous, " mm is above that of full contact, ", full,
+               " mm, beyond which the periodic half-plane has no solution");
 }
 
 } // namespace
@@ -66,7 +62,8 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
                             const std::vector<double>& displacements) {
     check_profile(profile);
     if (profile.is_2d() && given.kernel == Kernel::strip)
-        refuse_value("kernel", "strip", " given with a map, expected free or periodic: a strip is one row");
+        refuse_value("kernel", "strip",
+                     " cannot press a map, because it is one row; choose free or periodic");
     const double length = profile_length(profile, given.kernel);
     Body body = completed(given, length);
     if (profile.is_2d())
@@ -75,13 +72,9 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     check_displacements(profile, body, displacements);
     const double unit = displacements.empty() || displacements.back() == 0 ? 1 : displacements.back();
     ContactProblem problem;
-    problem.kernel = body.kernel;
-    problem.datum = body.datum / profile.spacing;
-    problem.strip_width = body.strip_width / profile.spacing;
-    problem.layering = in_units(body.layering, profile.spacing, body.effective_modulus);
+    static_cast<UnitBody&>(problem) = in_units(body, profile.spacing, profile.row_spacing);
     problem.shape = profile.shape();
-    problem.row_spacing = profile.row_spacing / profile.spacing;
-    problem.column = influence_on(problem, problem.shape);
+    problem.column = influence_column(problem, problem.shape);
     problem.gap = (profile.heights.maxCoeff() - profile.heights.array()) / unit;
     for (const double displacement : displacements)
         problem.approach.push_back(displacement / unit);
@@ -107,37 +100,26 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body,
     return problem;
 }
 
-Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape) {
-    return problem.is_2d()
-               ? area_influence_column(problem.kernel, shape, problem.row_spacing, problem.layering)
-               : influence_column(problem.kernel, shape.nodes(), problem.datum, problem.strip_width,
-                                  problem.layering);
-}
-
-Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape) {
-    return problem.is_2d() ? area_spectrum(shape, problem.row_spacing, problem.layering)
-                           : periodic_spectrum(shape.nodes(), problem.layering);
-}
-
-template <typename Operator>
-static Operator operator_of(const ContactProblem& problem) {
-    const Extent shape = problem.shape;
-    if (problem.kernel == Kernel::periodic && is_good_fourier_length(shape.columns) &&
-        is_good_fourier_length(shape.rows))
-        return Operator::circulant(shape, spectrum_on(problem, shape));
-    return Operator::toeplitz(problem.column, shape);
-}
-
-SplitOperator split_operator(const ContactProblem& problem) {
-    return SplitOperator(problem.column, problem.shape);
-}
-
-FourierOperator fourier_operator(const ContactProblem& problem) {
-    return operator_of<FourierOperator>(problem);
-}
-
-SingleFourierOperator single_fourier_operator(const ContactProblem& problem) {
-    return operator_of<SingleFourierOperator>(problem);
+ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node) {
+    ContactProblem coarse = problem;
+    const Extent fine = problem.shape;
+    const Index first_x = node % fine.columns % stride,
+                first_y = node / fine.columns % (fine.rows == 1 ? 1 : stride);
+    coarse.shape = {(fine.columns - 1 - first_x) / stride + 1, (fine.rows - 1 - first_y) / stride + 1};
+    const double ratio = static_cast<double>(stride);
+    const Eigen::Map<const Eigen::MatrixXd> gap(problem.gap.data(), fine.columns, fine.rows);
+    coarse.gap = gap(Eigen::seqN(first_x, coarse.shape.columns, stride),
+                     Eigen::seqN(first_y, coarse.shape.rows, stride))
+                     .reshaped();
+    coarse.datum = problem.datum / ratio;
+    coarse.strip_width = problem.strip_width / ratio;
+    coarse.layering = in_units(problem.layering, ratio, 1);
+    coarse.column = influence_column(coarse, coarse.shape);
+    coarse.pressure_unit = problem.pressure_unit / ratio;
+    coarse.elements = problem.elements / (problem.is_2d() ? ratio * ratio : ratio);
+    for (double& load : coarse.load) // equal mean pressures, in the coarse grid's units
+        load *= ratio * coarse.elements / problem.elements;
+    return coarse;
 }
 
 LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found) {
@@ -147,10 +129,9 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
     step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
     step.kkt_residual = found.residual;
     if (!std::isfinite(step.pressure) || !std::isfinite(step.tangent_stiffness))
-        refuse(
-            "mean pressure ", step.pressure, " MPa and stiffness ", step.tangent_stiffness,
-            " MPa/mm at a displacement of ", displacement,
-            " mm, a modulus, heights and a node spacing whose response fits double precision are expected");
+        refuse("displacement ", displacement, " mm: mean pressure ", step.pressure, " MPa or stiffness ",
+               step.tangent_stiffness,
+               " MPa/mm is beyond double precision; change the modulus, heights or node spacing");
     step.contact_nodes = static_cast<Index>(found.nodes.size());
     step.held_nodes = found.held;
     step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
@@ -164,16 +145,15 @@ void check_stop(const ContactOptions& options) {
 
 void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
           double tolerance) {
-    PlainStream line;
-    line << solver << " did not settle at an approach of " << approach * problem.displacement_unit
-         << " mm: residual " << residual << " where " << tolerance << " is expected";
-    throw NotConverged(line.str());
+    throw NotConverged(line_of(solver, " did not settle at an approach of ",
+                               approach * problem.displacement_unit, " mm: residual ", residual,
+                               " is above the tolerance ", tolerance));
 }
 
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {
-    Eigen::ArrayXd stiffness = 1 / spectrum_on(problem, problem.shape).array();
+    Eigen::VectorXd stiffness = periodic_spectrum(problem, problem.shape).cwiseInverse();
     stiffness[0] = 0;
-    FourierOperator inverse = FourierOperator::circulant(problem.shape, stiffness.matrix());
+    FourierOperator inverse = FourierOperator::circulant(problem.shape, stiffness);
     Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
     return Eigen::VectorXd::Map(inverse.apply(), problem.nodes());
 }

@@ -8,24 +8,19 @@
 
 namespace rough {
 
-/// A contact problem without units, as every solver takes it: heights in units of the largest displacement,
-/// lengths along the surface in units of delta (of an area delta_x), pressures in units of E* times the
-/// largest displacement over delta.
-struct ContactProblem {
-    Kernel kernel;                ///< which body H stands for
-    Extent shape;                 ///< nodes along x and y; only operators and neighbours care
-    double row_spacing;           ///< delta_y of an area, in units of delta_x; 0: a line
-    double datum;                 ///< d (free), in units of delta
-    double strip_width;           ///< W (strip), in units of delta
-    Layering layering;            ///< of a periodic body, in units of delta and E*
+/// A contact problem without units, as every solver takes it. Heights are in units of the largest
+/// displacement, lengths along the surface in units of delta (for an area delta_x). Pressures are in units of
+/// E* times the largest displacement over delta.
+struct ContactProblem : UnitBody {
+    Extent shape;                 ///< nodes along x and y; only operators and neighbours depend on it
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
     std::vector<double> load; ///< in their place under load control: sums of the nodes' pressures, increasing
-    double cap;               ///< p_H, infinite where nothing yields
+    double cap;               ///< p_H, infinite without a hardness
 
     double displacement_unit; ///< mm
-    double pressure_unit;     ///< MPa, of a node's pressure
+    double pressure_unit;     ///< MPa per unit of a node's pressure
     double elements;          ///< L/delta, on a map N: P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
 
@@ -35,61 +30,60 @@ struct ContactProblem {
     Index nodes() const { return gap.size(); } ///< N
     /// Load steps to solve.
     std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
-    bool is_2d() const { return row_spacing > 0; } ///< two dimensions
-    /// Whether contact sets only grow under load.
-    bool is_nested() const { return contact_sets_nest(shape, row_spacing, layering); }
     /// Whether H of all nodes together is singular: displacements are relative to the mean plane.
     bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
     /// Only overlapping nodes can touch (strip, and free with d >= L).
     bool touches_only_overlapping;
 };
 
-/// Checks everything a contact problem can be refused for. Throws InputError.
+/// Throws InputError for anything that a contact problem can be refused for.
 ContactProblem make_problem(const Profile& profile, const Body& body,
                             const std::vector<double>& displacements);
-/// The same under load control, to mean pressures in MPa; heights are in units of their range.
+/// A problem under load control, to mean pressures in MPa; heights are in units of their range.
 ContactProblem make_problem_at(const Profile& profile, const Body& body,
                                const std::vector<double>& pressures);
 
 /// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
-/// hardness, or infinity.
+/// hardness, otherwise infinity.
 double largest_displacement(const Profile& profile, const Body& body);
 
-/// H's first column on a grid of another shape, for the problem's body and spacing.
-Eigen::VectorXd influence_on(const ContactProblem& problem, Extent shape);
-/// The periodic body's eigenvalues on a grid of another shape.
-Eigen::VectorXd spectrum_on(const ContactProblem& problem, Extent shape);
+/// The problem on every `stride`-th node, along x and y, with `node` among them.
+ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node = 0);
+
 /// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem);
 
-/// H applied by FFT.
-FourierOperator fourier_operator(const ContactProblem& problem);
-/// The same in single precision.
-SingleFourierOperator single_fourier_operator(const ContactProblem& problem);
-/// H applied by another splitting into transforms, for certificates.
-SplitOperator split_operator(const ContactProblem& problem);
+/// H applied by FFT, in double or single precision.
+template <typename Real = double>
+BasicFourierOperator<Real> fourier_operator(const ContactProblem& problem) {
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.shape.columns) &&
+        is_good_fourier_length(problem.shape.rows))
+        return BasicFourierOperator<Real>::circulant(problem.shape,
+                                                     periodic_spectrum(problem, problem.shape));
+    return BasicFourierOperator<Real>::toeplitz(problem.column, problem.shape);
+}
 
 /// One step's solution in the problem's units.
 struct StepSolution {
     std::vector<int> nodes;   ///< contact set
     Eigen::VectorXd pressure; ///< on the contact set
     double stiffness = 0;     ///< sum of H_AA^-1 1
-    Eigen::VectorXd tangent;  ///< H_AA^-1 1, where asked for
+    Eigen::VectorXd tangent;  ///< H_AA^-1 1, if options.states
     double residual = 0;      ///< certificate
     Index held = 0;           ///< nodes at the cap
     double approach = 0;      ///< the one found under load control
 };
 
-/// The same in MPa and mm; `displacement` is its own, mm.
+/// A step in MPa and mm, at this displacement (mm).
 LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found);
 
-/// What a solver returns.
+/// The result of a solver.
 struct Solution {
-    std::vector<StepSolution> steps; ///< one an approach
-    long iterations = 0;             ///< the solver's own unit, over all steps
+    std::vector<StepSolution> steps; ///< one per approach or load
+    long iterations = 0;             ///< in the solver's unit, over all steps
 };
 
-/// Throws NotConverged where the options' `stop` says so.
+/// Throws NotConverged if the options' `stop` returns true.
 void check_stop(const ContactOptions& options);
 /// Throws NotConverged in the words every solver uses.
 [[noreturn]] void fail(const char* solver, const ContactProblem& problem, double approach, double residual,

@@ -1,6 +1,5 @@
 #include "domain/contact/solvers/set_solver.hpp"
 
-#include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/extension.hpp"
 
 #include <Eigen/Cholesky>
@@ -14,18 +13,18 @@ namespace rough {
 
 namespace {
 
-/// Error of a product in single precision over its largest entry, at most: twice the largest seen, on 512 to
+/// Largest error of a product in single precision over its largest entry: twice the largest seen, on 512 to
 /// 262,144 nodes.
 constexpr double single_rounding = 5e-6;
-/// The residual's fall after which it is taken afresh: products in single precision have blurred it by a
-/// hundredth then.
+/// The fall of the residual after which it is recomputed, because products in single precision then err by a
+/// hundredth of it.
 constexpr double single_depth = 1e-4;
 /// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
 constexpr double single_stiffness = 3e-7;
-/// Of the tangent, far beyond what it ever took.
-constexpr long most_iterations = 5000;
+/// Maximum number of iterations for the tangent, far above the number ever needed.
+constexpr long max_iterations = 5000;
 
-constexpr Index most_columns = 64; ///< of a deflation
+constexpr Index max_columns = 64; ///< largest number of columns of a deflation
 
 /// Half-open ranges of positions in `nodes` whose nodes are neighbours.
 std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
@@ -42,7 +41,7 @@ std::vector<std::pair<Index, Index>> runs_of(const std::vector<int>& nodes) {
     return runs;
 }
 
-/// Of the first column h_0 .. h_(N-1) the sums of h_|k| from k = -(N-1) up to x, at N + x for x = -N .. N-1.
+/// Sums of h_|k| from k = -(N-1) up to x, at N + x for x = -N .. N-1, of the first column h_0 .. h_(N-1).
 Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
     const Index n = column.size();
     Eigen::VectorXd sums(2 * n);
@@ -52,112 +51,99 @@ Eigen::VectorXd cumulative(const Eigen::VectorXd& column) {
     return sums;
 }
 
-/// What a circulant preconditioner cannot see: the mean pressure of each run of neighbouring contact nodes,
-/// through which distant runs feel each other. Deflated conjugate gradients (Saad, Yeung, Erhel & Guyomarc'h
-/// 2000) keep their residual free of it, which halves the iterations. W's columns are indicators of runs, so
-/// HW needs only sums of H's first column. Short of 64 columns each run has its own; otherwise neighbouring
-/// runs share one.
+/// Deflates the mean pressure of each run of neighbouring contact nodes, through which distant runs influence
+/// each other and which a circulant preconditioner cannot see. Deflated conjugate gradients (Saad, Yeung,
+/// Erhel & Guyomarc'h 2000) keep their residual free of it, which halves the iterations. The columns of W are
+/// indicators of runs, so HW needs only sums of H's first column. Each run has a column; above 64 runs,
+/// neighbouring runs share one.
 class Deflation {
   public:
-    /// `nodes` sorted; `sums` from cumulative(), or nothing, which deflates nothing.
-    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums);
+    /// `nodes` sorted; `sums` from cumulative(), or empty for no deflation.
+    Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
+        const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
+        const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
+        const Index columns = std::min(max_columns, many), n = sums.size() / 2;
+        const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
+        image_.resize(count, columns);
+        for (Index run = 0; run < many; ++run) {
+            const auto [begin, end] = runs[static_cast<std::size_t>(run)];
+            const Index target = run * columns / many;
+            if (target == static_cast<Index>(parts_.size())) {
+                parts_.push_back({begin, 0});
+                image_.col(target).setZero();
+            }
+            parts_.back().count = end - parts_.back().begin;
+            // The sum of h_|i - j| over the run's j is that from i - last to i - first.
+            const Index first = node(begin), last = node(end - 1);
+            for (const auto& [from, to] : runs) {
+                const Index length = to - from, i = node(from) + n;
+                image_.col(target).segment(from, length) +=
+                    sums.segment(i - first, length) - sums.segment(i - last - 1, length);
+            }
+        }
+        Eigen::MatrixXd energy(columns, columns);
+        for (Index c = 0; c < columns; ++c) {
+            const Part part = parts_[static_cast<std::size_t>(c)];
+            energy.row(c) = image_.middleRows(part.begin, part.count).colwise().sum();
+        }
+        if (columns > 0)
+            energy_.compute(energy);
+        usable_ = columns > 0 && energy_.info() == Eigen::Success;
+    }
 
-    /// Returns what is to be added to x to make the residual orthogonal to W, and makes it so.
-    Eigen::VectorXd project(Eigen::VectorXd& residual) const;
-    /// Takes from z what would bring W into the search.
-    void purge(Eigen::VectorXd& z) const;
+    /// Returns the change of x that makes the residual orthogonal to W, and applies it to the residual.
+    Eigen::VectorXd project(Eigen::VectorXd& residual) const {
+        Eigen::VectorXd change = Eigen::VectorXd::Zero(residual.size());
+        if (usable_) {
+            Eigen::VectorXd sums(image_.cols()); // W'r
+            for (Index c = 0; c < sums.size(); ++c) {
+                const Part part = parts_[static_cast<std::size_t>(c)];
+                sums[c] = residual.segment(part.begin, part.count).sum();
+            }
+            const Eigen::VectorXd c = energy_.solve(sums);
+            subtract(-c, change);
+            residual.noalias() -= image_ * c;
+        }
+        return change;
+    }
+
+    /// Removes from z the part that would bring W into the search.
+    void purge(Eigen::VectorXd& z) const {
+        if (usable_)
+            subtract(energy_.solve(image_.transpose() * z), z);
+    }
 
   private:
-    Eigen::VectorXd reduced(const Eigen::VectorXd& v) const;           ///< W'v
-    void subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const; ///< v -= W c
+    /// v -= W c
+    void subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const {
+        for (Index k = 0; k < c.size(); ++k) {
+            const Part part = parts_[static_cast<std::size_t>(k)];
+            v.segment(part.begin, part.count).array() -= c[k];
+        }
+    }
 
-    std::vector<Index> begins_; ///< where each column's nodes begin, and the end
-    Eigen::MatrixXd image_;     ///< HW on the contact set
+    struct Part {
+        Index begin, count;
+    };
+    std::vector<Part> parts_; ///< positions of each column's nodes
+    Eigen::MatrixXd image_;   ///< HW on the contact set
     Eigen::LLT<Eigen::MatrixXd> energy_;
     bool usable_;
 };
-
-Deflation::Deflation(const std::vector<int>& nodes, const Eigen::VectorXd& sums) {
-    const auto runs = sums.size() > 0 ? runs_of(nodes) : std::vector<std::pair<Index, Index>>();
-    const Index count = static_cast<Index>(nodes.size()), many = static_cast<Index>(runs.size());
-    const Index columns = std::min(most_columns, many), n = sums.size() / 2;
-    const auto node = [&](Index k) { return static_cast<Index>(nodes[static_cast<std::size_t>(k)]); };
-    image_.resize(count, columns);
-    for (Index run = 0; run < many; ++run) {
-        const auto [begin, end] = runs[static_cast<std::size_t>(run)];
-        const Index target = run * columns / many;
-        if (target == static_cast<Index>(begins_.size())) {
-            begins_.push_back(begin);
-            image_.col(target).setZero();
-        }
-        // The sum of h_|i - j| over the run's j is that from i - last to i - first.
-        const Index first = node(begin), last = node(end - 1);
-        for (const auto& [from, to] : runs) {
-            const Index length = to - from, i = node(from) + n;
-            image_.col(target).segment(from, length) +=
-                sums.segment(i - first, length) - sums.segment(i - last - 1, length);
-        }
-    }
-    begins_.push_back(count);
-    Eigen::MatrixXd energy(columns, columns);
-    for (Index c = 0; c < columns; ++c)
-        energy.row(c) =
-            image_
-                .middleRows(begins_[static_cast<std::size_t>(c)],
-                            begins_[static_cast<std::size_t>(c + 1)] - begins_[static_cast<std::size_t>(c)])
-                .colwise()
-                .sum();
-    if (columns > 0)
-        energy_.compute(energy);
-    usable_ = columns > 0 && energy_.info() == Eigen::Success;
-}
-
-Eigen::VectorXd Deflation::reduced(const Eigen::VectorXd& v) const {
-    Eigen::VectorXd sums(image_.cols());
-    for (Index c = 0; c < sums.size(); ++c) {
-        const Index begin = begins_[static_cast<std::size_t>(c)],
-                    end = begins_[static_cast<std::size_t>(c + 1)];
-        sums[c] = v.segment(begin, end - begin).sum();
-    }
-    return sums;
-}
-
-void Deflation::subtract(const Eigen::VectorXd& c, Eigen::VectorXd& v) const {
-    for (Index k = 0; k < c.size(); ++k) {
-        const Index begin = begins_[static_cast<std::size_t>(k)],
-                    end = begins_[static_cast<std::size_t>(k + 1)];
-        v.segment(begin, end - begin).array() -= c[k];
-    }
-}
-
-Eigen::VectorXd Deflation::project(Eigen::VectorXd& residual) const {
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(residual.size());
-    if (usable_) {
-        const Eigen::VectorXd c = energy_.solve(reduced(residual));
-        subtract(-c, change);
-        residual.noalias() -= image_ * c;
-    }
-    return change;
-}
-
-void Deflation::purge(Eigen::VectorXd& z) const {
-    if (usable_)
-        subtract(energy_.solve(image_.transpose() * z), z);
-}
 
 /// Eigenvalues 1/S_k of the inverse of T. Chan's circulant, whose first column is ((M - j) h_j + j
 /// h_(M-j))/M; on an area so along both axes.
 Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
     Eigen::VectorXd eigenvalues;
     if (problem.kernel == Kernel::periodic) {
-        eigenvalues = spectrum_on(problem, shape);
+        eigenvalues = periodic_spectrum(problem, shape);
     } else {
-        const Eigen::VectorXd h = influence_on(problem, shape);
+        const Eigen::VectorXd h = influence_column(problem, shape);
         const FourierPlan plan = fourier_plan(shape);
         const Index half = (shape.columns / 2 + 1) * shape.rows;
         AlignedBuffer<double> real(shape.nodes());
         AlignedBuffer<fftw_complex> transform(half);
-        // Between h and its mirror image; the first entry has none.
+        // Blends h with its mirror image; the first entry has none.
         const auto blended = [](const auto& entry, Index j, Index m) {
             const double share = static_cast<double>(j) / static_cast<double>(m);
             return j == 0 ? entry(0) : (1 - share) * entry(j) + share * entry(m - j);
@@ -174,15 +160,15 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
         for (Index k = 0; k < half; ++k)
             eigenvalues[k] = transform[k][0];
     }
-    // A datum near its limit, or no datum at all, leaves the mean without a stiffness of its own.
+    // A datum near its limit, or none, leaves the mean without a usable stiffness.
     if (eigenvalues.size() > 1)
         eigenvalues[0] = std::max(eigenvalues[0], eigenvalues[1]);
     return eigenvalues.cwiseInverse();
 }
 
-/// A periodic matrix is circulant itself; where that is slow to transform, a longer one serves as well as it
-/// does for the other kernels. A free area's is longer by an eighth, as its opposite edges are not
-/// neighbours.
+/// A periodic matrix is circulant itself. If its length is slow to transform, a longer circulant serves as
+/// well as it does for the other kernels. That of a free area is longer by an eighth, because its opposite
+/// edges are not neighbours.
 Extent circulant_shape(const ContactProblem& problem) {
     const auto [columns, rows] = problem.shape;
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(columns) && is_good_fourier_length(rows))
@@ -195,13 +181,7 @@ Extent circulant_shape(const ContactProblem& problem) {
     return {longer(columns), longer(rows)};
 }
 
-/// The inverse of the circulant, of which a part at the origin is the surface.
-SingleFourierOperator preconditioner(const ContactProblem& problem) {
-    const Extent shape = circulant_shape(problem);
-    return SingleFourierOperator::circulant(shape, inverse_circulant(problem, shape));
-}
-
-/// y += factor x, and the largest |x|. Plain loops: Eigen leaves casts to one number at a time.
+/// Adds factor x to y, and returns the largest |x|. A plain loop, because Eigen casts one number at a time.
 float add(double factor, const float* x, Eigen::VectorXd& y) {
     const Index n = y.size();
     double* into = y.data();
@@ -221,8 +201,10 @@ void ContactSet::collect() {
 
 SetSolver::SetSolver(const ContactProblem& problem)
     : shape_(problem.shape), sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
-      forward_(fourier_operator(problem)), single_(single_fourier_operator(problem)),
-      inverse_(preconditioner(problem)), inverse_shape_(circulant_shape(problem)) {}
+      forward_(fourier_operator(problem)), single_(fourier_operator<float>(problem)),
+      inverse_shape_(circulant_shape(problem)),
+      inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_))) {
+}
 
 void SetSolver::load(Loaded& x) {
     const Index n = x.pressure.size();
@@ -241,11 +223,11 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
             float* input = single_.input();
             for (Index i = 0; i < n; ++i)
                 input[i] = static_cast<float>(change[i] * inverse);
-            const float most = add(scale, single_.apply(), known.displacement);
+            const float largest_entry = add(scale, single_.apply(), known.displacement);
             ++applies_;
-            known.blur += single_rounding * scale * static_cast<double>(most);
+            known.blur += single_rounding * scale * static_cast<double>(largest_entry);
         }
-        if (known.blur <= accuracy) { // false for what is no number
+        if (known.blur <= accuracy) { // false for NaN
             known.pressure = x.pressure;
             x.displacement = known.displacement;
             return;
@@ -258,7 +240,7 @@ void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
 std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const {
     std::vector<int> places = nodes;
     const int columns = static_cast<int>(shape_.columns),
-              longer = static_cast<int>(inverse_shape_.columns) - columns; // by how much its rows are
+              longer = static_cast<int>(inverse_shape_.columns) - columns; // difference of the rows' lengths
     if (longer > 0)
         for (int& place : places)
             place += place / columns * longer;
@@ -283,7 +265,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long most, KnownProduct* known, double* level) {
+                        const Enough& enough, long limit, KnownProduct* known, double* level) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -300,7 +282,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         extension->transpose(full);
         even = Eigen::VectorXf::Map(full, inverse_.nodes())(places).cast<double>();
     }
-    double offset = 0; // taken off r, as any constant may be
+    double offset = 0; // subtracted from r, which any constant may be
     const auto centre = [&] {
         if (!level)
             return;
@@ -319,13 +301,13 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         offset = 0;
         centre();
         const double scale = r.cwiseAbs().maxCoeff();
-        // Written so that a residual that is no number ends it, too.
+        // Written so that a NaN residual ends the loop, too.
         const bool progress = scale < 0.5 * before;
         before = scale;
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
             const double largest = r.cwiseAbs().maxCoeff();
-            // On a few nodes the residual falls at a blow to less than single precision can tell.
+            // On a few nodes the residual falls in one step below the resolution of single precision.
             if (largest <= enough.residual && !first && enough.residual < single_rounding * scale)
                 break;
             solved = largest <= enough.residual;
@@ -336,7 +318,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 z -= z.sum() / even.sum() * even;
             const double energy = r.dot(z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
-            if (solved || iteration >= most || !progress || !(energy > 0) || largest <= single_depth * scale)
+            if (solved || iteration >= limit || !progress || !(energy > 0) || largest <= single_depth * scale)
                 break;
             deflation.purge(z);
             q = first ? z : z + energy / rz * q;
@@ -348,8 +330,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 break;
             const double step = rz / curvature;
             if (known) {
-                const float most = add(step * scale, single_.applied(), known->displacement);
-                known->blur += single_rounding * std::abs(step * scale) * static_cast<double>(most);
+                const float largest_entry = add(step * scale, single_.applied(), known->displacement);
+                known->blur += single_rounding * std::abs(step * scale) * static_cast<double>(largest_entry);
             }
             r -= step * hq;
             centre();
@@ -366,7 +348,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             known->pressure = x.pressure;
             x.displacement = known->displacement;
         }
-        if (solved || iteration >= most || !progress)
+        if (solved || iteration >= limit || !progress)
             return solved;
         load(x);
         if (known)
@@ -386,19 +368,19 @@ double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_ent
     if (is_2d())
         known = {w.pressure, w.displacement, 0};
     improve(
-        set, [](Index) { return 1.0; }, w, enough, most_iterations, is_2d() ? &known : nullptr);
+        set, [](Index) { return 1.0; }, w, enough, max_iterations, is_2d() ? &known : nullptr);
     if (tolerance >= single_stiffness)
         return known.blur;
     load(w);
     return 0;
 }
 
-double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
-                  const Loaded& tangent) {
-    double error = 0;
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                    const Loaded& tangent) {
+    double missing = 0;
     for (const int i : set.nodes())
-        error += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
-    return std::abs(error) / load.pressure.sum();
+        missing += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
+    return missing;
 }
 
 StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,

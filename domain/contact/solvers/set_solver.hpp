@@ -14,7 +14,7 @@ class ContactSet {
     /// Nothing touches.
     explicit ContactSet(Index nodes) : touching_(static_cast<std::size_t>(nodes), 0) {}
     const std::vector<int>& nodes() const { return nodes_; } ///< increasing; as of the last collect()
-    /// N entries, 1 where the node touches; up to date at any time.
+    /// N entries, 1 if the node touches; up to date at any time.
     const std::vector<char>& touching() const { return touching_; }
     /// Whether the node touches.
     bool holds(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
@@ -24,6 +24,13 @@ class ContactSet {
     void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
     /// To be called after the last insert or erase.
     void collect();
+    /// Lets just those nodes touch for which touches(node) is true.
+    template <class Touches>
+    void assign(Touches touches) {
+        for (std::size_t i = 0; i < touching_.size(); ++i)
+            touching_[i] = touches(static_cast<Index>(i));
+        collect();
+    }
 
   private:
     std::vector<int> nodes_;
@@ -33,73 +40,75 @@ class ContactSet {
 /// A vector that is zero off the contact set, and H times it at every node.
 struct Loaded {
     Eigen::VectorXd pressure;     ///< p, N entries, in the problem's units
-    Eigen::VectorXd displacement; ///< u = H p where the solver last brought it up to date, N entries
+    Eigen::VectorXd displacement; ///< u = H p as of its last update by the solver, N entries
     /// No load.
     explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
 };
 
-/// The last product with H that was taken, and how far rounding may have blurred it.
+/// The last product with H, and a bound of its rounding error.
 struct KnownProduct {
     Eigen::VectorXd pressure;     ///< p
     Eigen::VectorXd displacement; ///< H p
     double blur = 0;              ///< largest error of an entry
 };
 
-/// When an improvement may end: at the residual or, where it is asked for, at a small enough energy.
+/// When an improvement may end: at the residual or, if given, at a low enough energy.
 struct Enough {
-    double residual = 0;                     ///< largest |b - H x| on A
-    std::function<bool(double)> energy = {}; ///< of the error: r' M^-1 r, M being the preconditioner
+    double residual = 0; ///< largest |b - H x| on A
+    std::function<bool(double)> energy =
+        {}; ///< called with r' M^-1 r, the error's energy; M is the preconditioner
 };
 
-/// Conjugate gradients for H_AA x = b on a fixed contact set A, H applied by FFT, preconditioned by the
-/// inverse of the circulant nearest to H (T. Chan 1988), restricted to A: of a residual that is zero off A on
-/// a line, and of one continued there on an area (extension.hpp). Its search directions are products in
-/// single precision; the residual they improve is taken afresh in double precision before they could blur it
-/// (iterative refinement in mixed precision, Carson & Higham 2018).
+/// Conjugate gradients for H_AA x = b on a fixed contact set A, with H applied by FFT. The preconditioner is
+/// the inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Off A the residual is taken as
+/// zero on a line, and is continued on an area (extension.hpp). Search directions are products in single
+/// precision. The residual is recomputed in double precision before their errors affect it (iterative
+/// refinement in mixed precision, Carson & Higham 2018).
 class SetSolver {
   public:
     /// Transforms the problem's first column and its preconditioner's once.
     explicit SetSolver(const ContactProblem& problem);
 
-    /// u = H p afresh
+    /// Recomputes u = H p.
     void load(Loaded& x);
-    /// The same with an error of at most `accuracy` at each node: from the product that is known, by that of
-    /// what has changed since in single precision, where this is good enough.
+    /// Updates u = H p with an error of at most `accuracy` at each node. If that is accurate enough, it adds
+    /// to the known product that of the change since then, in single precision.
     void load(Loaded& x, KnownProduct& known, double accuracy);
-    /// Improves x until it is good enough; x.displacement is then up to date on A only, or at every node
-    /// where `known` holds its product and is to follow. Returns false where `most` iterations were not
-    /// enough or rounding stops it. With a `level` the sum of x is kept and b is met but for a constant,
-    /// which `level` becomes: b - level = H x, by gradients that sum to nothing (Gould, Hribar & Nocedal
-    /// 2001).
+    /// Improves x until it is good enough. x.displacement is then up to date on A only, or at every node if
+    /// `known` holds its product, which is updated too. Returns false if `limit` iterations are not enough or
+    /// rounding stops it.
+    /// With a `level` the sum of x is kept and b is met up to a constant, which is written to `level`: b -
+    /// level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001).
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long most, KnownProduct* known = nullptr, double* level = nullptr);
+                 const Enough& enough, long limit, KnownProduct* known = nullptr, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
-    /// entries. On an area w.displacement is then up to date at every node, with an error of at most what is
-    /// returned.
+    /// entries. On an area w.displacement is then up to date at every node; the return value bounds its
+    /// error.
     double tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
     long applies() const { return applies_; } ///< products with H so far, in either precision
 
   private:
-    /// image = M v on the nodes alone, which stand at `places` of M; `scale` is about v's size. With an
-    /// extension E'M E.
+    /// image = M v on the nodes only, which stand at `places` of M; `scale` is about the size of v. With an
+    /// extension E, E'M E.
     void multiply(SingleFourierOperator& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
                   double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
-    /// Where nodes stand on the preconditioner's grid.
+    /// Places of nodes on the preconditioner's grid.
     std::vector<int> inverse_places(const std::vector<int>& nodes) const;
     bool is_2d() const { return sums_.size() == 0; }
 
     Extent shape_;
-    Eigen::VectorXd sums_; ///< of H's first column, for the deflation; empty on an area, which has none
+    Eigen::VectorXd sums_; ///< sums of H's first column, for the deflation; empty on an area
     FourierOperator forward_;
-    SingleFourierOperator single_, inverse_;
-    Extent inverse_shape_;
+    SingleFourierOperator single_;
+    Extent inverse_shape_; ///< grid of the circulant; the surface is a part at its origin
+    SingleFourierOperator inverse_;
     long applies_ = 0;
 };
 
-/// How far the load sum p is off for the residual that is left on A: w'r, over it.
-double load_error(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
-                  const Loaded& tangent);
+/// Error of the load sum p that the remaining residual r on A causes: w'r.
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
+                    const Loaded& tangent);
 
 /// A step's solution from vectors over all nodes. K = 2 sum w - w'Hw: its error is the square of w's.
 StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,

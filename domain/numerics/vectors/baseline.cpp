@@ -1,4 +1,4 @@
-// What the build assumes of every processor it is for.
+// Compiled with the flags of the build, for every processor that it supports.
 #include "domain/numerics/vectors/loops.inc"
 
 namespace rough {

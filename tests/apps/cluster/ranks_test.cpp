@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether these tests cannot run here; says why.
+/// Whether these tests cannot run here; prints the reason.
 bool has_no_mpi() {
     if (*RUGOSA_MPIRUN && fs::exists(RUGOSA_MPIRUN))
         return false;
@@ -31,14 +31,14 @@ Ended under_mpirun(const std::string& ranks, const std::string& words, const fs:
             ranks);
 }
 
-/// On one rank: without mpirun.
+/// One rank runs without mpirun.
 Ended on_ranks(int ranks, const std::string& words, const fs::path& where) {
     return ranks == 1 ? app::testing::rugosa(words, where)
                       : under_mpirun(std::to_string(ranks), words, where);
 }
 
-/// The program's own lines on stderr; mpirun adds lines.
-std::vector<std::string> own_lines(const Ended& ended) { return found(ended.err, "(rugosa: [^\n]*)"); }
+/// The lines of the program on stderr, without those of mpirun.
+std::vector<std::string> program_lines(const Ended& ended) { return found(ended.err, "(rugosa: [^\n]*)"); }
 
 json of_folder(const fs::path& where) { return timeless(result_in(where / "o")); }
 
@@ -52,11 +52,11 @@ const std::string design =
     "'shape 12 | score | best 4 | refine lm 6 | repeat 3 { tournament 2 | cross uniform | mutate 0.1 | "
     "score | refine lm 6 | elite 1 } | best 2 | score verified' --out o";
 
-/// Long enough to be stopped on the way.
+/// A design that is long enough to be stopped.
 const std::string longer =
     std::string(design).replace(design.find("repeat 3"), 8, "repeat 60") + " --threads 1";
 
-/// The process of a rank, once it is there.
+/// The process of a rank, after it has begun.
 pid_t process_of(const std::string& rank, const fs::path& where) {
     for (const ga::Stopwatch clock; clock.seconds() < 60;
          std::this_thread::sleep_for(std::chrono::milliseconds(20)))
@@ -74,7 +74,7 @@ pid_t process_of(const std::string& rank, const fs::path& where) {
     return 0;
 }
 
-/// Runs on three ranks, and sends one a signal once the file `sign` is there.
+/// Runs on three ranks, and sends one of them a signal when the file `sign` exists.
 Ended signalled(const std::string& words, const fs::path& where, const std::string& rank, int signal,
                 const std::string& sign) {
     Ended ended;
@@ -130,8 +130,7 @@ TEST_CASE("a run has the same bits on 1, 2 and 3 ranks", "[ranks]") {
         }
 }
 
-TEST_CASE("a design that was stopped or lost a rank resumes on any number of ranks to the same result",
-          "[ranks]") {
+TEST_CASE("a stopped design resumes on any number of ranks to the same result", "[ranks]") {
     if (has_no_mpi())
         return;
     const Folder whole;
@@ -174,11 +173,11 @@ TEST_CASE("ranks that compute with other vectors are refused in one line", "[ran
                                      "' operators : -n 1 env RUGOSA_VECTORS=avx2",
                                      "operators", folder.path());
     CHECK(ended.code == 2);
-    REQUIRE(own_lines(ended).size() == 1);
-    CHECK_THAT(own_lines(ended)[0], Catch::Contains("rank 1: ") && Catch::Contains("avx2"));
+    REQUIRE(program_lines(ended).size() == 1);
+    CHECK_THAT(program_lines(ended)[0], Catch::Contains("rank 1: ") && Catch::Contains("avx2"));
 }
 
-TEST_CASE("rank 0 alone prints and refuses", "[ranks]") {
+TEST_CASE("only rank 0 prints and refuses", "[ranks]") {
     if (has_no_mpi())
         return;
     const Folder folder;
@@ -187,5 +186,5 @@ TEST_CASE("rank 0 alone prints and refuses", "[ranks]") {
     CHECK(version.out == app::testing::rugosa("--version").out);
     const Ended wrong = on_ranks(2, "design --target none.csv", folder.path());
     CHECK(wrong.code == 2);
-    CHECK(own_lines(wrong).size() == 1);
+    CHECK(program_lines(wrong).size() == 1);
 }

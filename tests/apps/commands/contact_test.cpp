@@ -10,8 +10,8 @@
 using namespace app::testing;
 using nlohmann::json;
 
-TEST_CASE("the program gives the six reference curves") {
-    const json scenes = json::parse(rough::read_whole(RUGOSA_TEST_DATA "/curves.json"));
+TEST_CASE("contact gives the six reference curves") {
+    const json scenes = json_in(RUGOSA_TEST_DATA "/curves.json");
     REQUIRE(scenes.size() == 6);
     for (const auto& scene : scenes) {
         const Folder folder;
@@ -25,7 +25,7 @@ TEST_CASE("the program gives the six reference curves") {
             words << " --datum " << scene["datum_mm"];
         if (scene["kernel"] == "strip")
             words << " --strip-width " << scene["strip_width_mm"];
-        succeeded(rugosa(words.str(), folder.path()));
+        done(folder, words.str());
         const auto rows = rows_of(folder / "c.csv", curve_header);
         REQUIRE(rows.size() == 20);
         for (std::size_t j = 0; j < 20; ++j) {
@@ -43,27 +43,13 @@ TEST_CASE("the program gives the six reference curves") {
     }
 }
 
-TEST_CASE("modulus and Poisson's ratio scale pressure and stiffness by E*") {
-    const Folder folder;
-    folder.write("g.json", one_wave);
-    REQUIRE(rugosa("contact --genome g.json --out one.csv", folder.path()).code == 0);
-    REQUIRE(rugosa("contact --genome g.json --out steel.csv --modulus 210000 --poisson 0.3", folder.path())
-                .code == 0);
-    const auto one = rows_of(folder / "one.csv"), steel = rows_of(folder / "steel.csv");
-    for (std::size_t j = 0; j < one.size(); ++j) {
-        CHECK(steel[j][1] == Approx(one[j][1] * 210000 / 0.91).epsilon(1e-9));
-        CHECK(steel[j][2] == one[j][2]);
-    }
-}
-
-TEST_CASE("layers of the body's own modulus change no curve, and a thin one on a rigid base is stiffer") {
+TEST_CASE("layers of the body's modulus leave the curve, a thin one on a rigid base is stiffer") {
     const Folder folder;
     folder.write("g.json", one_wave);
     const auto pressed = [&](const std::string& flags) {
-        succeeded(rugosa(
-            "contact --genome g.json --out c.csv --force --kernel periodic --modulus 7 --poisson 0.3 " +
-                flags,
-            folder.path()));
+        done(folder,
+             "contact --genome g.json --out c.csv --force --kernel periodic --modulus 7 --poisson 0.3 " +
+                 flags);
         return rows_of(folder / "c.csv");
     };
     const auto plain = pressed(""), same = pressed("--layer 0.1 --layer 0.2:7:0.3"),
@@ -82,28 +68,24 @@ TEST_CASE("layers of the body's own modulus change no curve, and a thin one on a
     }
 }
 
-TEST_CASE("the load may end at a pressure or stand at given ones") {
+TEST_CASE("the load ends at a given pressure or has given steps") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    REQUIRE(rugosa("contact --genome g.json --to-pressure 0.01 --steps 5 --out to.csv", folder.path()).code ==
-            0);
+    done(folder, "contact --genome g.json --to-pressure 0.01 --steps 5 --out to.csv");
     const auto to = rows_of(folder / "to.csv");
     REQUIRE(to.size() == 5);
     CHECK(to[4][1] == Approx(0.01).epsilon(1e-10));
-    REQUIRE(rugosa("contact --genome g.json --pressures 0.001,0.004,0.01 --out at.csv", folder.path()).code ==
-            0);
+    done(folder, "contact --genome g.json --pressures 0.001,0.004,0.01 --out at.csv");
     const auto at = rows_of(folder / "at.csv");
     REQUIRE(at.size() == 3);
     CHECK(at[1][1] == Approx(0.004).epsilon(1e-10));
     CHECK(at[2][0] == Approx(to[4][0]).epsilon(1e-10));
 }
 
-TEST_CASE("a hardness is held, counted and told; friction writes partial slip beside the curve") {
+TEST_CASE("a hardness caps pressures and is reported; friction adds a table of partial slip") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    const Ended rubbed =
-        rugosa("contact --genome g.json --friction 0.3 --out c.csv --verbose", folder.path());
-    REQUIRE(rubbed.code == 0);
+    const Ended rubbed = done(folder, "contact --genome g.json --friction 0.3 --out c.csv --verbose");
     CHECK_THAT(rubbed.out,
                Catch::Contains("c-slip.csv: partial slip under the last load, f = 0.300; assumed"));
     const auto normal = rows_of(folder / "c.csv"),
@@ -113,32 +95,27 @@ TEST_CASE("a hardness is held, counted and told; friction writes partial slip be
     CHECK(slip[20][1] == Approx(0.3 * normal[19][1]));
     CHECK(slip[0][3] == 1);
 
-    const Ended hard =
-        succeeded(rugosa("contact --genome g.json --hardness 0.05 --out h.csv", folder.path()));
+    const Ended hard = done(folder, "contact --genome g.json --hardness 0.05 --out h.csv");
     CHECK_THAT(hard.out, Catch::Contains("bear the hardness"));
     const auto held = rows_of(folder / "h.csv");
     CHECK(held[19][1] < normal[19][1]);
-    const json account = json::parse(rough::read_whole(folder / "h.json"));
+    const json account = json_in(folder / "h.json");
     CHECK(account["nodes_at_hardness"] > 0);
 }
 
-TEST_CASE("a page beside the curve shows pressure and gap at some loads, and links to the files") {
+TEST_CASE("the page of a curve shows pressure and gap, links to the files and is not replaced") {
     const Folder folder;
     folder.write("one wave.json", one_wave);
-    const auto ended =
-        rugosa("contact --genome 'one wave.json' --nodes 128 --pressures 0.1,0.2 --friction 0.3 "
-               "--out 'a curve.csv' --report page.html",
-               folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+    const Ended ended =
+        done(folder, "contact --genome 'one wave.json' --nodes 128 --pressures 0.1,0.2 --friction 0.3 "
+                     "--out 'a curve.csv' --report page.html");
     const std::string page = rough::read_whole(folder / "page.html");
     for (const char* part : {"href=\"a%20curve.csv\"", "href=\"a%20curve.json\"",
                              "href=\"a%20curve-slip.csv\"", "no --modulus or --material given"})
         CHECK_THAT(page, Catch::Contains(part));
-    REQUIRE(rugosa("report 'a curve.json' --out again.html", folder.path()).code == 0);
+    done(folder, "report 'a curve.json' --out again.html");
     CHECK(rough::read_whole(folder / "again.html") == page);
-    CHECK(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html --force", folder.path())
-              .code == 0);
+    done(folder, "contact --genome 'one wave.json' --out b.csv --report page.html --force");
     std::filesystem::remove(folder / "b.csv");
     std::filesystem::remove(folder / "b.json");
     check_refused(rugosa("contact --genome 'one wave.json' --out b.csv --report page.html", folder.path()),
@@ -148,24 +125,12 @@ TEST_CASE("a page beside the curve shows pressure and gap at some loads, and lin
     CHECK_FALSE(std::filesystem::exists(folder / "b.csv"));
 }
 
-TEST_CASE("a curve is not written over unasked") {
-    const Folder folder;
-    folder.write("g.json", one_wave);
-    REQUIRE(rugosa("contact --genome g.json --out c.csv", folder.path()).code == 0);
-    const std::string before = rough::read_whole(folder / "c.csv");
-    check_refused(rugosa("contact --genome g.json --steps 5 --out c.csv", folder.path()), "--force");
-    CHECK(rough::read_whole(folder / "c.csv") == before);
-    CHECK(rugosa("contact --genome g.json --steps 5 --out c.csv --force", folder.path()).code == 0);
-    CHECK(rough::read_whole(folder / "c.csv") != before);
-}
-
-TEST_CASE("within an accuracy the curve is that near the resolved one, and an account beside it says what "
-          "was modelled") {
+TEST_CASE("contact keeps to its accuracy and reports what was modelled") {
     const Folder folder;
     folder.write("g.json", R"({"series":[{"A":1,"H":1.1,"gamma":1.7,"lambda":0.84942,"chromosomes":[
         {"n":1,"phases":[0.3]},{"n":2,"phases":[4.1]},{"n":3,"phases":[2.2]},{"n":5,"phases":[5.0]}]}]})");
-    REQUIRE(rugosa("contact --genome g.json --nodes 4097 --out fine.csv", folder.path()).code == 0);
-    REQUIRE(rugosa("contact --genome g.json --accuracy 1e-2 --out cheap.csv", folder.path()).code == 0);
+    done(folder, "contact --genome g.json --nodes 4097 --out fine.csv");
+    done(folder, "contact --genome g.json --accuracy 1e-2 --out cheap.csv");
     const auto fine = rows_of(folder.path() / "fine.csv", curve_header);
     const auto cheap = rows_of(folder.path() / "cheap.csv", curve_header);
     REQUIRE(cheap.size() == 20);
@@ -173,18 +138,18 @@ TEST_CASE("within an accuracy the curve is that near the resolved one, and an ac
         CHECK(cheap[j][0] == Approx(fine[j][0]).epsilon(1e-12));
         CHECK(std::abs(cheap[j][1] - fine[j][1]) <= 1e-2 * std::max(fine[j][1], 0.01 * fine.back()[1]));
     }
-    const json exact = json::parse(rough::read_whole(folder.path() / "fine.json"));
+    const json exact = json_in(folder.path() / "fine.json");
     CHECK(exact["accuracy"].is_null());
     CHECK(exact["nodes"] == 4097);
-    const json account = json::parse(rough::read_whole(folder.path() / "cheap.json"));
+    const json account = json_in(folder.path() / "cheap.json");
     CHECK(account["resolved_nodes"] == 4097);
     CHECK(account["nodes"] < 4097);
     CHECK(account["estimated_error"] <= 1e-2);
     CHECK(account["chromosomes"]["used"].size() + account["chromosomes"]["dropped"].size() == 4);
-    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("in place of 4097"));
+    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("Extrapolated to 4097 nodes"));
 }
 
-TEST_CASE("a scan's curve has the band of its resolution, a genome's has none") {
+TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     const Folder folder;
     folder.write("g.json", one_wave);
     std::string scan;
@@ -195,13 +160,13 @@ TEST_CASE("a scan's curve has the band of its resolution, a genome's has none") 
     const std::string header = curve_header +
                                ",contact_fraction_low,contact_fraction_high,"
                                "tangent_stiffness_low_MPa_per_mm,tangent_stiffness_high_MPa_per_mm";
-    succeeded(rugosa(press + "--to-pressure 0.001 --report page.html", folder.path()));
+    done(folder, press + "--to-pressure 0.001 --report page.html");
     for (const auto& row : rows_of(folder / "c.csv", header)) {
         CHECK((row[6] <= row[2] && row[2] <= row[7]));
         CHECK((row[8] <= row[3] && row[3] <= row[9]));
         CHECK(row[6] < row[7]);
     }
-    const json of = json::parse(rough::read_whole(folder / "c.json"));
+    const json of = json_in(folder / "c.json");
     const std::string words = of["resolution"]["words"];
     CHECK(of["resolution"]["is_resolved"] == (of["resolution"]["spot_width_nodes"] >= 4));
     const std::string page = rough::read_whole(folder / "page.html");
@@ -209,24 +174,25 @@ TEST_CASE("a scan's curve has the band of its resolution, a genome's has none") 
          {words, std::string("Line contact: endless ridges"), std::string("Shaded: the band")})
         CHECK_THAT(page, Catch::Contains(part));
 
-    const Ended off = succeeded(rugosa(press + "--resolution off --report page.html", folder.path()));
+    const Ended off = done(folder, press + "--resolution off --report page.html");
     CHECK_THAT(off.out, Catch::Contains("band not computed"));
     CHECK_THAT(rough::read_whole(folder / "page.html"), Catch::Contains("Band not computed"));
     const std::string table = rough::read_whole(folder / "c.csv");
     CHECK(table.starts_with(header + "\n"));
     CHECK(table.ends_with(",,,,\n"));
-    succeeded(rugosa("contact --genome g.json --out curve.csv", folder.path()));
+    done(folder, "contact --genome g.json --out curve.csv");
     rows_of(folder / "curve.csv", curve_header);
     check_refused(rugosa(press + "--resolution some", folder.path()), "--resolution");
 }
 
-TEST_CASE("a material gives its elasticity, and a curve beyond its hardness or on outliers is a warning") {
+TEST_CASE("contact takes a material's elasticity and warns beyond its hardness or of outliers") {
     const Folder folder;
     folder.write("g.json", one_wave);
     const auto last = [&](const std::string& flags) {
-        succeeded(rugosa("contact --genome g.json --force --out c.csv " + flags, folder.path()));
+        done(folder, "contact --genome g.json --force --out c.csv " + flags);
         return rows_of(folder / "c.csv").back()[3];
     };
+    CHECK(last("") * 210000 / 0.91 == Approx(last("--modulus 210000 --poisson 0.3")).epsilon(1e-9)); // E*
     CHECK(last("--material steel") == last("--modulus 210000 --poisson 0.3"));
     CHECK(last("--material steel --modulus 1000") == last("--modulus 1000 --poisson 0.3"));
     check_refused(rugosa("contact --genome g.json --out n.csv --material stel", folder.path()), "steel");
@@ -240,10 +206,8 @@ TEST_CASE("a material gives its elasticity, and a curve beyond its hardness or o
     folder.write("clean.txt", clean);
     folder.write("spiked.txt", spiked);
     const auto said = [&](const std::string& flags) {
-        return succeeded(
-                   rugosa("contact --unit um --spacing 1 --resolution off --force --out c.csv --profile " +
-                              flags,
-                          folder.path()))
+        return done(folder,
+                    "contact --unit um --spacing 1 --resolution off --force --out c.csv --profile " + flags)
             .out;
     };
     const std::string carry = "warning: outliers carry the contact",
@@ -255,4 +219,80 @@ TEST_CASE("a material gives its elasticity, and a curve beyond its hardness or o
                Catch::StartsWith(ends) && Catch::Contains("hardness of copper"));
     CHECK(said("clean.txt --material copper --hardness 369").find(ends) == std::string::npos);
     CHECK(said("clean.txt --material copper --to-pressure 1").find(ends) == std::string::npos);
+}
+
+TEST_CASE("a periodic area of one ridge has the curve of its profile") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    const std::string common = "contact --genome g.json --kernel periodic --steps 6 --solver nested ";
+    done(folder, common + "--nodes 40x6 --length 0.84942x0.1 --out area.csv");
+    done(folder, common + "--nodes 40 --out line.csv");
+    const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
+    REQUIRE(of_area.size() == 6);
+    for (std::size_t j = 0; j < 6; ++j)
+        for (const std::size_t column : {0, 1, 2, 3, 5})
+            CHECK(of_area[j][column] == Approx(of_line[j][column]).epsilon(1e-9));
+    const auto spots = rows_of(folder / "area-spots.csv"); // the wave's one stripe, whole round the period
+    REQUIRE(spots.size() == 1);
+    CHECK(spots[0][0] / 240 == Approx(of_line[5][2]));
+}
+
+TEST_CASE("the curve of a map scales with its unit") {
+    const Folder folder;
+    folder.write("um.txt", "0 1 0.5\n0.25 3 1\n0 1.5 2.5\n0.5 0 1\n");
+    folder.write("mm.txt", "0 0.001 0.0005\n0.00025 0.003 0.001\n0 0.0015 0.0025\n0.0005 0 0.001\n");
+    done(folder, "contact --surface um.txt --unit um --spacing 10x20 --detrend none --out um.csv");
+    done(folder, "contact --surface mm.txt --spacing 0.01x0.02 --detrend none --out mm.csv");
+    const auto one = rows_of(folder / "um.csv"), other = rows_of(folder / "mm.csv");
+    REQUIRE(one.size() == 20);
+    for (std::size_t j = 0; j < 20; ++j) {
+        CHECK(one[j][1] == Approx(other[j][1]).epsilon(1e-12));
+        CHECK(one[j][5] > one[j][3]); // K_i
+    }
+    CHECK(one.back()[0] == Approx(0.003));
+}
+
+TEST_CASE("the page of an area shows its contact spots, which a table lists") {
+    const Folder folder;
+    folder.write("m.txt", "0 1 0 0\n0 0 0 0.9\n0 0 0 0\n0.8 0 0 0\n"); // three separate peaks
+    done(folder, "contact --surface m.txt --spacing 1 --steps 2 --reach 0.5 --out c.csv --report c.html");
+    CHECK(rows_of(folder / "c-spots.csv").size() == 3);
+    const std::string page = rough::read_whole(folder / "c.html");
+    std::size_t pictures = 0;
+    for (auto at = page.find("<image"); at != std::string::npos; at = page.find("<image", at + 1))
+        ++pictures;
+    CHECK(pictures == 3); // heights, and the pressure of two steps
+    done(folder, "report c.json --out again.html");
+    CHECK(rough::read_whole(folder / "again.html") == page);
+}
+
+TEST_CASE("one line replaces a map of parallel ridges within an accuracy, which is reported") {
+    const Folder folder;
+    folder.write("g.json", one_wave);
+    const std::string common = "contact --genome g.json --kernel periodic --steps 5 ";
+    const Ended line = rugosa(common + "--nodes 40 --out line.csv", folder.path()),
+                area = rugosa(common + "--nodes 40x16 --length 0.84942x0.1 --accuracy 1e-3 --out area.csv",
+                              folder.path());
+    INFO(area.err);
+    REQUIRE(area.code == 0);
+    CHECK_THAT(area.out, Catch::Contains("One line, the mean along the lay, answers for the map"));
+    const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
+    for (std::size_t j = 0; j < 5; ++j)
+        for (const std::size_t column : {0, 1, 2, 3})
+            CHECK(of_area[j][column] == Approx(of_line[j][column]).epsilon(1e-6));
+    CHECK(rows_of(folder / "area-spots.csv")[0][0] == Approx(of_line[4][2] * 640));
+    CHECK_THAT(rough::read_whole(folder / "area.json"), Catch::Contains("\"by_line\": true"));
+    std::string bumps; // waves of two directions
+    for (int j = 0; j < 12; ++j) {
+        for (int i = 0; i < 12; ++i)
+            bumps += std::to_string(std::cos(i * M_PI / 6) * std::cos(j * M_PI / 6) +
+                                    0.1 * std::cos(i * M_PI / 6)) +
+                     " ";
+        bumps += "\n";
+    }
+    folder.write("map.txt", bumps);
+    const Ended map =
+        done(folder, "contact --surface map.txt --spacing 1 --kernel periodic --reach 0.05 --steps 4 "
+                     "--accuracy 0.01 --out m.csv");
+    CHECK_THAT(map.out, Catch::Contains("would not have answered"));
 }

@@ -1,5 +1,6 @@
 #include "apps/report/units.hpp"
 #include "domain/database/starts.hpp"
+#include "domain/design/tolerance.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/solid.hpp"
@@ -13,6 +14,9 @@ using nlohmann::json;
 namespace {
 
 const std::string drawn = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv'";
+const std::string small =
+    "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 65 --force --out r "
+    "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'";
 const std::string pictured = " --pipeline 'shape 6 | score | best 2 | refine lm 8 | best 2'";
 const std::string brief = " --pictures off" + pictured;
 
@@ -40,7 +44,7 @@ rough::DesignSetup setup_of(const json& result) {
 
 } // namespace
 
-TEST_CASE("a design's similarities follow from its genome, on a profile and on a map, free or by Eq. 11") {
+TEST_CASE("the similarities of a design follow from its genome, for profiles and maps") {
     const std::string map = " --max-pressure 1.6e-4 --nodes 20x18 --length 0.84942x0.8 --kernel ";
     for (const std::string& mode : {std::string(), std::string(" --max-pressure 1.6e-4 --pictures off"),
                                     map + "free", map + "periodic"}) {
@@ -68,7 +72,7 @@ TEST_CASE("a design's similarities follow from its genome, on a profile and on a
         CHECK(rough::genes(rough::read_genome(folder / "r" / "genome.json")) == rough::genes(genome));
         if (setup.max_pressure && !is_map) // the amplitude is in final form: full approach is at p_max
             CHECK(respond(genome, setup.model).pressure.tail(1)[0] == Approx(1.6e-4).epsilon(1e-9));
-        if (is_map) { // the tile to print is the answer's own
+        if (is_map) { // the tile to print is that of the answer
             CHECK(genome.series[0].chromosomes[0].phases.size() == 8);
             const rough::Profile answer = sample(genome, setup.model.grid);
             CHECK(rough::read_whole(folder / "r" / "surface.stl") == binary_stl(answer));
@@ -80,12 +84,12 @@ TEST_CASE("a design's similarities follow from its genome, on a profile and on a
         CHECK_THAT(page, Catch::Contains("id=\"goal-1\"") &&
                              Catch::Contains(is_map ? "<image" : "id=\"profiles\"") &&
                              !Catch::Contains("No picture"));
-        CHECK(rugosa("report r --out again.html", folder.path()).code == 0);
+        done(folder, "report r --out again.html");
         CHECK(rough::read_whole(folder / "again.html") == page);
     }
 }
 
-TEST_CASE("a design is the same for any number of threads and another for another seed") {
+TEST_CASE("a design depends on the seed but not on the number of threads") {
     const Folder folder;
     const std::string coarse =
         drawn + " --max-pressure 1.6e-4 --nodes 128 --pictures off --pipeline 'sample 12 | score "
@@ -98,7 +102,7 @@ TEST_CASE("a design is the same for any number of threads and another for anothe
     CHECK(result_in(folder / "one")["variants"] != result_in(folder / "other")["variants"]);
 }
 
-TEST_CASE("a target that no profile can reach is called so, with the pressures at fault") {
+TEST_CASE("a target out of reach is reported with the pressures at fault") {
     const Folder folder;
     folder.write("falls.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,0.6\n");
     folder.write("stiff.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,3\n");
@@ -118,25 +122,23 @@ TEST_CASE("a target that no profile can reach is called so, with the pressures a
     }
 }
 
-TEST_CASE("a similarity that was asked for and missed ends with 3, and what was found is written") {
+TEST_CASE("a design that misses its required similarity exits with 3 and a result") {
     const Folder folder;
-    const Ended ended = rugosa(drawn + " --nodes 64 --pictures off --pipeline 'sample 4 | score | best 1' "
-                                       "--reach-similarity 0.9999 --out r",
-                               folder.path());
+    const std::string words = drawn + " --nodes 64 --pictures off --pipeline 'sample 4 | score | best 1' "
+                                      "--reach-similarity 0.9999 --out r";
+    const Ended ended = rugosa(words, folder.path());
     CHECK(ended.code == 3);
     CHECK(ended.err.empty());
     const auto verdict = result_in(folder / "r")["verdict"].get<std::string>();
     CHECK(verdict.find("not found within the budget") == 0);
-    // Nothing is left to resume; what it found stands.
-    const Ended again = rugosa(drawn + " --nodes 64 --pictures off --pipeline 'sample 4 | score | best 1' "
-                                       "--reach-similarity 0.9999 --resume --out r",
-                               folder.path());
+    // The finished design is not resumed.
+    const Ended again = rugosa(words + " --resume", folder.path());
     CHECK(again.code == 3);
     CHECK(again.out.find("is finished") != std::string::npos);
     CHECK(again.out.find(verdict) != std::string::npos);
 }
 
-TEST_CASE("however short the time, and when interrupted, the best so far is a valid result") {
+TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
     const Folder folder;
     for (const char* seconds : {"0.001", "0.5"}) {
         const Ended ended =
@@ -155,18 +157,16 @@ TEST_CASE("however short the time, and when interrupted, the best so far is a va
     CHECK(result_in(folder / "stopped")["variants"]["plain"]["genome"]["series"].size() >= 1);
 }
 
-TEST_CASE("a design begins from a database's nearest curves and is better than they are") {
+TEST_CASE("a design from a database is better than its nearest curves") {
     const Folder folder;
     const std::string target =
         " --target '" RUGOSA_TEST_DATA "/target_heldout.csv' --nodes 128 --pictures off";
-    REQUIRE(rugosa("database build g.db --genomes 2000 --nodes 128", folder.path()).code == 0);
+    done(folder, "database build g.db --genomes 2000 --nodes 128");
     const Ended ended = answered(rugosa("design --database g.db --out r" + target, folder.path()));
     CHECK_THAT(ended.out, Catch::Contains("2000 stored curves screened"));
     const json result = result_in(folder / "r");
-    REQUIRE(rugosa("database query g.db --best 1 --out best.json --target '" RUGOSA_TEST_DATA
-                   "/target_heldout.csv'",
-                   folder.path())
-                .code == 0);
+    done(folder,
+         "database query g.db --best 1 --out best.json --target '" RUGOSA_TEST_DATA "/target_heldout.csv'");
     REQUIRE(rugosa("design --database g.db --seconds 1 --out quick" + target, folder.path()).code != 2);
     rough::DesignSetup setup;
     setup.model.grid.nodes = 128;
@@ -182,7 +182,7 @@ TEST_CASE("a design begins from a database's nearest curves and is better than t
           rough::Verifier(completed(setup)).of(nearest).worst() - 1e-9);
 }
 
-TEST_CASE("a design within an accuracy says what it modelled, and its similarities are exact") {
+TEST_CASE("a design within an accuracy reports what it modelled and has exact similarities") {
     const Folder folder;
     const std::string words = drawn +
                               " --pictures off --nodes 1025 --shortest-wave 0.1 --max-pressure 1.6e-4 "
@@ -199,14 +199,13 @@ TEST_CASE("a design within an accuracy says what it modelled, and its similariti
     CHECK(account["resolved_nodes"] == 1025);
     CHECK(account["estimated_error"] <= 0.01);
     CHECK(account["true_error"] <= 0.01);
-    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("0.01 was asked for"));
+    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("0.01 was requested"));
     const json exact = result_in(folder / "exact")["variants"]["pipeline"]["modelled"][0];
     CHECK(exact["true_error"] == 0);
     CHECK(exact["grids"] == json{1025});
 }
 
-TEST_CASE("a design like a map answers for the map's own stiffness and contact area, on its nodes",
-          "[areas]") {
+TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas]") {
     const Folder folder;
     std::string matrix;
     for (int j = 0; j < 18; ++j)
@@ -223,8 +222,7 @@ TEST_CASE("a design like a map answers for the map's own stiffness and contact a
     CHECK(result["targets"].size() == 2);
 }
 
-TEST_CASE("a design on an area that there is no time to verify is said to be not verified, without a number",
-          "[areas]") {
+TEST_CASE("an area without time to verify is reported as not verified", "[areas]") {
     const Folder folder;
     const Ended ended =
         rugosa(drawn + " --max-pressure 1.6e-4 --nodes 24x24 --length 0.84942 --seconds 1e-3 --out r",
@@ -242,13 +240,89 @@ TEST_CASE("a design on an area that there is no time to verify is said to be not
     CHECK(result["verdict"].get<std::string>().rfind("not verified: similarity ", 0) == 0);
     CHECK_THAT(result["summary"]["worst_case"].get<std::string>(),
                Catch::Contains("not verified on a grid 4 times finer"));
-    CHECK_THAT(ended.out + ended.err, Catch::Contains("there was no time"));
+    CHECK_THAT(ended.out + ended.err, Catch::Contains("the time did not suffice"));
     CHECK((ended.out + ended.err).find("nan") == std::string::npos);
     const auto rows = rows_of(folder / "r" / "answer.csv");
     REQUIRE(rows.size() == 20);
-    // The similarity on its own grid is that of the curve that is written.
+    // The similarity on the grid is that of the written curve.
     CHECK(rows.back()[1] == Approx(1.6e-4));
     CHECK(variant["similarity"].get<double>() ==
           Approx(similarity(setup_of(result), rough::genome_from_json(variant["genome"], "genome")))
               .margin(1e-5));
+}
+
+TEST_CASE("a design out of time resumes to the same result, but not with another set-up") {
+    const Folder folder;
+    const std::string words =
+        "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --threads 1 --pictures off "
+        "--max-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
+        "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score verified'";
+    const Ended whole = rugosa(words + " --out whole", folder.path());
+    REQUIRE(whole.code != 2);
+    // On a machine of any speed, a short enough time interrupts it.
+    bool unfinished = false;
+    for (double seconds = whole.seconds; !unfinished && seconds > 1e-3;) {
+        seconds /= 2;
+        const Ended cut =
+            rugosa(words + " --force --out cut --seconds " + std::to_string(seconds), folder.path());
+        REQUIRE(cut.code != 2);
+        unfinished = cut.out.find("--resume") != std::string::npos;
+    }
+    REQUIRE(unfinished);
+    check_refused(rugosa(words + " --max-height 1 --out cut --resume", folder.path()), "checkpoint");
+    check_refused(rugosa(words + " --resume", folder.path()), "--out");
+    REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code != 2);
+    CHECK(timeless(result_in(folder / "cut")) == timeless(result_in(folder / "whole")));
+}
+
+TEST_CASE("the tolerance of a design follows from its genome") {
+    const Folder folder;
+    const Ended ended =
+        rugosa(small + " --pictures off --seed 3 --noise-length 0.05 --reach-similarity 0.8", folder.path());
+    INFO(ended.err << ended.out);
+    REQUIRE(ended.code != 2);
+    const json result = result_in(folder / "r"), variant = result["variants"]["pipeline"];
+    rough::DesignSetup setup;
+    setup.model.grid = {65, result["length_mm"], false};
+    setup.model.loading.steps = result["steps"];
+    setup.required_similarity = 0.8;
+    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.errors.noise_length = 0.05;
+    const rough::Tolerance expected =
+        tolerance_of(setup, rough::genome_from_json(variant["genome"], "genome"), {.seed = 3});
+    const json& tolerance = variant["tolerance"];
+    CHECK(tolerance["noise_length_mm"] == 0.05);
+    CHECK(tolerance["share"] == 0.95);
+    CHECK(tolerance["draws"] == 1000);
+    REQUIRE(tolerance["levels"].size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const json& level = tolerance["levels"][i];
+        CHECK(level["similarity"] == expected.levels[i].similarity);
+        CHECK(level["noise_rms_mm"] == expected.levels[i].noise_rms);
+        CHECK(level["tilt_mm"] == expected.levels[i].tilt);
+        CHECK(level["scale"] == expected.levels[i].scale);
+    }
+    CHECK(tolerance["levels"][3]["noise_rms_mm"] > 0);
+    CHECK_THAT(ended.out, Catch::Contains("Machine: for 0.") && Catch::Contains("µm correlation"));
+    CHECK(rough::read_whole(folder / "r/tolerance.csv").starts_with("noise_rms_mm,quantile,median,draws\n"));
+}
+
+TEST_CASE("a design without limits reports that it is not known whether it can be made") {
+    const Folder folder;
+    REQUIRE(rugosa(small + " --pictures off", folder.path()).code != 2);
+    CHECK_THAT(result_in(folder / "r")["summary"]["making"].get<std::string>(),
+               Catch::StartsWith("not known, as no limit was given") && Catch::Contains("--max-slope"));
+    CHECK(result_in(folder / "r")["limits_given"] == false);
+    REQUIRE(rugosa(small + " --pictures off --max-slope 1", folder.path()).code != 2);
+    CHECK_THAT(result_in(folder / "r")["summary"]["making"].get<std::string>(), Catch::StartsWith("yes, by"));
+}
+
+TEST_CASE("a design out of time still has a report") {
+    const Folder folder;
+    const Ended ended = rugosa(small + " --seconds 1e-3", folder.path());
+    INFO(ended.err << ended.out);
+    CHECK(ended.code == 3);
+    CHECK_THAT(ended.out, Catch::Contains("Machine: "));
+    CHECK_THAT(rough::read_whole(folder / "r/report.html"),
+               Catch::Contains("not all is known") && Catch::Contains("Requested and found"));
 }

@@ -21,7 +21,7 @@ class Desk : public Folder {
 
 } // namespace
 
-TEST_CASE("a program in another language is minimised over real vectors") {
+TEST_CASE("optimise minimises a program over real vectors") {
     const Desk desk;
     const Ended ended = desk.optimise("--genes real:5:-5:5 --evaluate './child sphere' --minimise "
                                       "--evaluations 4000 --out out");
@@ -40,7 +40,7 @@ TEST_CASE("a program in another language is minimised over real vectors") {
     CHECK(result["best"]["objectives"][0].get<double>() == Approx(sum));
 }
 
-TEST_CASE("real vectors have variants that learn: bipop-cma-es, ipop-cma-es and lshade") {
+TEST_CASE("real vectors have the variants bipop-cma-es, ipop-cma-es and lshade") {
     const Desk desk;
     for (const std::string variant : {"bipop-cma-es", "ipop-cma-es", "lshade"}) {
         const Ended ended =
@@ -53,7 +53,7 @@ TEST_CASE("real vectors have variants that learn: bipop-cma-es, ipop-cma-es and 
     }
 }
 
-TEST_CASE("bits are maximised, and a permutation is found by a pipeline") {
+TEST_CASE("optimise maximises over bits, and finds a permutation by a pipeline") {
     const Desk desk;
     REQUIRE(desk.optimise("--genes bits:40 --evaluate './child ones' --evaluations 4000 --out bits").code ==
             0);
@@ -67,7 +67,7 @@ TEST_CASE("bits are maximised, and a permutation is found by a pipeline") {
     CHECK(desk.result("order")["best"]["genes"] == json({0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
-TEST_CASE("whole numbers, reals and words are mixed, and what is rounded alike is evaluated once") {
+TEST_CASE("genomes of whole numbers, reals and words are evaluated once if rounded alike") {
     const Desk desk;
     const Ended ended =
         desk.optimise("--genes int:1:0:12,real:1:-5:5,choice:1:a:b:c --evaluate './child mixed' "
@@ -84,7 +84,7 @@ TEST_CASE("whole numbers, reals and words are mixed, and what is rounded alike i
     CHECK(desk.result("few")["evaluations"] <= 17); // 16 genomes, and the one that tells the objectives
 }
 
-TEST_CASE("several objectives give a front beside the best by the first") {
+TEST_CASE("several objectives give a front and the best by the first") {
     const Desk desk;
     REQUIRE(desk.optimise("--genes real:1:-10:10 --evaluate './child schaffer' --minimise 1,2 "
                           "--evaluations 3000 --out out")
@@ -96,12 +96,12 @@ TEST_CASE("several objectives give a front beside the best by the first") {
     for (std::size_t i = 0; i < result["front"].size(); ++i) {
         const double x = result["front"][i]["genes"][0];
         CHECK((x > -0.01 && x < 2.01));
-        if (i > 0) // what is worse by the first is better by the second
+        if (i > 0) // sorted by the first objective
             CHECK(result["front"][i]["objectives"][1] < result["front"][i - 1]["objectives"][1]);
     }
 }
 
-TEST_CASE("what breaks constraints stands behind what holds them") {
+TEST_CASE("genomes that break constraints rank after those that hold them") {
     const Desk desk;
     REQUIRE(desk.optimise("--genes real:1:0:1 --evaluate './child held' --evaluations 1000 --out out").code ==
             0);
@@ -111,7 +111,7 @@ TEST_CASE("what breaks constraints stands behind what holds them") {
     CHECK(best["violation"] <= 0);
 }
 
-TEST_CASE("the same seed gives the same bits on 1, 2 and 3 children, and another seed others") {
+TEST_CASE("the result depends on the seed but not on the number of children") {
     const Desk desk;
     const std::string words = "--genes real:3:-5:5 --evaluate './child sphere' --minimise --evaluations 600 ";
     for (const char* more : {"--threads 1 --out 1", "--threads 2 --out 2", "--threads 3 --out 3",
@@ -122,7 +122,7 @@ TEST_CASE("the same seed gives the same bits on 1, 2 and 3 children, and another
     CHECK(desk.result("1")["best"] != desk.result("other")["best"]);
 }
 
-TEST_CASE("every evaluation that is counted reached a child once") {
+TEST_CASE("each counted evaluation reaches a child once") {
     const Desk desk;
     desk.write("counted.sh", "tee sent | ./child sphere\n");
     REQUIRE(desk.optimise(
@@ -132,7 +132,7 @@ TEST_CASE("every evaluation that is counted reached a child once") {
     CHECK(std::count(sent.begin(), sent.end(), '\n') == desk.result("out")["evaluations"]);
 }
 
-TEST_CASE("a run that spent its evaluations goes on with --resume to the result of an unbroken one") {
+TEST_CASE("a run out of evaluations resumes to the result of an uninterrupted one") {
     const Desk desk;
     const std::string words = "--genes bits:60 --evaluate './child ones' ";
     REQUIRE(desk.optimise(words + "--evaluations 900 --out whole").code == 0);
@@ -142,19 +142,18 @@ TEST_CASE("a run that spent its evaluations goes on with --resume to the result 
     CHECK(timeless(desk.result("cut")) == timeless(desk.result("whole")));
 }
 
-TEST_CASE("a child that ends on its way ends the run with one line, and the best so far is written") {
+TEST_CASE("a child that ends stops the run with one line and the best so far") {
     const Desk desk;
     const Ended ended = desk.optimise("--genes bits:20 --evaluate './child dies' --threads 2 --out out");
-    CHECK(ended.code == 2);
-    CHECK(ended.error_lines() == 1);
+    check_refused(ended, "out of ink");
     CHECK_THAT(ended.err, Catch::Contains("./child dies") && Catch::Contains("was sent {\"id\":") &&
-                              Catch::Contains("ended with exit code 7") && Catch::Contains("out of ink"));
+                              Catch::Contains("ended with exit code 7"));
     const json result = desk.result("out");
     CHECK(result["best"]["objectives"][0] >= 10);
     CHECK_THAT(result["stopped"].get<std::string>(), Catch::Contains("exit code 7"));
 }
 
-TEST_CASE("a child that is silent for longer than --timeout ends the run, and is ended itself") {
+TEST_CASE("a child that is silent for longer than --timeout stops the run") {
     const Desk desk;
     desk.write("hangs.sh", "read line; echo '{\"id\":1,\"objectives\":[1]}'; read line; sleep 600\n");
     const Ended ended =
@@ -163,7 +162,7 @@ TEST_CASE("a child that is silent for longer than --timeout ends the run, and is
     CHECK(desk.result("out")["evaluations"] == 1);
 }
 
-TEST_CASE("nonsense of a child is quoted beside what was sent") {
+TEST_CASE("a wrong answer of a child is quoted with the request") {
     struct Nonsense {
         const char* answer;
         const char* fault;
@@ -177,11 +176,8 @@ TEST_CASE("nonsense of a child is quoted beside what was sent") {
         const Desk desk;
         desk.write("says.sh", std::string("read line; echo '") + answer + "'; read line\n");
         const Ended ended = desk.optimise("--genes bits:2 --evaluate 'sh says.sh' --out out");
-        INFO(ended.err);
-        CHECK(ended.code == 2);
-        CHECK(ended.error_lines() == 1);
-        CHECK_THAT(ended.err, Catch::Contains("{\"id\":1,\"genes\":[") && Catch::Contains(answer) &&
-                                  Catch::Contains(std::string("(") + fault + ")"));
+        check_refused(ended, std::string("(") + fault + ")");
+        CHECK_THAT(ended.err, Catch::Contains("{\"id\":1,\"genes\":[") && Catch::Contains(answer));
         CHECK_FALSE(std::filesystem::exists(desk / "out"));
     }
     const Desk desk;
@@ -192,7 +188,7 @@ TEST_CASE("nonsense of a child is quoted beside what was sent") {
                Catch::Contains("(1 objectives)") && Catch::Contains("[2 finite numbers]"));
 }
 
-TEST_CASE("a run that is interrupted ends its children and writes the best so far") {
+TEST_CASE("an interrupted run ends its children and writes the best so far") {
     const Desk desk;
     desk.write("slow.sh",
                "n=0; while read line; do n=$((n+1)); [ $n -gt 3 ] && { echo >begun; sleep 600; }; echo "

@@ -23,12 +23,10 @@ const std::string genome =
 
 } // namespace
 
-TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness and spectra") {
+TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a genome") {
     const Folder folder;
     folder.write("surface.json", genome);
-    const auto ended = rugosa("profile surface.json --nodes 700 --magnify 100", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+    const Ended ended = done(folder, "profile surface.json --nodes 700 --magnify 100");
     CHECK_THAT(ended.out, Catch::Contains("3 waves") && Catch::Contains("Pz"));
     const auto out = folder / "out" / "surface";
 
@@ -40,7 +38,7 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
         CHECK(heights[i][0] == Approx(double(i) * profile.spacing));
         CHECK(heights[i][1] == profile.heights[rough::Index(i)]);
     }
-    const auto numbers = nlohmann::json::parse(rough::read_whole(out / "profile.json"));
+    const auto numbers = json_in(out / "profile.json");
     CHECK(numbers["Pz_mm"].get<double>() == roughness(profile)["Pz"]);
     CHECK(numbers["PSm_mm"].is_null()); // one long wave has no whole element
     CHECK(numbers["Pk_mm"].get<double>() == roughness(profile)["Pk"]);
@@ -54,7 +52,7 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
     CHECK(bearing.front()[1] == profile.heights.maxCoeff());
     const std::string page = rough::read_whole(out / "report.html");
     CHECK_THAT(page, Catch::Contains("href=\"profile.3mf\"") && !Catch::Contains("No picture"));
-    REQUIRE(rugosa("report out/surface --out again.html", folder.path()).code == 0);
+    done(folder, "report out/surface --out again.html");
     CHECK(rough::read_whole(folder / "again.html") == page);
     CHECK(numbers["m4_per_mm2"].get<double>() == roughness(profile)["m4"]);
     CHECK(numbers["m2"].get<double>() == Approx(numbers["series"]["m2"].get<double>()).epsilon(0.5));
@@ -69,21 +67,7 @@ TEST_CASE("a genome's profile comes out as heights, solid, pictures, roughness a
                    Catch::StartsWith("<?xml") && Catch::Contains("<svg") && Catch::Contains("</svg>"));
 }
 
-TEST_CASE("a scan's profile is described like a genome's, without lines of its waves") {
-    const Folder folder;
-    std::string scan = "x [um];z [nm]\n";
-    for (int i = 0; i < 200; ++i)
-        scan += std::to_string(i) + ";" + std::to_string((i * 7919) % 100) + "\n";
-    folder.write("scan.csv", scan);
-    const auto ended = rugosa("profile --profile scan.csv --pictures off --out r", folder.path());
-    REQUIRE(ended.code == 0);
-    CHECK_THAT(ended.out, Catch::Contains("200 points"));
-    CHECK(std::filesystem::exists(folder / "r" / "profile.stl"));
-    CHECK_FALSE(std::filesystem::exists(folder / "r" / "lines.csv"));
-    CHECK_FALSE(std::filesystem::exists(folder / "r" / "profile.svg"));
-}
-
-TEST_CASE("a filtered scan has Ra over whole cut-offs, an unfiltered one Pa; a spike is told and removed") {
+TEST_CASE("a filtered scan has Ra, an unfiltered one Pa, and outliers are reported") {
     const Folder folder;
     std::string scan = "x [mm];z [um]\n";
     for (int i = 0; i <= 2500; ++i)
@@ -91,19 +75,19 @@ TEST_CASE("a filtered scan has Ra over whole cut-offs, an unfiltered one Pa; a s
                 std::to_string(std::cos(2 * M_PI * i / 100) + (i == 1203 ? 9 : 0)) + "\n";
     folder.write("scan.csv", scan);
     const auto numbers = [&](const std::string& flags) {
-        const auto ended =
-            rugosa("profile --profile scan.csv --pictures off --force --out r " + flags, folder.path());
-        INFO(ended.err);
-        REQUIRE(ended.code == 0);
+        const Ended ended =
+            done(folder, "profile --profile scan.csv --pictures off --force --out r " + flags);
         CHECK_THAT(ended.out, Catch::Contains("1 outlier (at x = 2.406 mm)"));
-        return nlohmann::json::parse(rough::read_whole(folder / "r" / "profile.json"));
+        return json_in(folder / "r" / "profile.json");
     };
     const auto filtered = numbers("--outliers remove --lambda-c 0.8 --lambda-s 0.0025");
     CHECK(filtered["sections"] == 6);
     CHECK(filtered["section_length_mm"] == 0.8);
     CHECK(filtered["lambda_s_mm"] == 0.0025);
     CHECK_FALSE(filtered.contains("Pa_mm"));
-    const double kept = 1 - std::pow(2, -16); // of waves of a quarter of the cut-off
+    for (const char* file : {"lines.csv", "profile.svg"})
+        CHECK_FALSE(std::filesystem::exists(folder / "r" / file));
+    const double kept = 1 - std::pow(2, -16); // transmission for a quarter of the cut-off wavelength
     CHECK(filtered["Ra_mm"].get<double>() == Approx(2e-3 / M_PI * kept).epsilon(2e-3));
     CHECK(filtered["Rz_mm"].get<double>() == Approx(2e-3 * kept).epsilon(4e-3));
     CHECK(filtered["RSm_mm"].get<double>() == Approx(0.2).epsilon(1e-3));
@@ -111,7 +95,7 @@ TEST_CASE("a filtered scan has Ra over whole cut-offs, an unfiltered one Pa; a s
     CHECK(numbers("--outliers remove")["Pt_mm"].get<double>() == Approx(2e-3).epsilon(1e-2));
 }
 
-TEST_CASE("a genome designed for a scan's length is pressed, printed and described at that length") {
+TEST_CASE("a genome designed for a scan keeps the length of the scan in all commands") {
     const Folder folder;
     folder.write("scan.txt", [] {
         std::string text = "x [um];z [um]\n";
@@ -128,23 +112,21 @@ TEST_CASE("a genome designed for a scan's length is pressed, printed and describ
     REQUIRE((designed.code == 0 || designed.code == 3));
     const auto file = rough::read_genome_file(folder / "d" / "genome.json");
     CHECK(file.length == Approx(0.2));
-    const auto result = nlohmann::json::parse(rough::read_whole(folder / "d" / "result.json"));
+    const auto result = json_in(folder / "d" / "result.json");
     CHECK(result["length_mm"].get<double>() == file.length);
-    REQUIRE(rugosa("profile d/genome.json --pictures off --out solid", folder.path()).code == 0);
-    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "solid" / "profile.json"));
+    done(folder, "profile d/genome.json --pictures off --out solid");
+    const auto numbers = json_in(folder / "solid" / "profile.json");
     CHECK(numbers["length_mm"].get<double>() == Approx(file.length));
-    REQUIRE(rugosa("contact --genome d/genome.json --nodes 128 --out own.csv", folder.path()).code == 0);
-    REQUIRE(rugosa("contact --genome d/genome.json --nodes 128 --length " + std::to_string(file.length) +
-                       " --out given.csv",
-                   folder.path())
-                .code == 0);
+    done(folder, "contact --genome d/genome.json --nodes 128 --out own.csv");
+    done(folder, "contact --genome d/genome.json --nodes 128 --length " + std::to_string(file.length) +
+                     " --out given.csv");
     const auto own = rows_of(folder / "own.csv", curve_header),
                given = rows_of(folder / "given.csv", curve_header);
     for (std::size_t i = 0; i < own.size(); ++i)
         CHECK(own[i][1] == Approx(given[i][1]).epsilon(1e-4));
 }
 
-TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, tile, relief and pictures") {
+TEST_CASE("profile writes ISO 25178 parameters, heights, tile and pictures of a map") {
     const Folder folder;
     std::string text; // grooves along y on a tilted plane, 40 x 24 nodes of 10 x 20 um
     for (int j = 0; j < 24; ++j) {
@@ -153,13 +135,11 @@ TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, 
         text += "\n";
     }
     folder.write("map.txt", text);
-    const auto ended =
-        rugosa("profile --surface map.txt --unit um --spacing 10x20 --magnify 100 --out o", folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    CHECK_THAT(ended.out, Catch::Contains("40 x 24") && Catch::Contains("plane taken off") &&
+    const Ended ended =
+        done(folder, "profile --surface map.txt --unit um --spacing 10x20 --magnify 100 --out o");
+    CHECK_THAT(ended.out, Catch::Contains("40 x 24") && Catch::Contains("plane removed") &&
                               Catch::Contains("Sq") && Catch::Contains("Std"));
-    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "o" / "surface.json"));
+    const auto numbers = json_in(folder / "o" / "surface.json");
     CHECK(numbers["Sq_mm"].get<double>() == Approx(2e-3 / std::sqrt(2)).epsilon(0.02));
     CHECK(numbers["Std_degrees"] == 90);
     CHECK(numbers["Str_is_bound"] == true);
@@ -167,11 +147,9 @@ TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, 
     for (const std::string file : {"heights.svg", "surface.stl", "surface.3mf", "surface.vtk", "bearing.csv",
                                    "spectrum.csv", "spectrum.svg"})
         CHECK(std::filesystem::file_size(folder / "o" / file) > 100);
-    // What was written is what is read: the same parameters, from the matrix and from the X3P.
+    // The written matrix and X3P have the same parameters.
     for (const std::string source : {"o/heights.txt --spacing 0.01x0.02 --out a", "o/surface.x3p --out b"}) {
-        const auto again = rugosa("profile --detrend none --pictures off --surface " + source, folder.path());
-        INFO(again.err);
-        REQUIRE(again.code == 0);
+        const Ended again = done(folder, "profile --detrend none --pictures off --surface " + source);
         const auto same = nlohmann::json::parse(
             rough::read_whole(folder / source.substr(source.size() - 1) / "surface.json"));
         for (const char* key : {"Sa_mm", "Sq_mm", "Sdq", "Sal_mm", "Sk_mm"})
@@ -179,17 +157,15 @@ TEST_CASE("a map comes out as ISO 25178 parameters, heights that are read back, 
     }
 }
 
-TEST_CASE("a genome on a grid of two dimensions comes out as a map does, with the ratios asked for") {
+TEST_CASE("profile describes a genome on a 2-D grid as a map, with the requested ratios") {
     const Folder folder;
     folder.write("g.json", genome);
-    const auto ended = rugosa("profile g.json --nodes 40x30 --length 0.8x0.6 --smr 0,-1e-5 --smc 0.1,0.9 "
-                              "--magnify 100 --out o",
-                              folder.path());
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+    const Ended ended =
+        done(folder, "profile g.json --nodes 40x30 --length 0.8x0.6 --smr 0,-1e-5 --smc 0.1,0.9 "
+                     "--magnify 100 --out o");
     CHECK_THAT(ended.out, Catch::Contains("40 x 30 nodes on 0.8") && Catch::Contains("Smc(10 %)") &&
                               Catch::Contains("Smc(90 %)"));
-    const auto numbers = nlohmann::json::parse(rough::read_whole(folder / "o" / "surface.json"));
+    const auto numbers = json_in(folder / "o" / "surface.json");
     CHECK(numbers["nodes"] == nlohmann::json({40, 30}));
     CHECK(numbers["spacing_mm"][1].get<double>() == Approx(0.6 / 29));
     CHECK(numbers["Smr_of_heights"][0]["material_ratio"] == numbers["Smr"]);

@@ -19,9 +19,10 @@ const std::string coarse =
 
 } // namespace
 
-TEST_CASE("the paper's experiment gives six variants on both targets, each similarity to be computed again") {
+TEST_CASE(
+    "the paper's experiment gives six variants on both targets, with similarities that can be recomputed") {
     const Folder folder;
-    succeeded(rugosa(paper + coarse + " --out r", folder.path()));
+    done(folder, paper + coarse + " --out r");
     for (const char* place : {"r", "r/heldout"}) {
         const json result = result_in(folder / place);
         const std::string curves = rough::read_whole(folder / place / "curves.csv");
@@ -49,7 +50,7 @@ TEST_CASE("the paper's experiment gives six variants on both targets, each simil
         for (const auto& [name, variant] : result["variants"].items()) {
             INFO(place << " " << name);
             const auto genome = rough::genome_from_json(variant["genome"], name);
-            // The amplitude is in final form: no rescaling is needed on the run's own grid.
+            // The amplitude is final: no rescaling is needed on the grid of the run.
             CHECK(similarity(target, secant_stiffness(respond(genome, model))) ==
                   Approx(variant["similarity"].get<double>()).margin(1e-9));
             const auto setup = rough::paper_setup(model, target, result["max_pressure_MPa"], 8e-5);
@@ -61,18 +62,18 @@ TEST_CASE("the paper's experiment gives six variants on both targets, each simil
     }
 }
 
-TEST_CASE("the same seed gives the same result on 1, 2 and 5 threads") {
+TEST_CASE("a run gives one result on 1, 2 and 5 threads") {
     const Folder folder;
-    REQUIRE(rugosa(paper + coarse + " --threads 1 --out t1", folder.path()).code == 0);
+    done(folder, paper + coarse + " --threads 1 --out t1");
     for (const char* threads : {"2", "5"}) {
         const std::string out = std::string("t") + threads;
-        REQUIRE(rugosa(paper + coarse + " --threads " + threads + " --out " + out, folder.path()).code == 0);
+        done(folder, paper + coarse + " --threads " + threads + " --out " + out);
         CHECK(timeless(result_in(folder / out)) == timeless(result_in(folder / "t1")));
         CHECK(timeless(result_in(folder / (out + "/heldout"))) == timeless(result_in(folder / "t1/heldout")));
     }
 }
 
-TEST_CASE("an experiment's own variants, written as text, run beside the paper's") {
+TEST_CASE("variants of an experiment, written as text, run with the paper's") {
     const Folder folder;
     const std::string own =
         " --set paper.sweep-points=0 --set 'variants.mine=score | best 6 | repeat 2 { tournament 2 "
@@ -85,28 +86,13 @@ TEST_CASE("an experiment's own variants, written as text, run beside the paper's
     CHECK(variants["mine"]["stages"][2]["path"] == "mine/repeat.1/tournament.1");
 }
 
-TEST_CASE("without --out a run finds a free folder, and a result is not written over unasked") {
+TEST_CASE("a run without --out finds a free folder, and keeps an existing result") {
     const Folder folder;
     const std::string quick = paper + coarse + " --set paper.sweep-points=0";
-    REQUIRE(rugosa(quick, folder.path()).code == 0);
-    REQUIRE(rugosa(quick, folder.path()).code == 0);
+    done(folder, quick);
+    done(folder, quick);
     CHECK(std::filesystem::exists(folder / "out/paper/result.json"));
     CHECK(std::filesystem::exists(folder / "out/paper-2/result.json"));
-    const Ended again = rugosa(quick + " --out out/paper", folder.path());
-    CHECK(again.code == 2);
-    CHECK_THAT(again.err, Catch::Contains("--force"));
-    CHECK(rugosa(quick + " --out out/paper --force", folder.path()).code == 0);
-}
-
-TEST_CASE("stability is an experiment too, and its files are those of the command") {
-    const Folder folder;
-    const std::string spike = " --set stability.scene=spike";
-    succeeded(rugosa("run '" RUGOSA_SOURCE "/experiments/stability.ini'" + spike + " --pictures off --out s",
-                     folder.path()));
-    CHECK(std::filesystem::exists(folder / "s/stability.csv"));
-    CHECK_FALSE(std::filesystem::exists(folder / "s/report.html"));
-    const json result = result_in(folder / "s");
-    REQUIRE(result["runs"].size() == 15); // three kernels, five methods
-    for (const json& row : result["runs"])
-        CHECK(row["scene"] == "spike");
+    check_refused(rugosa(quick + " --out out/paper", folder.path()), "--force");
+    done(folder, quick + " --out out/paper --force");
 }

@@ -1,20 +1,20 @@
 #include "apps/report/units.hpp"
-#include "tests/apps/experiments/finished.hpp"
 #include "tests/apps/found.hpp"
+#include "tests/apps/results.hpp"
 
 #include <set>
 
-using app::testing::Ended;
-using app::testing::finished;
-using app::testing::Folder;
-using app::testing::found;
-using app::testing::rugosa;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace {
 
 const std::string small =
     "run '" RUGOSA_SOURCE "/experiments/paper.ini' --seed 11 --set model.nodes=64 --set database.pairs=";
+
+json run_paper(const std::string& settings, const Folder& folder) {
+    return result_of(rugosa(small + settings + " --out r", folder.path()), folder / "r");
+}
 
 std::string page_in(const Folder& folder) { return rough::read_whole(folder / "r/report.html"); }
 
@@ -24,11 +24,12 @@ std::vector<std::string> figures_in(const std::string& html) {
 
 } // namespace
 
-TEST_CASE("each number of the report's first screen follows from result.json") {
+TEST_CASE("the paper's report shows every number, verdict and figure of the result, and needs nothing else") {
     const Folder folder;
-    const json result = finished(small + "6 --set paper.sweep-points=2", folder);
-    const json second = app::testing::result_in(folder / "r/heldout");
-    const auto tiles = found(page_in(folder), "<dd>([^<]*)</dd></div>");
+    const json result = run_paper("6 --set paper.sweep-points=2", folder);
+    const std::string html = page_in(folder);
+    const json second = result_in(folder / "r/heldout");
+    const auto tiles = found(html, "<dd>([^<]*)</dd></div>");
     REQUIRE(tiles.size() == 6);
     const std::array<const json*, 2> results{&result, &second};
     for (std::size_t t = 0; t < 2; ++t) {
@@ -37,25 +38,19 @@ TEST_CASE("each number of the report's first screen follows from result.json") {
             best = std::max(best, variant["similarity"].get<double>());
         CHECK(tiles[t] == app::readable(best));
     }
-    std::map<std::string, int> verdicts;
-    for (const json& claim : result["claims"])
-        ++verdicts[claim["verdict"]];
-    CHECK(tiles[2] == std::to_string(verdicts["reproduced"]));
-    CHECK(tiles[3] == std::to_string(verdicts["contradicted"]));
-    CHECK(tiles[4] == std::to_string(verdicts["undecidable"]));
-    CHECK(tiles[5] == app::readable(result["seconds"].get<double>(), 2) + " s");
-}
-
-TEST_CASE("the report shows all figures, a verdict with its rule for every claim, and needs nothing else") {
-    const Folder folder;
-    const json result = finished(small + "6 --set paper.sweep-points=2", folder);
-    const std::string html = page_in(folder);
-    CHECK(figures_in(html).size() == 11);
-    CHECK(html.find("No picture") == std::string::npos);
+    std::map<std::string, int> counts;
     const auto verdicts = found(html, "class=\"badge ([a-z]*)\"");
     REQUIRE(verdicts.size() == result["claims"].size());
-    for (std::size_t c = 0; c < verdicts.size(); ++c)
+    for (std::size_t c = 0; c < verdicts.size(); ++c) {
         CHECK(verdicts[c] == result["claims"][c]["verdict"]);
+        ++counts[verdicts[c]];
+    }
+    CHECK(tiles[2] == std::to_string(counts["reproduced"]));
+    CHECK(tiles[3] == std::to_string(counts["contradicted"]));
+    CHECK(tiles[4] == std::to_string(counts["undecidable"]));
+    CHECK(tiles[5] == app::readable(result["seconds"].get<double>(), 2) + " s");
+    CHECK(figures_in(html).size() == 11);
+    CHECK(html.find("No picture") == std::string::npos);
     CHECK(found(html, "(<span class=\"rule\">)").size() == verdicts.size());
     CHECK(html.find("1440 readings") != std::string::npos);
     CHECK(html.find("--set model.nodes=64") != std::string::npos);
@@ -74,7 +69,7 @@ TEST_CASE("a report on a handful of nodes, another body, the other reading or on
           "--set paper.dominance=step", "--set heldout.file= --set paper.sweep-points=0"}) {
         const Folder folder;
         INFO(other);
-        finished(small + "2 --set paper.sweep-points=1 " + other, folder);
+        run_paper("2 --set paper.sweep-points=1 " + other, folder);
         const std::string html = page_in(folder);
         CHECK(figures_in(html).size() == 11);
     }

@@ -37,15 +37,16 @@ TEST_CASE("a genome's curves change without half of its waves and at another dat
     run.database = answered({rough::Genome{1, {{1, 0.8, 2, run.model.grid.length, {{1, {0.3}}, {2, {1}}}}}}},
                             run.model, run.max_pressure, 1);
     const Studies studies = studies_of(run);
-    for (const Removal& removal : {studies.without_coarse.at(0), studies.without_fine.at(0)}) {
+    const GenomeStudy& study = studies.genomes.at(0);
+    for (const Removal& removal : {study.without_coarse, study.without_fine}) {
         CHECK(removal.stiffness > 0);
         CHECK(removal.area > 0);
     }
-    CHECK(studies.without_coarse[0].stiffness > studies.without_fine[0].stiffness);
-    CHECK(studies.datum_similarity.at(0) < 1);
-    double nodes = 0; // of all steps but the last
+    CHECK(study.without_coarse.stiffness > study.without_fine.stiffness);
+    CHECK(study.datum_similarity < 1);
+    double nodes = 0; // summed over all steps except the last
     for (int j = 0; j < 7; ++j)
         nodes += 64 * run.database[0].response.contact_fraction[j];
-    CHECK(studies.contacts.nodes == Approx(nodes));
-    CHECK(studies.contacts.lost == 0);
+    CHECK(study.contacts.nodes == Approx(nodes));
+    CHECK(study.contacts.lost == 0);
 }

@@ -1,7 +1,9 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "domain/contact/solvers/problem.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/program.hpp"
+#include "tests/domain/contact/oracle.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,12 +15,11 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
     for (const app::StabilityScene& scene : app::stability_scenes()) {
         if (scene.profile.nodes() > 1000)
             continue; // rugosa stability tries them
-        app::StabilityReference reference(scene);
         for (std::size_t method = 0; method < rough::solver_names().size(); ++method) {
             rough::ContactOptions options;
             options.solver = static_cast<rough::Solver>(method);
             app::ContactTrial trial = try_contact(scene, options, 30);
-            reference.verifier(trial, app::promised_tolerance(trial.curve, options));
+            verify(scene, trial, app::promised_tolerance(trial.curve, options));
             INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", "
                             << rough::solver_names()[method] << ": " << trial.message);
             CHECK(trial.outcome != app::Outcome::wrong);
@@ -26,6 +27,33 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
                 options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;
             if (direct)
                 CHECK((trial.outcome == app::Outcome::solved) == scene.has_solution);
+        }
+    }
+}
+
+TEST_CASE("the oracle in extended precision agrees with the curves of the stability scenes") {
+    for (const app::StabilityScene& scene : app::stability_scenes()) {
+        if (scene.profile.nodes() > 1000 || !scene.has_solution)
+            continue;
+        INFO(scene.name << ", " << rough::name_of(scene.body.kernel));
+        const rough::ContactCurve curve = try_contact(scene, {}).curve;
+        const double largest = largest_displacement(scene.profile, scene.body), tolerance = 1e-9;
+        for (const rough::LoadStep& step : curve.steps) {
+            // First touch is compared at a small displacement. A node that just touches may count or not.
+            const double range = scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff(),
+                         at = step.displacement > 0 ? step.displacement : 1e-9 * range;
+            const rough::Oracle oracle = consult_oracle(
+                scene.profile, scene.body, {at * (1 - tolerance), std::min(at * (1 + tolerance), largest)});
+            const auto expect_between = [&](double found, double low, double high) {
+                const double slack = tolerance * std::max(std::abs(low), std::abs(high));
+                CHECK(found >= std::min(low, high) - slack);
+                CHECK(found <= std::max(low, high) + slack);
+            };
+            if (step.displacement > 0)
+                expect_between(step.pressure, oracle.pressure[0], oracle.pressure[1]);
+            expect_between(step.tangent_stiffness, oracle.tangent_stiffness[0], oracle.tangent_stiffness[1]);
+            CHECK(step.contact_nodes >= oracle.contact_nodes[0]);
+            CHECK(step.contact_nodes <= oracle.contact_nodes[1]);
         }
     }
 }
@@ -47,64 +75,55 @@ app::StabilityScene parabola(rough::Index nodes) {
 TEST_CASE(
     "stability's verifier passes what is wrong by half a tolerance and names what is wrong by twice it") {
     constexpr double tolerance = 1e-4;
-    for (const rough::Index nodes : {40, 300}) { // the oracle verifies, or another solver
+    for (const rough::Index nodes : {40, 300}) { // with and without displacements to either side
         const app::StabilityScene scene = parabola(nodes);
         rough::ContactOptions options;
         options.solver = rough::Solver::nested;
         const app::ContactTrial right = try_contact(scene, options);
-        app::StabilityReference reference(scene);
         const auto verified = [&](auto corrupt) {
             app::ContactTrial trial = right;
             corrupt(trial.curve.steps[1]);
-            reference.verifier(trial, tolerance);
+            verify(scene, trial, tolerance);
             return trial;
         };
-        for (const double sign : {-1.0, 1.0}) {
-            const auto pressure = [&](double by) {
-                return verified([&](rough::LoadStep& step) { step.pressure *= 1 + sign * by * tolerance; });
-            };
-            const auto stiffness = [&](double by) {
-                return verified(
-                    [&](rough::LoadStep& step) { step.tangent_stiffness *= 1 + sign * by * tolerance; });
-            };
+        for (const double sign : {-tolerance, tolerance}) {
             INFO(nodes << " nodes, " << sign);
-            CHECK(pressure(0.5).outcome == app::Outcome::solved);
+            const auto stiffness = [&](double by) {
+                return verified([&](rough::LoadStep& step) { step.tangent_stiffness *= 1 + sign * by; });
+            };
+            const auto pressure = [&](double by) {
+                return verified([&](rough::LoadStep& step) { step.pressure *= 1 + sign * by; });
+            };
             CHECK(stiffness(0.5).outcome == app::Outcome::solved);
             CHECK(stiffness(2).outcome == app::Outcome::wrong);
-            // The oracle is asked a tolerance to either side, which moves the pressure by K Delta/P of it.
+            CHECK(pressure(0.5).outcome == app::Outcome::solved);
+            // Verified a tolerance to either side, which moves the pressure by K Delta/P of it.
             const rough::LoadStep& step = right.curve.steps[1];
-            const double steepness = step.tangent_stiffness * step.displacement / step.pressure;
-            const app::ContactTrial wrong = pressure(2 + steepness);
-            CHECK(wrong.outcome == app::Outcome::wrong);
-            CHECK_THAT(wrong.message, Catch::Contains("pressure of step 2"));
-            const app::ContactTrial miscounted =
-                verified([&](rough::LoadStep& one) { one.contact_nodes += sign > 0 ? 1 : -1; });
-            CHECK(miscounted.outcome == app::Outcome::wrong);
-            CHECK_THAT(miscounted.message, Catch::Contains("contact nodes of step 2"));
+            CHECK_THAT(pressure(2 + step.tangent_stiffness * step.displacement / step.pressure).message,
+                       Catch::Contains("pressure of step 2"));
+            CHECK_THAT(
+                verified([&](rough::LoadStep& one) { one.contact_nodes += sign > 0 ? 1 : -1; }).message,
+                Catch::Contains("contact nodes of step 2"));
         }
         app::ContactTrial refused = right;
         refused.outcome = app::Outcome::refused;
         refused.curve.steps[0].pressure *= 2;
-        reference.verifier(refused, tolerance);
+        verify(scene, refused, tolerance);
         CHECK(refused.outcome == app::Outcome::refused);
     }
 }
 
-TEST_CASE("first touch has no pressure and the stiffness of the nodes that touch, by which it is verified") {
+TEST_CASE("first touch is verified by zero pressure and the stiffness of the touching nodes") {
     app::StabilityScene scene = parabola(40);
     scene.displacements = {0, 0.05};
-    app::StabilityReference reference(scene);
     const app::ContactTrial right = try_contact(scene, {});
-    app::ContactTrial trial = right;
-    reference.verifier(trial, 1e-6);
-    CHECK(trial.outcome == app::Outcome::solved);
-    trial.curve.steps[0].tangent_stiffness *= 1 + 2e-6;
-    reference.verifier(trial, 1e-6);
-    CHECK(trial.outcome == app::Outcome::wrong);
-    trial = right;
-    trial.curve.steps[0].pressure = 1e-15;
-    reference.verifier(trial, 1e-6);
-    CHECK(trial.outcome == app::Outcome::wrong);
+    for (const auto& [pressure, stiffness] : {std::pair(0.0, 1.0), {0.0, 1 + 2e-6}, {1e-15, 1.0}}) {
+        app::ContactTrial trial = right;
+        trial.curve.steps[0].pressure += pressure;
+        trial.curve.steps[0].tangent_stiffness *= stiffness;
+        verify(scene, trial, 1e-6);
+        CHECK((trial.outcome == app::Outcome::solved) == (pressure == 0 && stiffness == 1));
+    }
 }
 
 TEST_CASE("rugosa stability writes its table and its page") {

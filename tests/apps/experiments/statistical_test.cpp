@@ -1,14 +1,15 @@
-#include "tests/apps/experiments/finished.hpp"
+#include "tests/apps/results.hpp"
 
-using app::testing::Folder;
-using app::testing::rugosa;
+using namespace app::testing;
 
 TEST_CASE("a design without heights writes parameters, curves and surfaces that the program reads") {
     const Folder folder;
     const std::string run = "run '" RUGOSA_SOURCE "/experiments/statistical.ini' --set "
                             "statistical.nodes=64 --set statistical.realisations=1 --set "
-                            "'statistical.pipeline=sample 60 | score | best 1' ";
-    const auto result = app::testing::finished(run, folder);
+                            "'statistical.pipeline=sample 60 | score | best 1' --out r";
+    const Ended ended = rugosa(run, folder.path());
+    const auto result = result_of(ended, folder / "r");
+    CHECK_THAT(ended.out, Catch::StartsWith("r: similarity ") && Catch::EndsWith(" s\n"));
     CHECK(result["similarity"].get<double>() > 0.5);
     CHECK(result["evaluations"] == 60);
     CHECK(result["parameters"]["longest_mm"] > result["parameters"]["shortest_mm"]);

@@ -9,7 +9,7 @@
 using namespace app::testing;
 using nlohmann::json;
 
-TEST_CASE("ways to search are compared on the same targets with the same budget and seeds") {
+TEST_CASE("pipelines are compared on the same targets with the same budget and seeds") {
     const Folder folder;
     succeeded(rugosa("run '" RUGOSA_SOURCE
                      "/experiments/variants.ini' --pictures off --set experiment.budget=150 --set "
@@ -23,7 +23,7 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
             REQUIRE(variant["runs"].size() == 2);
             CHECK(variant["runs"][0]["seed"] == 1);
             CHECK(variant["genome"]["series"].size() >= 1);
-            if (name != "cco") // Algorithm 1's own curves are not the search's to count
+            if (name != "cco") // the curves of Algorithm 1 do not count
                 CHECK(variant["curves"].get<long>() + variant["gradients"].get<long>() <= 160);
             CHECK(variant["similarity"].get<double>() <= 1);
         }
@@ -35,10 +35,10 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     int compared = 0;
     for (const auto& row : app::csv_rows(rough::read_whole(folder / "r" / "shortfall.csv")))
         if (row[0] == "drawn" && row[2] == "evaluations") {
-            std::map<std::string, double> best; // by seed
+            std::map<std::string, double> best; // best similarity for each seed
             for (const auto& one : app::csv_rows(table))
                 if (one[0] == "drawn" && one[1] == row[1] && std::stod(one[3]) <= std::stod(row[3]))
-                    best[one[2]] = std::stod(one[5]);
+                    best[one[2]] = std::stod(one[5]); // the last row is the best
             if (best.size() == 2) {
                 const double shortfall = 1 - (best["1"] + best["2"]) / 2;
                 CHECK(std::stod(row[4]) == Approx(std::max(1e-5, shortfall)).epsilon(1e-4));
@@ -48,12 +48,12 @@ TEST_CASE("ways to search are compared on the same targets with the same budget 
     CHECK(compared > 40);
 }
 
-TEST_CASE("a way that cannot search is refused before any other has begun") {
+TEST_CASE("a pipeline that cannot search is refused before any other one starts") {
     const Folder folder;
     const std::string long_race = "run '" RUGOSA_SOURCE "/experiments/variants.ini' --set "
                                   "experiment.budget=1000000000 --out s --set variants.mine=";
-    for (const std::string way : {"bets", "'score | elite 1'"})
-        check_refused(rugosa(long_race + way, folder.path(), "timeout 200"), "variants.mine");
+    for (const std::string pipeline : {"bets", "'score | elite 1'"})
+        check_refused(rugosa(long_race + pipeline, folder.path(), "timeout 200"), "variants.mine");
     CHECK_FALSE(std::filesystem::exists(folder / "s"));
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("the paper's algorithms run on areas and on profiles, and the page sho
     CHECK_THAT(page, Catch::Contains("<image") && Catch::Contains("<svg") && !Catch::Contains("No picture"));
 }
 
-TEST_CASE("names of files, folders and ways may hold bytes that are no UTF-8") {
+TEST_CASE("names of files, folders and pipelines may have bytes that are not UTF-8") {
     const Folder folder;
     folder.write("t\xE9.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");
     folder.write("e\xE9.ini",

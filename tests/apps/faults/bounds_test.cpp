@@ -17,7 +17,7 @@ namespace {
 struct Spent {
     int code;
     std::string err;
-    long megabytes; ///< most that it ever held
+    long megabytes; ///< maximum resident memory
     double processor_seconds;
 };
 
@@ -42,9 +42,9 @@ Spent spent(const std::string& words, const fs::path& where) {
 
 } // namespace
 
-TEST_CASE("what asks for too much is refused at once and in little memory", "[bounds]") {
+TEST_CASE("input beyond the limits is refused at once and in little memory", "[bounds]") {
     if (tests::sanitized)
-        return; // shadows take memory of their own
+        return; // a sanitizer takes memory too
     const Folder folder;
     fs::copy_file(RUGOSA_TEST_DATA "/target_paper.csv", folder / "target.csv");
     for (const auto& [name, bytes] : {std::pair("small.txt", 300'000'000), {"large.txt", 2'000'000'000}}) {
@@ -72,8 +72,7 @@ TEST_CASE("what asks for too much is refused at once and in little memory", "[bo
     }
 }
 
-TEST_CASE("a loop without end and a population beyond memory end with what they have, in bounded memory",
-          "[bounds]") {
+TEST_CASE("an endless loop and a population beyond memory end with a result, in bounded memory", "[bounds]") {
     if (tests::sanitized)
         return;
     for (const char* pipeline :
@@ -91,7 +90,7 @@ TEST_CASE("a loop without end and a population beyond memory end with what they 
     }
 }
 
-TEST_CASE("every place that the table of faults names is there") {
+TEST_CASE("every test that the table of faults names exists") {
     const std::string page = rough::read_whole(RUGOSA_SOURCE "/tests/README.md");
     const auto places =
         app::testing::found(page.substr(page.find("| fault |")), "`((?:apps|domain|ga)/[^`]*)`");

@@ -1,65 +1,44 @@
 #include "domain/database/store.hpp"
 #include "ga/base/random.hpp"
-#include "ga/base/stopwatch.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <fcntl.h>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <map>
-#include <optional>
-#include <thread>
-#include <unistd.h>
 
-using app::testing::Folder;
+using namespace app::testing;
 using nlohmann::json;
 
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A piece of work that is killed and gone on with until it is done.
+/// A command that is killed and resumed until it is done.
 struct Work {
-    std::string name, first, again; ///< words of the command line, with `again` from the second time on
-    std::function<json(const fs::path&)> result; ///< in a folder, of what lasts
+    std::string name, first, again;              ///< command lines: of the first run, and of all further ones
+    std::function<json(const fs::path&)> result; ///< the result in a folder, without times
 };
 
-/// Runs the program in a folder and kills it after so many seconds. Its exit code; nothing where it was
-/// killed.
-std::optional<int> run_for(double seconds, const std::string& words, const fs::path& where) {
-    const std::string command = "exec '" RUGOSA_PROGRAM "' " + words + " >log 2>err </dev/null";
-    const pid_t child = ::fork();
-    if (child == 0) {
-        if (::chdir(where.c_str()) == 0) {
-            ::setenv("RUGOSA_CHECKPOINTS", "0", 1);
-            ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-        }
-        ::_exit(127);
-    }
-    const ga::Stopwatch clock;
-    int status = 0;
-    while (::waitpid(child, &status, WNOHANG) == 0) {
-        if (clock.seconds() > seconds)
-            ::kill(child, SIGKILL);
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
-        return std::nullopt;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+/// Runs the program in a folder and kills it after `seconds`, if they are finite.
+Ended run_for(double seconds, const std::string& words, const fs::path& where) {
+    const std::string limit =
+        std::isfinite(seconds) ? "timeout -s KILL " + std::to_string(seconds + 1e-6) : "";
+    return rugosa(words, where, "RUGOSA_CHECKPOINTS=0 " + limit);
 }
 
-/// Whether no half of a file stands under its final name.
+/// Whether a result is complete, or does not exist.
 bool whole_or_none(const fs::path& result) {
     return !fs::exists(result) || json::accept(rough::read_whole(result));
 }
 
-json of_run(const fs::path& folder) { return app::testing::timeless(app::testing::result_in(folder / "o")); }
+json of_run(const fs::path& folder) { return timeless(result_in(folder / "o")); }
 
 json of_search(const fs::path& folder) {
-    json result = app::testing::result_in(folder / "o");
+    json result = result_in(folder / "o");
     for (const char* name : {"threads", "command", "seconds"})
         result.erase(name);
     return result;
@@ -100,24 +79,22 @@ std::vector<Work> all_work() {
 /// Kills the work at random moments and resumes it, time and again. Returns the number of finished results.
 long kill_and_resume(const Work& work, long kills) {
     const Folder unbroken;
-    const ga::Stopwatch clock;
-    const auto code = run_for(1e9, work.first, unbroken.path());
-    const double seconds = clock.seconds();
-    INFO(work.name << ": " << rough::read_whole(unbroken / "err"));
-    REQUIRE((code == 0 || code == 3));
+    const Ended whole = run_for(HUGE_VAL, work.first, unbroken.path());
+    INFO(work.name << ": " << whole.err);
+    REQUIRE((whole.code == 0 || whole.code == 3));
     const json expected = work.result(unbroken.path());
     ga::Stream random(7);
     long results = 0;
     while (kills > 0) {
         const Folder folder;
-        std::optional<int> ended = run_for(seconds * random.uniform(), work.first, folder.path());
-        while (!ended) {
+        Ended ended = run_for(whole.seconds * random.uniform(), work.first, folder.path());
+        while (ended.code == killed) {
             --kills;
             REQUIRE(whole_or_none(folder / "o/result.json"));
-            ended = run_for(seconds * (0.05 + random.uniform()), work.again, folder.path());
+            ended = run_for(whole.seconds * (0.05 + random.uniform()), work.again, folder.path());
         }
-        INFO(rough::read_whole(folder / "log") << rough::read_whole(folder / "err"));
-        REQUIRE(ended == code); // killed between its last file and its end, too
+        INFO(ended.out << ended.err);
+        REQUIRE(ended.code == whole.code); // also if it was killed between its last file and its end
         REQUIRE(work.result(folder.path()) == expected);
         ++results;
     }
@@ -132,7 +109,7 @@ TEST_CASE("design, run, optimise and database build resume to the same result af
         kill_and_resume(work, 3);
 }
 
-TEST_CASE("a thousand kills without warning change no result", "[long][kills]") {
+TEST_CASE("results stay the same after a thousand kills", "[long][kills]") {
     const char* const given = std::getenv("RUGOSA_KILLS");
     const long each = (given ? std::atol(given) : 1000) / 4;
     for (const Work& work : all_work())

@@ -11,14 +11,14 @@ using app::testing::Folder;
 
 namespace {
 
-/// As in most of Europe: 1.234.567,5.
+/// Numbers as in most of Europe: 1.234.567,5.
 struct Comma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
     char do_thousands_sep() const override { return '.'; }
     std::string do_grouping() const override { return "\3"; }
 };
 
-/// Everything that the commands leave and say, by name, with streams that write numbers so.
+/// The files that the commands write under a locale, by name.
 std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
     const Folder folder;
     const auto in = [&](const std::string& name) { return (folder / name).string(); };
@@ -51,12 +51,12 @@ std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
 
 } // namespace
 
-TEST_CASE("a decimal comma in the user's locale changes no file") {
+TEST_CASE("the files do not depend on the decimal comma of a locale") {
     const auto expected = left_by_commands(std::locale::classic());
     const auto found = left_by_commands(std::locale(std::locale::classic(), new Comma));
     for (const auto& [name, content] : expected) {
         INFO(name);
-        // Pages and accounts name the folder they stand in.
+        // Pages and accounts name their folder.
         if (!content.empty() && content.find("rugosa-test-") == std::string::npos)
             CHECK(found.at(name) == content);
     }

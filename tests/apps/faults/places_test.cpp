@@ -15,7 +15,7 @@ const std::string design =
     "--pipeline 'sample 30 | score | repeat 40 { tournament 2 | cross uniform | mutate 0.1 | score } | best "
     "1' ";
 
-/// Runs it in a folder "o" that goes away as soon as there is a checkpoint in it.
+/// Runs the program in a folder "o" that is renamed as soon as it holds a checkpoint.
 Ended without_its_folder(const Folder& folder, const std::string& words, const std::string& checkpoint) {
     const fs::path script = folder.write(
         "gone.sh", keeping + "'" RUGOSA_PROGRAM "' " + words + " --out o >log 2>err & child=$!\n" +
@@ -27,11 +27,11 @@ Ended without_its_folder(const Folder& folder, const std::string& words, const s
 
 } // namespace
 
-TEST_CASE("a design whose checkpoint has no room on the disk says so once and ends with what was found") {
+TEST_CASE("a checkpoint without room on the disk is reported once, and the result is written") {
     const Folder folder;
     const Ended whole = rugosa(design + "--out whole", folder.path());
     REQUIRE(whole.code != 2);
-    // A file may have as many blocks as the result needs.
+    // The limit is as many blocks as the result needs.
     const auto blocks = fs::file_size(folder / "whole/result.json") / 512 + 4;
     const Ended full =
         rugosa(design + "--out full", folder.path(),
@@ -50,13 +50,13 @@ TEST_CASE("a design whose checkpoint has no room on the disk says so once and en
         CHECK(entry.path().extension() != ".tmp");
 }
 
-TEST_CASE("a run whose folder is taken away goes on and leaves its result in a new one") {
+TEST_CASE("a run whose folder is removed continues and writes its result to a new one") {
     const Folder folder;
     const Ended whole = rugosa(design + "--out whole", folder.path());
     const Ended gone = without_its_folder(folder, design, "o/checkpoint.cbor");
     INFO(gone.err);
     CHECK(gone.code == whole.code);
-    CHECK_THAT(gone.out, Catch::Contains("cannot be written") && Catch::Contains("in a new one"));
+    CHECK_THAT(gone.out, Catch::Contains("cannot be written") && Catch::Contains("new"));
     auto found = timeless(result_in(folder / "o")), expected = timeless(result_in(folder / "whole"));
     for (auto* result : {&found, &expected})
         (*result)["variants"]["pipeline"].erase("notes");

@@ -1,4 +1,4 @@
-"""What the tests of the Python module share."""
+"""Helpers of the tests of the Python module."""
 
 import os
 import pathlib
@@ -8,7 +8,7 @@ import unittest
 
 import numpy
 
-PROGRAM = os.environ["RUGOSA"]  # the program, which must answer to the bit what the module does
+PROGRAM = os.environ["RUGOSA"]  # the program, which must give the same bits as the module
 
 
 def rough_heights(nodes=256, seed=1):
@@ -17,7 +17,7 @@ def rough_heights(nodes=256, seed=1):
 
 
 class WithFolder(unittest.TestCase):
-    """A test with an empty folder of its own, self.folder."""
+    """A test with an empty folder, self.folder."""
 
     def setUp(self):
         kept = tempfile.TemporaryDirectory()
@@ -28,3 +28,11 @@ class WithFolder(unittest.TestCase):
         done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True)
         self.assertIn(done.returncode, code, done.stderr)
         return done
+
+    def curve(self, *words):
+        """The columns of the program's curve."""
+        self.rugosa("contact", *words, "--out", "c.csv", "--force")
+        return numpy.genfromtxt(self.folder / "c.csv", delimiter=",", names=True)
+
+    def save(self, heights, name="scan.txt"):
+        numpy.savetxt(self.folder / name, heights, fmt="%.17g")

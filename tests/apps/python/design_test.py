@@ -15,24 +15,23 @@ STIFFNESS = 0.3 + 0.8 * numpy.sqrt(PRESSURE / 1.6e-4)
 
 
 class Design(WithFolder):
+    def result(self, *words):
+        """The program's result for the same target."""
+        (self.folder / "T.csv").write_text(rugosa.Target(PRESSURE, STIFFNESS).to_csv())
+        self.rugosa("design", "--target", "T.csv", "--pipeline", PIPELINE, "--pictures", "off", *words, "--out", "d",
+                    code=(0, 3))
+        return json.loads((self.folder / "d/result.json").read_text())["variants"]["pipeline"]
+
     def test_gives_the_bits_of_the_program(self):
-        target = self.folder / "T.csv"
-        target.write_text(rugosa.Target(PRESSURE, STIFFNESS).to_csv())
-        self.rugosa("design", "--target", "T.csv", "--pipeline", PIPELINE, "--nodes", 128, "--seed", 5, "--pictures",
-                    "off", "--out", "d", code=(0, 3))
-        result = json.loads((self.folder / "d/result.json").read_text())["variants"]["pipeline"]
+        result = self.result("--nodes", 128, "--seed", 5)
         for threads in 1, 2:
             design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, seed=5, threads=threads)
             self.assertEqual(design.similarity, result["similarity"])
             self.assertEqual(design.similarity_worst, result["similarity_worst"])
             self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
 
-    def test_tolerance_is_the_programs(self):
-        target = self.folder / "T.csv"
-        target.write_text(rugosa.Target(PRESSURE, STIFFNESS).to_csv())
-        self.rugosa("design", "--target", "T.csv", "--pipeline", PIPELINE, "--nodes", 64, "--noise-length", 0.1,
-                    "--reach-similarity", 0.5, "--pictures", "off", "--out", "d", code=(0, 3))
-        result = json.loads((self.folder / "d/result.json").read_text())["variants"]["pipeline"]["tolerance"]
+    def test_the_tolerance_is_that_of_the_program(self):
+        result = self.result("--nodes", 64, "--noise-length", 0.1, "--reach-similarity", 0.5)["tolerance"]
         found = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, noise_length=0.1,
                               reach_similarity=0.5).tolerance
         self.assertEqual(found["noise_length"], 0.1)
@@ -41,7 +40,7 @@ class Design(WithFolder):
                              [level[value] for level in result["levels"]])
         self.assertGreater(found["levels"][-1]["noise_rms"], 0)
 
-    def test_answers_as_it_says(self):
+    def test_the_answer_has_its_similarity(self):
         design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, steps=20)
         pressure, stiffness = design.curve.secant_stiffness()
         answered = numpy.interp(PRESSURE[1:-1], pressure, stiffness)
@@ -52,7 +51,7 @@ class Design(WithFolder):
         self.assertLessEqual(design.similarity_worst, design.similarity)
         self.assertIn("redrawn_best", design.trust())
 
-    def test_progress_is_told_and_its_exception_travels(self):
+    def test_progress_is_called_and_its_exception_is_raised(self):
         told = []
         rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, progress=lambda *a: told.append(a))
         self.assertTrue(any("refine" in path for path, *_ in told))
@@ -64,7 +63,7 @@ class Design(WithFolder):
         with self.assertRaisesRegex(ZeroDivisionError, "mine"):
             rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, progress=fail)
 
-    def test_an_area_without_time_for_judging_has_no_worst_similarity(self):
+    def test_a_2d_design_without_time_for_verification_has_no_lowest_similarity(self):
         design = rugosa.design(PRESSURE, STIFFNESS, nodes=(20, 20), seconds=1e-3)
         self.assertIsNone(design.similarity_worst)
         self.assertIsNone(design.alternatives[0].similarity_refined)
@@ -84,7 +83,7 @@ class Design(WithFolder):
         with self.assertRaises(KeyboardInterrupt):  # Python has its handler back
             signal.raise_signal(signal.SIGINT)
 
-    def test_out_of_reach_is_said(self):
+    def test_a_target_out_of_reach_is_reported(self):
         design = rugosa.design(PRESSURE, STIFFNESS[::-1], pipeline="shape 2 | score | best 1", nodes=64)
         self.assertTrue(design.out_of_reach)
         self.assertLess(design.bound, 1)
@@ -96,21 +95,21 @@ class Design(WithFolder):
                                nodes=64)
         self.assertEqual([t.quantity for t in design.targets], ["stiffness", "area"])
         found = rugosa.design(like=rough_heights(), spacing=0.004, nodes=64, evaluations=30, threads=1)
-        self.assertIn("own", found.pipeline)  # the search that the program takes for a scan's area
+        self.assertIn("own", found.pipeline)  # the search that the program uses for a scan with contact area
         both = rugosa.design(PRESSURE, STIFFNESS, target_contact_fraction=numpy.linspace(0.05, 0.5, len(PRESSURE)),
                              pipeline="shape 2 | score | best 1", nodes=64)
         self.assertEqual([t.quantity for t in both.targets], ["stiffness", "area"])
-        with self.assertRaisesRegex(TypeError, "expected one of them"):
+        with self.assertRaisesRegex(TypeError, "only one of them"):
             rugosa.design(PRESSURE, STIFFNESS, like=rough_heights(), spacing=0.004)
 
     def test_mistakes(self):
         with self.assertRaisesRegex(rugosa.InputError, "same length"):
             rugosa.design(PRESSURE, STIFFNESS[1:])
-        with self.assertRaisesRegex(TypeError, "expected target_pressure"):
+        with self.assertRaisesRegex(TypeError, "no target"):
             rugosa.design()
         with self.assertRaisesRegex(rugosa.UsageError, "unknown stage 'scor'"):
             rugosa.design(PRESSURE, STIFFNESS, pipeline="shape 2 | scor")
-        with self.assertRaisesRegex(rugosa.InputError, "increasing|expected"):
+        with self.assertRaises(rugosa.InputError):
             rugosa.Target(PRESSURE[::-1], STIFFNESS)
         with self.assertRaisesRegex(TypeError, "unknown keyword 'kernell'"):
             rugosa.Target.like(rough_heights(), 0.004, kernell="free")

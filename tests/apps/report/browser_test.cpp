@@ -10,12 +10,12 @@ using namespace app::testing;
 namespace {
 
 struct Look {
-    nlohmann::json page; ///< what browser_probe.js tells
-    std::string console; ///< what the browser logged of the page
+    nlohmann::json page; ///< output of browser_probe.js
+    std::string console; ///< messages of the page in the browser's log
 };
 
-/// Opens the page, the probe at its end, in a headless Chromium; in a frame, as no window of its is as narrow
-/// as a phone.
+/// Opens the page with the probe at its end in a headless Chromium. The page is in a frame, because no window
+/// is as narrow as a phone.
 Look looked_at(const Folder& folder, std::string page, int width, bool dark) {
     const std::string probe = rough::read_whole(RUGOSA_SOURCE "/tests/apps/report/browser_probe.js");
     page.insert(page.rfind("</body>"), "<script>" + probe + "</script>");
@@ -51,7 +51,7 @@ Look looked_at(const Folder& folder, std::string page, int width, bool dark) {
 }
 
 struct PageCase {
-    std::string command, page; ///< what makes it, and where it then stands
+    std::string command, page; ///< the command that makes the page, and its file
     std::size_t figures, pictures;
 };
 
@@ -74,8 +74,7 @@ std::string scan_text() {
 
 } // namespace
 
-TEST_CASE("every page can be read on a phone and at a desk, in light and in dark, and fetches nothing",
-          "[long]") {
+TEST_CASE("every page is readable on a phone and a desktop, light and dark, and fetches nothing", "[long]") {
     const PageCase made =
         GENERATE(PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
                  PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},

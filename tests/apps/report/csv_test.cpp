@@ -6,7 +6,7 @@
 
 using app::Csv;
 
-TEST_CASE("a number that is not known is an empty cell") {
+TEST_CASE("an unknown number is an empty cell") {
     Csv table("a,b,c");
     table.row(std::nan(""), std::optional<double>(), 1.5);
     table.row(std::optional<double>(std::nan("")), 2, std::string("x"));
@@ -15,7 +15,7 @@ TEST_CASE("a number that is not known is an empty cell") {
           "a,b\n1,2\n,3\n");
 }
 
-TEST_CASE("no cell of text is a formula to a spreadsheet, and numbers stay numbers") {
+TEST_CASE("no word in a cell is a formula to a spreadsheet, and numbers stay numbers") {
     const auto cell = [](const std::string& word) {
         Csv table("a");
         table.row(word);

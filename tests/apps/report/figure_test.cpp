@@ -48,7 +48,7 @@ class Environment {
 
 } // namespace
 
-TEST_CASE("a picture has the page's colours, a spoken text and ids of its own") {
+TEST_CASE("a picture has the colours of the page, a description and unique ids") {
     const std::string svg = figure_svg(labelled("x"));
     CHECK_THAT(svg, Catch::StartsWith("<svg role=\"img\" aria-label=\"A &lt; B\"") &&
                         Catch::Contains("var(--blue)") && Catch::Contains("id='figure1gp") &&
@@ -56,7 +56,7 @@ TEST_CASE("a picture has the page's colours, a spoken text and ids of its own") 
     CHECK_THAT(figure_document(labelled("x")), Catch::StartsWith("<?xml") && !Catch::Contains("var("));
 }
 
-TEST_CASE("a label is the text that it is, whatever gnuplot would make of it") {
+TEST_CASE("a label shows as its text, even with special characters of gnuplot") {
     const Folder folder;
     const std::string harm = (folder / "harm").string();
     for (const auto& [label, shown] :
@@ -70,7 +70,7 @@ TEST_CASE("a label is the text that it is, whatever gnuplot would make of it") {
     CHECK_FALSE(std::filesystem::exists(harm));
 }
 
-TEST_CASE("pictures need no shell, no temporary folder and none of the user's gnuplot settings") {
+TEST_CASE("a picture needs no shell, temporary folder or gnuplot settings of the user") {
     const Folder folder;
     const std::string harm = (folder / "harm").string();
     folder.write(".gnuplot", "system 'touch " + harm + "'\n");
@@ -79,7 +79,7 @@ TEST_CASE("pictures need no shell, no temporary folder and none of the user's gn
     CHECK_FALSE(std::filesystem::exists(harm));
 }
 
-TEST_CASE("a gnuplot that hangs is ended with all that it started") {
+TEST_CASE("a gnuplot that hangs is killed with its children") {
     const Folder folder;
     std::filesystem::permissions(
         folder.write("gnuplot", "#!/bin/sh\nsleep 1000 & echo $! >" + (folder / "child").string() + "; wait"),
@@ -90,12 +90,12 @@ TEST_CASE("a gnuplot that hangs is ended with all that it started") {
     CHECK_THAT(figure_svg(figure), Catch::Contains("No picture: "));
     const std::string child = rough::read_whole(folder / "child");
     const std::string process = "/proc/" + child.substr(0, child.find('\n')) + "/exe";
-    for (int i = 0; i < 1000 && std::filesystem::exists(process); ++i) // killed, it may not have gone yet
+    for (int i = 0; i < 1000 && std::filesystem::exists(process); ++i) // killed, it may need some time to end
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     CHECK_FALSE(std::filesystem::exists(process));
 }
 
-TEST_CASE("without gnuplot a picture is a line that says what to install") {
+TEST_CASE("without gnuplot a picture is a line that names the package to install") {
     const Environment path("PATH", "/nowhere");
     CHECK_THAT(figure_svg(labelled("a")), Catch::Contains("gnuplot-nox") && !Catch::Contains("\n"));
     CHECK_THROWS_AS(figure_document(labelled("a")), rough::InputError);

@@ -27,7 +27,7 @@ struct Desk : Folder {
 
 } // namespace
 
-TEST_CASE("no file that a command writes to its folder takes the place of one that was there") {
+TEST_CASE("a command overwrites no existing file in its folder") {
     const std::string experiment = RUGOSA_SOURCE "/experiments/";
     const Desk desk;
     for (const std::string& words : {std::string("profile genome.json --nodes 64 --out "), quick_design,
@@ -53,7 +53,7 @@ TEST_CASE("no file that a command writes to its folder takes the place of one th
     }
 }
 
-TEST_CASE("what a command reads is never written over, not even by force") {
+TEST_CASE("a file that a command reads is never overwritten, even with --force") {
     const Desk desk;
     fs::create_directory(desk / "o");
     desk.write("o/answer.csv", rough::read_whole(desk / "target.csv"));
@@ -76,7 +76,7 @@ TEST_CASE("what a command reads is never written over, not even by force") {
 
 TEST_CASE("a finished run is not run again by --resume, whatever the settings") {
     const Desk desk;
-    const int code = rugosa(quick_design + "o", desk.path()).code; // so short a search may miss 0.99
+    const int code = rugosa(quick_design + "o", desk.path()).code; // such a short search may miss 0.99
     const std::string before = rough::read_whole(desk / "o/result.json");
     const Ended again = rugosa(quick_design + "o --seed 5 --resume", desk.path());
     CHECK(again.code == code);
@@ -86,7 +86,7 @@ TEST_CASE("a finished run is not run again by --resume, whatever the settings") 
     CHECK(app::testing::result_in(desk / "o")["seed"] == 5);
 }
 
-TEST_CASE("what can be gone on with is not begun anew unasked") {
+TEST_CASE("an interrupted run is not restarted without --force") {
     const Desk desk;
     fs::create_directory(desk / "o");
     desk.write("o/checkpoint.cbor", "half done");
@@ -94,7 +94,7 @@ TEST_CASE("what can be gone on with is not begun anew unasked") {
     CHECK(rough::read_whole(desk / "o/checkpoint.cbor") == "half done");
 }
 
-TEST_CASE("a curve is written through a link to where it points, and a device has no account beside it") {
+TEST_CASE("a curve is written through a symbolic link, and to a device without CURVE.json") {
     const Desk desk;
     fs::create_directory(desk / "far");
     fs::create_symlink("far/curve.csv", desk / "curve.csv");
@@ -107,7 +107,7 @@ TEST_CASE("a curve is written through a link to where it points, and a device ha
     CHECK_FALSE(fs::exists(desk / "nowhere.json"));
 }
 
-TEST_CASE("no link leads a run out of its folder, and force takes links away") {
+TEST_CASE("a run follows no symbolic link out of its folder, and --force removes it") {
     const Desk desk;
     fs::create_directory(desk / "o");
     desk.write("mine.txt", "mine");
@@ -115,15 +115,15 @@ TEST_CASE("no link leads a run out of its folder, and force takes links away") {
     fs::create_symlink("../new.csv", desk / "o/heights.csv");
     fs::create_symlink("../mine.txt", desk / "o/profile.json");
     const std::string words = "profile genome.json --nodes 64 --pictures off --out o";
-    check_refused(rugosa(words, desk.path()), "is a link");
+    check_refused(rugosa(words, desk.path()), "is a symbolic link");
     CHECK(rugosa(words + " --force", desk.path()).code == 0);
     CHECK(rough::read_whole(desk / "mine.txt") == "mine");
     CHECK_FALSE(fs::exists(desk / "new.csv"));
     CHECK(fs::is_regular_file(fs::symlink_status(desk / "o/heights.csv")));
-    CHECK(fs::is_symlink(desk / "o/.writable")); // not ours: stays
+    CHECK(fs::is_symlink(desk / "o/.writable")); // not a result: kept
 }
 
-TEST_CASE("targets that would lead a run out of its folder or over its own files are refused") {
+TEST_CASE("target names that are paths or names of result files are refused") {
     const Desk desk;
     const std::string target = rough::read_whole(desk / "target.csv");
     for (const char* name : {"...csv", "..csv", "result.json.csv", "copy/target.csv"}) {
@@ -145,19 +145,19 @@ TEST_CASE("a folder in use by one run is refused to another") {
     check_refused(rugosa(quick_design + "o --force", desk.path()), "in use");
 }
 
-TEST_CASE("what cannot be said on standard output is no success") {
+TEST_CASE("a failed write to standard output ends with exit code 2") {
     const Desk desk;
     for (const char* words : {"operators", "--help", "contact --help", "target --check target.csv"}) {
         check_refused(rugosa(words, desk.path(), R"(sh -c '"$0" "$@" >/dev/full')"), "standard output");
     }
-    // A reader that goes ends no work.
+    // A closed pipe does not stop the run.
     rugosa(quick_design + "o", desk.path(), R"(sh -c '"$0" "$@" | true')");
     CHECK(fs::exists(desk / "o/report.html"));
 }
 
 TEST_CASE("a lack of memory ends in one line and exit code 2") {
     if (tests::sanitized)
-        return; // whose shadows take all addresses there are
+        return; // their shadow memory needs all addresses
     const Desk desk;
     check_refused(rugosa("profile genome.json --nodes 1e7 --out p", desk.path(), "ulimit -v 300000; "),
                   "out of memory");

@@ -4,7 +4,7 @@
 
 using namespace app;
 
-TEST_CASE("the record of a run without end stays bounded and ends with its last generation") {
+TEST_CASE("the record of an endless run stays bounded and keeps its last generation") {
     std::vector<StageRecord> stages;
     const auto observe = recorder(stages);
     const ga::Population<rough::Genome> population(1000);
@@ -14,7 +14,7 @@ TEST_CASE("the record of a run without end stays bounded and ends with its last 
             counters.evaluations = generation;
             observe({path, {static_cast<std::size_t>(generation)}, population, counters, 0});
         }
-    CHECK(stages.size() == most_candidates / 1000);
+    CHECK(stages.size() == max_candidates / 1000);
     CHECK(stages.front().spent == 0);
     CHECK(stages.back().path == "v/repeat.1/score.1");
     CHECK(stages.back().spent == 499);

@@ -17,7 +17,7 @@ namespace {
 
 const char* const evil = "<script>x</script>\"&";
 
-/// A profile's folder with names that are mark-up.
+/// The values of a profile's page with names that are mark-up.
 nlohmann::json profile_values() {
     return {{"kind", "profile"},
             {"name", evil},
@@ -31,7 +31,7 @@ nlohmann::json profile_values() {
 
 } // namespace
 
-TEST_CASE("text from a file shows as it is written, and the page asks no network for anything") {
+TEST_CASE("text from a file is escaped, and the page fetches nothing") {
     const Folder folder;
     rough::Profile wave{Eigen::VectorXd::LinSpaced(50, 0, 6).array().sin(), 0.01};
     folder.write("profile.json", profile_values().dump());
@@ -51,7 +51,7 @@ TEST_CASE("text from a file shows as it is written, and the page asks no network
     CHECK(page_of(page_source(folder.path())) == folder / "report.html");
 }
 
-TEST_CASE("a file of the user's takes the place of a built-in template or figure") {
+TEST_CASE("a user's file replaces a built-in template or figure") {
     const Folder folder, mine;
     folder.write("curve.json", profile_values().dump());
     mine.write("profile.mustache",
@@ -70,7 +70,7 @@ TEST_CASE("a file of the user's takes the place of a built-in template or figure
     CHECK_THROWS_AS(render(source, {.templates = mine.path()}), rough::InputError);
 }
 
-TEST_CASE("a folder without a result, or with one of no kind, is refused by its file's name") {
+TEST_CASE("a folder without a valid result is refused with the name of its file") {
     const Folder folder;
     CHECK_THROWS_AS(page_source(folder.path()), rough::InputError);
     for (const char* text : {"[]", "{}", R"({"kind":3})", R"({"kind":"../x"})", "{"}) {
@@ -81,7 +81,7 @@ TEST_CASE("a folder without a result, or with one of no kind, is refused by its 
     CHECK_THROWS_AS(render(page_source(folder.path())), rough::InputError);
 }
 
-TEST_CASE("a line of a million points is drawn through those that can be seen") {
+TEST_CASE("a line of a million points is drawn through its visible extremes") {
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(1'000'000, 1, 1e6);
     Eigen::VectorXd y = x.array().sin();
     y[345'678] = 50;
@@ -90,13 +90,13 @@ TEST_CASE("a line of a million points is drawn through those that can be seen") 
         CHECK(rows.size() <= 4000);
         CHECK(rows.size() > 1000);
         CHECK(std::is_sorted(rows.begin(), rows.end()));
-        CHECK(std::count(rows.begin(), rows.end(), 345'678) == 1); // the one high point is seen
+        CHECK(std::count(rows.begin(), rows.end(), 345'678) == 1); // the single high point is kept
         CHECK(y(rows).minCoeff() < -0.999);
     }
     CHECK(rows_to_draw(x.head(4000), {y.head(4000)}).size() == 4000);
 }
 
-TEST_CASE("a large map is drawn in at most 256 places along an axis, each a mean of its nodes") {
+TEST_CASE("a large map is drawn as block means, at most 256 along an axis") {
     rough::Profile map{Eigen::VectorXd::Constant(600 * 3, 2), 0.5};
     map.rows = 3;
     map.row_spacing = 1;

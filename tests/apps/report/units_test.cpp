@@ -6,7 +6,7 @@
 
 using namespace app;
 
-TEST_CASE("quantities are shown in the unit that suits them") {
+TEST_CASE("a quantity is shown in a suitable unit") {
     CHECK(pressure_unit(1.6e-4).name == "Pa");
     CHECK(pressure_unit(0.04).name == "kPa");
     CHECK(pressure_unit(2).name == "MPa");
@@ -17,7 +17,7 @@ TEST_CASE("quantities are shown in the unit that suits them") {
     CHECK(0.02 * length_unit(0.02).factor == Approx(20));
 }
 
-TEST_CASE("numbers for reading keep their significant digits") {
+TEST_CASE("a number is shown with its significant digits") {
     CHECK(readable(0.95431) == "0.954");
     CHECK(readable(66.6667, 4) == "66.67");
     CHECK(readable(-12.34, 2) == "−12");

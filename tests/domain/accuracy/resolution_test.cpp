@@ -1,8 +1,5 @@
-#include "domain/accuracy/doubts.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/materials.hpp"
-#include "domain/errors.hpp"
-#include "domain/profile/finer.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,14 +11,14 @@ using namespace rough;
 
 namespace {
 
-/// A sum of cosines with random phases over 1 mm, on a line or a square map: wavelengths from 1 mm to
+/// A sum of cosines with random phases over 1 mm, on a line or a square map. Wavelengths go from 1 mm to
 /// `shortest` spacings of the coarse grid.
 struct Cosines {
     struct Wave {
         double kx, ky, height, phase;
     };
     std::vector<Wave> waves;
-    Index nodes; ///< of the coarse grid, along an axis
+    Index nodes; ///< along an axis of the coarse grid
     bool is_2d, periodic;
 
     Cosines(unsigned seed, Index coarse, Index shortest, bool is_map, bool periodic)
@@ -68,7 +65,7 @@ Profile parabola(Index nodes) {
 
 } // namespace
 
-TEST_CASE("finer heights keep the nodes, are exact for straight lines and by splines for smooth waves") {
+TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
     for (const bool periodic : {false, true})
         for (const bool is_2d : {false, true}) {
             const Cosines surface(3, 40, 8, is_2d, periodic);
@@ -91,7 +88,7 @@ TEST_CASE("finer heights keep the nodes, are exact for straight lines and by spl
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline})
         CHECK((finer(slope, 4, by).heights - Eigen::VectorXd::LinSpaced(21, 0, 5)).cwiseAbs().maxCoeff() <
               1e-12);
-    // A jump at the ends of a surface that is periodic does not swing.
+    // Splines do not oscillate at a jump at the ends of a periodic surface.
     CHECK(finer(slope, 4, Interpolation::spline, true).heights.maxCoeff() == Approx(5));
 }
 
@@ -124,7 +121,7 @@ TEST_CASE("the band of a band-limited surface holds the curve of eight times fin
     CHECK(stiffness >= 0.9 * rows);
 }
 
-TEST_CASE("the band of a smooth cap shrinks with the spacing, and its spots become resolved") {
+TEST_CASE("the band of a smooth cap shrinks with the spacing") {
     double before = 1;
     for (const Index nodes : {41, 161, 641}) {
         Model model;
@@ -143,7 +140,7 @@ TEST_CASE("the band of a smooth cap shrinks with the spacing, and its spots beco
     CHECK(spot_width({}, {20}, false) == 0);
 }
 
-TEST_CASE("a map too large for the band is left out") {
+TEST_CASE("a map too large for the band is omitted") {
     Profile map{Eigen::VectorXd::LinSpaced(400 * 400, 0, 1), 0.01, 400, 0.01};
     CHECK(finer_responses(map, {}, {}, Resolution::automatic).empty());
     const ResolutionBand band = resolution_band(map, {}, {}, Resolution::automatic);
@@ -151,7 +148,7 @@ TEST_CASE("a map too large for the band is left out") {
     CHECK_THAT(band.omitted, Catch::Contains("nodes"));
 }
 
-TEST_CASE("the elastic answer ends where the exact solution of a cap reaches the hardness") {
+TEST_CASE("a cap's elastic end is at the load at which Hertz reaches the hardness") {
     const Profile cap = parabola(801);
     Model model;
     model.grid = {801, 1};
@@ -187,7 +184,7 @@ TEST_CASE("outliers on a flat top cost the contact that the top would have") {
     CHECK(!outlier_cost(clean, {0}, completed(model), without).matters());
 }
 
-TEST_CASE("every material is elastic, bears less than a tenth of its modulus and names its sources") {
+TEST_CASE("every material has elastic constants, a hardness below its limit, and sources") {
     for (const Material& material : materials()) {
         INFO(material.name);
         CHECK(material.modulus > 1000);

@@ -2,15 +2,16 @@
 
 #include "domain/profile/profile.hpp"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
 
 namespace testing {
 
-/// A measured profile as workshops have them, in mm.
+/// A profile as workshops measure them, in mm.
 struct NamedScan {
-    std::string kind;       ///< what it looks like
+    std::string kind;       ///< its shape
     rough::Profile profile; ///< heights of a few micrometres over 1 to 4 mm
 };
 
@@ -22,7 +23,7 @@ inline NamedScan random_scan(std::mt19937_64& random, int which, rough::Index le
     NamedScan scan{"", {Eigen::VectorXd::Zero(n), (1 + 3 * uniform(random)) / static_cast<double>(n)}};
     Eigen::VectorXd& z = scan.profile.heights;
     const double period = static_cast<double>(n) / (3 + 20 * uniform(random)), phase = uniform(random);
-    const auto cycle = [&](rough::Index i) { // place within a period, 0 to 1
+    const auto cycle = [&](rough::Index i) { // 0 to 1 within a period
         const double place = static_cast<double>(i) / period + phase;
         return place - std::floor(place);
     };
@@ -38,44 +39,38 @@ inline NamedScan random_scan(std::mt19937_64& random, int which, rough::Index le
             z[std::uniform_int_distribution<rough::Index>(0, n - 1)(random)] +=
                 sign * (1 + 5 * uniform(random));
     };
+    const auto at_each = [&](auto height) {
+        for (rough::Index i = 0; i < n; ++i)
+            z[i] = height(cycle(i));
+    };
+    scan.kind =
+        std::array{"steps", "saw", "Gaussian", "noise", "burrs", "honed", "turned", "spikes"}[which % 8];
     switch (which % 8) {
     case 0:
-        scan.kind = "steps";
-        for (rough::Index i = 0; i < n; ++i)
-            z[i] = (cycle(i) < 0.3) + 0.01 * normal(random);
+        at_each([&](double place) { return (place < 0.3) + 0.01 * normal(random); });
         break;
     case 1:
-        scan.kind = "saw";
-        for (rough::Index i = 0; i < n; ++i)
-            z[i] = cycle(i) + 0.01 * normal(random);
+        at_each([&](double place) { return place + 0.01 * normal(random); });
         break;
     case 2:
-        scan.kind = "Gaussian";
         smooth_noise(1 - 20 / static_cast<double>(n));
         break;
     case 3:
-        scan.kind = "noise";
         smooth_noise(0);
         break;
     case 4:
-        scan.kind = "burrs";
-        for (rough::Index i = 0; i < n; ++i)
-            z[i] = std::abs(std::cos(3.14159265358979 * cycle(i)));
+        at_each([](double place) { return std::abs(std::cos(3.14159265358979 * place)); });
         single_nodes(4, 1);
         break;
     case 5:
-        scan.kind = "honed";
         smooth_noise(0.9);
         z = z.cwiseMin(0.3);
         single_nodes(10, -1);
         break;
     case 6:
-        scan.kind = "turned";
-        for (rough::Index i = 0; i < n; ++i)
-            z[i] = 4 * std::pow(cycle(i) - 0.5, 2) + 0.03 * normal(random);
+        at_each([&](double place) { return 4 * std::pow(place - 0.5, 2) + 0.03 * normal(random); });
         break;
     default:
-        scan.kind = "spikes";
         smooth_noise(0.99);
         single_nodes(3, 3);
     }

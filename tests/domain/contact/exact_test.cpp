@@ -1,6 +1,6 @@
 #include "domain/contact/exact.hpp"
 #include "domain/contact/full_contact.hpp"
-#include "domain/contact/solve.hpp"
+#include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -27,10 +27,7 @@ Worst worst_error(Kernel kernel, Index nodes, const std::function<double(double)
                   double widest) {
     constexpr double length = 1;
     const bool periodic = kernel == Kernel::periodic;
-    Body body;
-    body.kernel = kernel;
-    body.effective_modulus = half_plane.effective_modulus;
-    body.datum = half_plane.datum;
+    const Body body{kernel, half_plane.effective_modulus, half_plane.datum};
     Worst worst;
     for (int offset = 0; offset < 7; ++offset) {
         Profile profile{Eigen::VectorXd(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
@@ -73,35 +70,22 @@ void check_orders(Kernel kernel, const std::function<double(double)>& gap,
 
 } // namespace
 
-TEST_CASE("load converges to second and stiffness to first order on the half-plane's exact contacts",
-          "[contact]") {
-    SECTION("a Hertz parabola") {
-        check_orders(
-            Kernel::free, [](double x) { return x * x / 4; },
-            [](double a) { return exact::parabola(2, a, half_plane); }, 0.15, 0.4);
-    }
-    SECTION("a wedge") {
-        check_orders(
-            Kernel::free, [](double x) { return 0.1 * x; },
-            [](double a) { return exact::wedge(0.1, a, half_plane); }, 0.15, 0.4);
-    }
-    SECTION("a fourth power") {
-        check_orders(
-            Kernel::free, [](double x) { return 3 * std::pow(x, 4); },
-            [](double a) { return exact::quartic(3, a, half_plane); }, 0.15, 0.4);
-    }
-    SECTION("a gap known only by its slope, cosh x - 1") {
-        check_orders(
-            Kernel::free, [](double x) { return std::cosh(4 * x) - 1; },
-            [](double a) {
-                return exact::symmetric([](double x) { return 4 * std::sinh(4 * x); }, a, half_plane);
-            },
-            0.15, 0.4);
-    }
+TEST_CASE("load converges to second order, stiffness to first, on exact half-plane contacts", "[contact]") {
+    const auto check = [](const std::function<double(double)>& gap,
+                          const std::function<exact::Contact(double)>& contact) {
+        check_orders(Kernel::free, gap, contact, 0.15, 0.4);
+    };
+    check([](double x) { return x * x / 4; }, [](double a) { return exact::parabola(2, a, half_plane); });
+    check([](double x) { return 0.1 * x; }, [](double a) { return exact::wedge(0.1, a, half_plane); });
+    check([](double x) { return 3 * std::pow(x, 4); },
+          [](double a) { return exact::quartic(3, a, half_plane); });
+    check([](double x) { return std::cosh(4 * x) - 1; }, // known by its slope only
+          [](double a) {
+              return exact::symmetric([](double x) { return 4 * std::sinh(4 * x); }, a, half_plane);
+          });
 }
 
-TEST_CASE("load converges to second and stiffness to first order on the periodic exact contacts",
-          "[contact]") {
+TEST_CASE("load converges to second order, stiffness to first, on exact periodic contacts", "[contact]") {
     SECTION("Westergaard's wave") {
         check_orders(
             Kernel::periodic, [](double x) { return 1 - std::cos(2 * pi * x); },
@@ -116,10 +100,9 @@ TEST_CASE("load converges to second and stiffness to first order on the periodic
     }
 }
 
-TEST_CASE("a flat punch is soft by 0.17 delta/(a ln(2d/a)), to first order", "[contact]") {
+TEST_CASE("a flat punch is too soft by 0.17 delta/(a ln(2d/a))", "[contact]") {
     for (const Index nodes : {64, 256, 1024}) {
-        Body body;
-        body.datum = 3;
+        const Body body{.datum = 3};
         const Profile profile{Eigen::VectorXd::Constant(nodes, 5.0), 1.0 / static_cast<double>(nodes - 1)};
         const double a = profile.spacing * static_cast<double>(nodes) / 2, displacement = 0.01;
         const exact::Contact expected = exact::punch(displacement, a, {1, body.datum});
@@ -133,8 +116,7 @@ TEST_CASE("a flat punch is soft by 0.17 delta/(a ln(2d/a)), to first order", "[c
 
 TEST_CASE("a periodic flat punch converges to first order", "[contact]") {
     auto error = [](Index nodes) {
-        Body body;
-        body.kernel = Kernel::periodic;
+        const Body body{Kernel::periodic};
         Profile profile{Eigen::VectorXd::Constant(nodes, -1), 1.0 / static_cast<double>(nodes)};
         const Index wide = nodes / 4;
         profile.heights.segment(nodes / 3, wide).setZero();
@@ -149,20 +131,15 @@ TEST_CASE("a periodic flat punch converges to first order", "[contact]") {
 TEST_CASE("pressures follow Hertz and the wedge's arccosh inside the contact", "[contact]") {
     const Index nodes = 1025;
     const double a = 0.3;
-    Profile parabola{Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes - 1)}, wedge = parabola;
-    for (Index i = 0; i < nodes; ++i) {
-        const double x = static_cast<double>(i) * parabola.spacing - 0.5;
-        parabola.heights[i] = -x * x / 2;
-        wedge.heights[i] = -std::abs(x);
-    }
-    Body body;
-    body.effective_modulus = half_plane.effective_modulus;
-    body.datum = half_plane.datum;
-    ContactOptions options;
-    options.states = true;
+    const double spacing = 1.0 / static_cast<double>(nodes - 1);
+    const Profile parabola =
+        scenes::line_of(nodes, spacing, [](double x) { return -(x - 0.5) * (x - 0.5) / 2; });
+    const Profile wedge = scenes::line_of(nodes, spacing, [](double x) { return -std::abs(x - 0.5); });
+    const Body body{Kernel::free, half_plane.effective_modulus, half_plane.datum};
     const auto hertz =
-        solve_contact(parabola, body, {exact::parabola(1, a, half_plane).displacement}, options);
-    const auto sharp = solve_contact(wedge, body, {exact::wedge(1, a, half_plane).displacement}, options);
+        solve_contact(parabola, body, {exact::parabola(1, a, half_plane).displacement}, {.states = true});
+    const auto sharp =
+        solve_contact(wedge, body, {exact::wedge(1, a, half_plane).displacement}, {.states = true});
     auto check = [&](const ContactState& state, auto pressure_at, double from) {
         for (std::size_t k = 0; k < state.nodes.size(); ++k) {
             const double x = std::abs(state.nodes[k] * parabola.spacing - 0.5);
@@ -191,17 +168,12 @@ TEST_CASE("the master integrals give the closed forms", "[contact]") {
     }
 }
 
-TEST_CASE("a wave closes under the pressure of its full contact, and bears that of its contact before",
-          "[contact]") {
+TEST_CASE("a wave closes at Westergaard's pressure of full contact", "[contact]") {
     constexpr double h = 0.02, wavelength = 0.7, E = 1.3;
-    const double full = exact::wave_full_contact(h, wavelength, E);
-    CHECK(full == Approx(pi * E * h / wavelength).epsilon(1e-14));
-    Body body;
-    body.kernel = Kernel::periodic;
-    body.effective_modulus = E;
-    Profile two{Eigen::VectorXd(64), wavelength / 32}; // two waves
-    for (Index i = 0; i < two.nodes(); ++i)
-        two.heights[i] = h * std::cos(2 * pi * static_cast<double>(i) / 32);
+    const double full = pi * E * h / wavelength;
+    const Body body{Kernel::periodic, E};
+    const Profile two = scenes::line_of(64, wavelength / 32, // two waves
+                                        [&](double x) { return h * std::cos(2 * pi * x / wavelength); });
     CHECK(full_contact_load(two, body) == Approx(full).epsilon(1e-12));
     for (const double a : {0.05, 0.2, 0.35}) { // Westergaard: p = p_full sin^2(pi a/wavelength)
         const double s = std::sin(pi * a / wavelength);

@@ -1,6 +1,3 @@
-#include "domain/contact/datum.hpp"
-#include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/model.hpp"
@@ -15,68 +12,29 @@ using namespace rough;
 
 namespace {
 
-struct Scene {
-    Profile profile;
-    Body body;
-    std::vector<double> displacements;
-};
+using scenes::Scene;
 
-/// Sums of cosines of random wavelength, amplitude and phase, between smooth and rough, on every kernel.
+/// Random scenes of 20 to 200 nodes on every kernel, pressed in 12 steps.
 std::vector<Scene> random_scenes(int count) {
     std::mt19937 random(20);
-    std::uniform_real_distribution<double> uniform(0, 1);
     std::vector<Scene> scenes;
-    for (int k = 0; k < count; ++k) {
-        Scene scene;
-        scene.body.kernel =
-            std::array{Kernel::free, Kernel::periodic, Kernel::strip}[static_cast<std::size_t>(k % 3)];
-        const Index nodes = 20 + static_cast<Index>(uniform(random) * 180);
-        const double length = std::pow(10, 4 * uniform(random) - 2);
-        const bool periodic = scene.body.kernel == Kernel::periodic;
-        scene.profile = {Eigen::VectorXd::Zero(nodes),
-                         length / static_cast<double>(periodic ? nodes : nodes - 1)};
-        scene.body.effective_modulus = std::pow(10, 6 * uniform(random));
-        scene.body.datum = length * (k % 2 ? 0.3 + 0.6 * uniform(random) : std::pow(10, uniform(random)));
-        scene.body.strip_width = scene.profile.spacing * std::pow(10, 4 * uniform(random) - 2);
-        const double decay = 0.5 + 1.5 * uniform(random);
-        for (int wave = 1; wave < 30; ++wave) {
-            const double amplitude = length * std::pow(wave, -decay) * uniform(random),
-                         phase = 7 * uniform(random);
-            for (Index i = 0; i < nodes; ++i)
-                scene.profile.heights[i] +=
-                    amplitude * std::cos(6.283185307179586 * wave * static_cast<double>(i) *
-                                             scene.profile.spacing / length +
-                                         phase);
-        }
-        const double highest = scene.profile.heights.maxCoeff();
-        const double reach = periodic ? 0.95 * (highest - scene.profile.heights.mean())
-                                      : highest - scene.profile.heights.minCoeff();
-        for (int j = 1; j <= 12; ++j)
-            scene.displacements.push_back(reach * j / 12);
-        scenes.push_back(scene);
-    }
+    for (int k = 0; k < count; ++k)
+        scenes.push_back(scenes::random_scene(random, k, 20, 180, 12));
     return scenes;
 }
 
 ContactCurve solved(const Scene& scene) {
-    ContactOptions options;
-    options.states = true;
-    return solve_contact(scene.profile, scene.body, scene.displacements, options);
+    return solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
 }
 
 /// Two waves on 2 mm.
 Profile two_mm() {
-    Profile profile{Eigen::VectorXd(201), 0.01};
-    for (Index i = 0; i < profile.nodes(); ++i)
-        profile.heights[i] =
-            std::cos(0.05 * static_cast<double>(i)) + 0.3 * std::sin(0.21 * static_cast<double>(i));
-    return profile;
+    return scenes::line_of(201, 0.01, [](double x) { return std::cos(5 * x) + 0.3 * std::sin(21 * x); });
 }
 
 } // namespace
 
-TEST_CASE("no node leaves contact as the approach grows, and every tangent pressure is positive",
-          "[contact]") {
+TEST_CASE("no node leaves contact as the approach grows", "[contact]") {
     for (const Scene& scene : random_scenes(150)) {
         const ContactCurve curve = solved(scene);
         std::vector<int> before;
@@ -91,8 +49,7 @@ TEST_CASE("no node leaves contact as the approach grows, and every tangent press
     }
 }
 
-TEST_CASE("only overlapping nodes touch a strip, or a half-plane with its datum at L or beyond",
-          "[contact]") {
+TEST_CASE("only overlapping nodes touch a strip or a half-plane with datum from L on", "[contact]") {
     int touched_apart = 0;
     for (const Scene& scene : random_scenes(150)) {
         const double highest = scene.profile.heights.maxCoeff();
@@ -111,8 +68,7 @@ TEST_CASE("only overlapping nodes touch a strip, or a half-plane with its datum 
     CHECK(touched_apart > 0); // on the other bodies it does happen
 }
 
-TEST_CASE("scaling heights and displacements scales the pressure and leaves stiffness and contact",
-          "[contact]") {
+TEST_CASE("pressure scales with heights and displacements; stiffness and contact stay", "[contact]") {
     for (Scene scene : random_scenes(60)) {
         const ContactCurve curve = solved(scene);
         const double scale = 1e-3;
@@ -129,8 +85,7 @@ TEST_CASE("scaling heights and displacements scales the pressure and leaves stif
     }
 }
 
-TEST_CASE("pressure is convex in the displacement, stiffness never falls nor exceeds full contact's",
-          "[contact]") {
+TEST_CASE("pressure is convex, and stiffness never falls or exceeds that of full contact", "[contact]") {
     for (const Scene& scene : random_scenes(150)) {
         const ContactCurve curve = solved(scene);
         double full = std::numeric_limits<double>::infinity();
@@ -155,15 +110,14 @@ TEST_CASE("pressure is convex in the displacement, stiffness never falls nor exc
     }
 }
 
-TEST_CASE("full contact of the paper's half-plane is as stiff as pi E*/(2 L ln 4), a little more on a grid",
-          "[contact]") {
+TEST_CASE("full contact of a half-plane has the stiffness pi E*/(2 L ln 4)", "[contact]") {
     const Profile flat{Eigen::VectorXd::Zero(512), 0.84942 / 511};
     const double stiffness = solve_contact(flat, Body{}, {1}).steps[0].tangent_stiffness;
     CHECK(stiffness == Approx(1.3352).epsilon(1e-4));
     CHECK(stiffness == Approx(std::numbers::pi / (2 * 0.84942 * std::log(4))).epsilon(2e-3));
 }
 
-TEST_CASE("waves of amplitude e left out move the curve by at most 2 e in displacement", "[contact]") {
+TEST_CASE("a wave of amplitude e shifts the curve by at most 2 e in displacement", "[contact]") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (const Scene& scene : random_scenes(90)) {
@@ -185,21 +139,18 @@ TEST_CASE("waves of amplitude e left out move the curve by at most 2 e in displa
     }
 }
 
-TEST_CASE("the contact set settles within nine rounds a step", "[contact]") {
+TEST_CASE("the contact set settles within nine rounds per step", "[contact]") {
     for (const Scene& scene : random_scenes(90))
         CHECK(solved(scene).iterations <= 9 * static_cast<long>(scene.displacements.size()));
 }
 
-TEST_CASE("the circulant preconditioner keeps iterations on a fixed set from growing with the grid",
-          "[contact]") {
+TEST_CASE("iterations on a fixed set do not grow with the grid", "[contact]") {
     for (const Index nodes : {1024, 4096, 16384}) {
-        Profile profile{Eigen::VectorXd::LinSpaced(nodes, -1, 1), 1.0 / static_cast<double>(nodes - 1)};
-        profile.heights = -profile.heights.cwiseAbs2();
+        const Profile profile = scenes::line_of(nodes, 1.0 / static_cast<double>(nodes - 1),
+                                                [](double x) { return -(2 * x - 1) * (2 * x - 1); });
         const ContactProblem problem = make_problem(profile, {Kernel::free, 1, 1, 0}, {0.1});
         ContactSet set(nodes);
-        for (Index i = nodes / 3; i < nodes / 2; ++i)
-            set.insert(i);
-        set.collect();
+        set.assign([&](Index i) { return i >= nodes / 3 && i < nodes / 2; });
         SetSolver solver(problem);
         Loaded w(nodes);
         const bool solved = solver.improve(
@@ -209,7 +160,7 @@ TEST_CASE("the circulant preconditioner keeps iterations on a fixed set from gro
     }
 }
 
-TEST_CASE("another datum needs no other solution", "[contact]") {
+TEST_CASE("a curve with another datum follows without a new solution", "[contact]") {
     for (const Scene& scene : random_scenes(60)) {
         if (scene.body.kernel != Kernel::free)
             continue;
@@ -234,34 +185,32 @@ TEST_CASE("another datum needs no other solution", "[contact]") {
     }
 }
 
-TEST_CASE("a body left open is completed for the profile's own length, to the bit", "[contact]") {
+TEST_CASE("datum and strip width default to those of the profile's length, to the bit", "[contact]") {
     const Profile profile = two_mm();
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        Body open{kernel}, stated{kernel};
-        stated.datum = kernel == Kernel::free ? 0.01 * 200 : 0;
-        stated.strip_width = kernel == Kernel::strip ? 0.01 * 200 / 511 : 0;
-        const Response left = respond(profile, open);
-        const Response right = respond(profile, stated, {20, kernel == Kernel::periodic ? 0.95 : 1});
+        const bool periodic = kernel == Kernel::periodic;
+        const Body stated{.kernel = kernel, .datum = 0.01 * 200, .strip_width = 0.01 * 200 / 511};
+        const Response left = respond(profile, {.kernel = kernel});
+        const Response right = respond(profile, stated, {20, periodic ? 0.95 : 1});
         CHECK(left.pressure == right.pressure);
         CHECK(left.tangent_stiffness == right.tangent_stiffness);
         Model model;
         model.body.kernel = kernel;
-        model.grid = {201, kernel == Kernel::periodic ? 0.01 * 201 : 0.01 * 200};
+        model.grid = {201, periodic ? 0.01 * 201 : 0.01 * 200};
         CHECK(respond(profile, model).pressure == left.pressure);
-        CHECK(completed(model).grid.periodic == (kernel == Kernel::periodic));
+        CHECK(completed(model).grid.periodic == periodic);
     }
 }
 
-TEST_CASE("a response to a pressure keeps the length's own datum while it looks for it", "[contact]") {
-    Profile fine{Eigen::VectorXd(1025), 0.004}; // found by way of a fourth of the nodes, which are shorter
-    for (Index i = 0; i < fine.nodes(); ++i)
-        fine.heights[i] = std::cos(0.013 * static_cast<double>(i));
+TEST_CASE("the displacement at a pressure does not depend on how the datum was given", "[contact]") {
+    // It is found from every fourth node, which span a shorter length.
+    const Profile fine = scenes::line_of(1025, 0.004, [](double x) { return std::cos(3.25 * x); });
     Body stated;
     stated.datum = 0.004 * 1024;
     CHECK(displacement_at_pressure(fine, {}, 0.01) == displacement_at_pressure(fine, stated, 0.01));
 }
 
-TEST_CASE("a datum is refused up to a quarter of the length and a spacing, and taken beyond", "[contact]") {
+TEST_CASE("a datum is refused up to (L + spacing)/4", "[contact]") {
     const Profile profile = two_mm();
     const double limit = datum_limit(profile);
     CHECK(limit == Approx(2.01 / 4));

@@ -1,5 +1,5 @@
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solvers/oracle.hpp"
+#include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,53 +11,26 @@ using namespace rough;
 
 namespace {
 
-struct Scene {
-    Profile profile;
-    Body body;
-    std::vector<double> displacements;
-    double highest = 0; ///< node pressure without a hardness, MPa
-};
+using scenes::Scene;
 
-/// Waves and noise on a random body, pressed far.
-Scene random_scene(std::mt19937_64& random, Kernel kernel, Index nodes) {
-    std::uniform_real_distribution<double> uniform(0, 1);
-    const bool periodic = kernel == Kernel::periodic;
-    const double length = std::pow(10, 3 * uniform(random) - 2);
-    Scene scene;
-    scene.profile = {Eigen::VectorXd(nodes), length / static_cast<double>(periodic ? nodes : nodes - 1)};
-    const double phase = 6 * uniform(random), noise = 0.3 * uniform(random);
-    for (Index i = 0; i < nodes; ++i) {
-        const double x = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(nodes);
-        scene.profile.heights[i] =
-            0.01 * length * (std::cos(x + phase) + 0.4 * std::cos(3 * x) + noise * uniform(random));
-    }
-    scene.body = {kernel, std::pow(10, 5 * uniform(random)), length * (0.3 + 2 * uniform(random)),
-                  length * std::pow(10, -3 * uniform(random))};
-    const double range = periodic ? scene.profile.heights.maxCoeff() - scene.profile.heights.mean()
-                                  : scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff();
-    for (const double part : {0.05, 0.2, 0.5, 0.9})
-        scene.displacements.push_back(part * range);
-    ContactOptions options;
-    options.states = true;
-    scene.highest = solve_contact(scene.profile, scene.body, scene.displacements, options)
-                        .states.back()
-                        .pressure.maxCoeff();
-    return scene;
+/// The highest node pressure without a hardness, MPa.
+double highest_pressure(const Scene& scene) {
+    return solve_contact(scene.profile, scene.body, scene.displacements, {.states = true})
+        .states.back()
+        .pressure.maxCoeff();
 }
 
 } // namespace
 
-TEST_CASE("pressures held at a hardness are those of a dense projected solver, on every kernel",
-          "[contact]") {
-    std::mt19937_64 random(41);
+TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[contact]") {
+    std::mt19937 random(41);
     Index held = 0;
     for (int trial = 0; trial < 24; ++trial) {
-        Scene scene = random_scene(random, static_cast<Kernel>(trial % 3), 16 + trial);
+        Scene scene = scenes::random_scene(random, trial, 16, 24, 4);
         scene.body.hardness =
-            scene.highest * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
-        ContactOptions options;
-        options.states = true;
-        const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
+            highest_pressure(scene) * std::array{0.05, 0.3, 0.6, 0.9}[static_cast<std::size_t>(trial % 4)];
+        const ContactCurve curve =
+            solve_contact(scene.profile, scene.body, scene.displacements, {.states = true});
         const Oracle oracle = consult_oracle(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < curve.steps.size(); ++j) {
             const LoadStep& step = curve.steps[j];
@@ -83,13 +56,13 @@ TEST_CASE("pressures held at a hardness are those of a dense projected solver, o
     CHECK(held > 100);
 }
 
-TEST_CASE("a hardness that no node reaches changes nothing, and one that all reach bears no more",
-          "[contact]") {
-    std::mt19937_64 random(42);
+TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]") {
+    std::mt19937 random(42);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        Scene scene = random_scene(random, kernel, 1500);
+        Scene scene = scenes::random_scene(random, static_cast<int>(kernel), 1500, 0, 4);
+        const double highest = highest_pressure(scene);
         const ContactCurve elastic = solve_contact(scene.profile, scene.body, scene.displacements);
-        scene.body.hardness = 1.01 * scene.highest;
+        scene.body.hardness = 1.01 * highest;
         const ContactCurve hard = solve_contact(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < elastic.steps.size(); ++j) {
             CHECK(hard.steps[j].pressure == Approx(elastic.steps[j].pressure).epsilon(2e-6));
@@ -97,12 +70,12 @@ TEST_CASE("a hardness that no node reaches changes nothing, and one that all rea
                   Approx(elastic.steps[j].tangent_stiffness).epsilon(2e-6));
             CHECK(hard.steps[j].held_nodes == 0);
         }
-        scene.body.hardness = 0.1 * scene.highest;
+        scene.body.hardness = 0.1 * highest;
         const ContactCurve soft = solve_contact(scene.profile, scene.body, scene.displacements);
         for (std::size_t j = 0; j < soft.steps.size(); ++j)
             CHECK(soft.steps[j].pressure < elastic.steps[j].pressure);
         CHECK(soft.steps.back().held_nodes > 0);
-        // By load: the same curve.
+        // The curve is the same under load control.
         const double between = 0.5 * (soft.steps[1].pressure + soft.steps[2].pressure);
         const ContactCurve loaded = solve_contact_at_pressures(scene.profile, scene.body, {between});
         CHECK(loaded.steps[0].pressure == Approx(between).epsilon(1e-9));
@@ -114,22 +87,18 @@ TEST_CASE("a hardness that no node reaches changes nothing, and one that all rea
 }
 
 TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[contact]") {
-    std::mt19937_64 random(43);
+    std::mt19937 random(43);
     for (const Solver solver : {Solver::nested, Solver::nnls})
         for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-            const Scene scene = random_scene(random, kernel, 40);
-            ContactOptions options;
-            options.solver = solver;
-            options.states = true;
+            const Scene scene = scenes::random_scene(random, static_cast<int>(kernel), 40, 0, 4);
             const double d = scene.displacements[2], step = 1e-7 * d;
             const auto at = [&](double displacement) {
-                const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement}, options);
+                const ContactCurve curve = solve_contact(scene.profile, scene.body, {displacement},
+                                                         {.solver = solver, .states = true});
                 Eigen::VectorXd pressure = Eigen::VectorXd::Zero(40), tangent = pressure;
                 const ContactState& state = curve.states[0];
-                for (std::size_t k = 0; k < state.nodes.size(); ++k) {
-                    pressure[state.nodes[k]] = state.pressure[static_cast<Index>(k)];
-                    tangent[state.nodes[k]] = state.tangent[static_cast<Index>(k)];
-                }
+                pressure(state.nodes) = state.pressure;
+                tangent(state.nodes) = state.tangent;
                 return std::pair(pressure, tangent);
             };
             const Eigen::VectorXd differences = (at(d + step).first - at(d - step).first) / (2 * step);
@@ -138,15 +107,16 @@ TEST_CASE("every direct solver's tangent is the derivative of its pressures", "[
         }
 }
 
-TEST_CASE("a periodic profile with a hardness bears every load below that of all nodes", "[contact]") {
-    // Heights in nm, spacing 1 m; the elastic approach of full contact is no limit when nodes sink in.
+TEST_CASE("a periodic profile carries every load below that of all nodes at the hardness", "[contact]") {
+    // Heights in nm, spacing 1 m. When nodes sink in, the elastic approach of full contact does not limit the
+    // load.
     Profile profile{(Eigen::VectorXd(8) << 3.488361934, 0.5285306326, 1.211154584, 2.732274234, 9.836153812,
                      -0.6971507176, 7.815714301, -0.4819841083)
                             .finished() *
                         1e-6,
                     1000};
-    Body body{Kernel::periodic, 1000};
-    body.hardness = 3.2609185146591581e-06;
+    const Body body{
+        .kernel = Kernel::periodic, .effective_modulus = 1000, .hardness = 3.2609185146591581e-06};
     for (const double share : {0.05, 0.089462972, 0.33, 0.81245457, 0.99}) {
         INFO("share " << share);
         const double pressure = share * body.hardness;
@@ -158,20 +128,15 @@ TEST_CASE("a periodic profile with a hardness bears every load below that of all
     }
 }
 
-TEST_CASE("full contact bears a range of loads at one displacement until a node reaches the hardness",
-          "[contact]") {
+TEST_CASE("full contact carries a range of loads until a node reaches the hardness", "[contact]") {
     const Index n = 64;
     const double amplitude = 0.01, full = std::numbers::pi * amplitude; // Westergaard's load, E* = 1, L = 1
-    Profile profile{Eigen::VectorXd(n), 1.0 / static_cast<double>(n)};
-    for (Index i = 0; i < n; ++i)
-        profile.heights[i] =
-            amplitude * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-    Body body{Kernel::periodic};
-    body.hardness = 3 * full;
-    ContactOptions options;
-    options.states = true;
-    const ContactCurve curve =
-        solve_contact_at_pressures(profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, options);
+    const Profile profile = scenes::line_of(n, 1.0 / static_cast<double>(n), [&](double x) {
+        return amplitude * std::cos(2 * std::numbers::pi * x);
+    });
+    const Body body{.kernel = Kernel::periodic, .hardness = 3 * full};
+    const ContactCurve curve = solve_contact_at_pressures(
+        profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, {.states = true});
     for (const std::size_t j : {1u, 2u}) {
         CHECK(curve.steps[j].displacement == Approx(amplitude).epsilon(1e-12));
         CHECK(curve.steps[j].contact_nodes == n);

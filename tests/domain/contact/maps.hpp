@@ -33,8 +33,8 @@ inline double rms_slope(const rough::Profile& map) {
     return std::sqrt(squares / static_cast<double>(map.nodes()));
 }
 
-/// An isotropic periodic map of 1 mm with the Hurst exponent H, waves from L/4 down to 8 nodes with random
-/// phases, scaled to an rms slope.
+/// An isotropic periodic map of 1 mm with the Hurst exponent H. Waves from L/4 down to 8 nodes have random
+/// phases; heights are scaled to an rms slope.
 inline rough::Profile self_affine(rough::Index n, double H, unsigned seed, double slope) {
     using rough::Index;
     const Index half = n / 2 + 1;

@@ -1,22 +1,13 @@
 #include "domain/contact/pressure_and_gap.hpp"
 #include "tests/domain/contact/maps.hpp"
+#include "tests/domain/contact/scenes.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 
-namespace {
-
-ContactOptions with_states() {
-    ContactOptions options;
-    options.states = true;
-    return options;
-}
-
-} // namespace
-
-TEST_CASE("along the profile pressure and gap exclude each other, and the pressures make up the load") {
+TEST_CASE("pressure and gap exclude each other, and the pressures add up to the load") {
     std::mt19937_64 random(4);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
         const bool periodic = kernel == Kernel::periodic;
@@ -24,7 +15,7 @@ TEST_CASE("along the profile pressure and gap exclude each other, and the pressu
                                        {.nodes = 400, .periodic = periodic});
         const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
         const Body body{.kernel = kernel, .effective_modulus = 7};
-        const auto curve = solve_contact(profile, body, {0.05 * range, 0.3 * range}, with_states());
+        const auto curve = solve_contact(profile, body, {0.05 * range, 0.3 * range}, {.states = true});
         for (std::size_t j = 0; j < 2; ++j) {
             const Interface at = interface_at(profile, body, curve.steps[j], curve.states[j]);
             CHECK((at.pressure.array() * at.gap.array()).abs().maxCoeff() <
@@ -37,24 +28,22 @@ TEST_CASE("along the profile pressure and gap exclude each other, and the pressu
     }
 }
 
-TEST_CASE("two equal waves touch in two spots, which a periodic body joins across the ends") {
-    Profile profile{Eigen::VectorXd(200), 0.01};
-    for (Index i = 0; i < 200; ++i)
-        profile.heights[i] = 0.01 * std::cos(2 * 3.14159265358979 * double(i) / 100);
+TEST_CASE("a spot across the ends of a periodic body is one spot") {
+    const Profile profile =
+        scenes::line_of(200, 0.01, [](double x) { return 0.01 * std::cos(2 * 3.14159265358979 * x); });
     const Body body{.kernel = Kernel::periodic};
-    const auto curve = solve_contact(profile, body, {0.004}, with_states());
+    const auto curve = solve_contact(profile, body, {0.004}, {.states = true});
     const Interface at = interface_at(profile, body, curve.steps[0], curve.states[0]);
     CHECK(at.spots == 2); // one of them about x = 0
     CHECK(2 * at.widest == Approx(0.01 * double(curve.steps[0].contact_nodes)));
 }
 
-TEST_CASE("on an area pressure and gap exclude each other, and a periodic body's displacement has no mean",
-          "[areas]") {
+TEST_CASE("pressure and gap of an area exclude each other", "[areas]") {
     const Profile map = maps::self_affine(40, 0.8, 2, 0.1);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Body body{.kernel = kernel, .effective_modulus = 7};
         const double delta = 0.4 * (map.heights.maxCoeff() - map.heights.mean());
-        const auto curve = solve_contact(map, body, {delta}, with_states());
+        const auto curve = solve_contact(map, body, {delta}, {.states = true});
         const Interface at = interface_at(map, body, curve.steps[0], curve.states[0]);
         CHECK((at.pressure.array() * at.gap.array()).abs().maxCoeff() <
               1e-5 * at.pressure.maxCoeff() * delta);

@@ -1,4 +1,4 @@
-#include "domain/contact/solvers/oracle.hpp"
+#include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,12 +7,11 @@ using namespace rough;
 
 namespace {
 
-void check_against_oracle(Solver solver, double tolerance, ContactOptions options = {}) {
-    options.solver = solver;
+void check_against_reference(const ContactOptions& options, double tolerance) {
     for (const auto& scene : scenes::reference_curves()) {
         const ContactCurve curve = solve_contact(scene.profile, scene.body, scene.displacement, options);
         REQUIRE(curve.steps.size() == scene.displacement.size());
-        CHECK(curve.solver == solver);
+        CHECK(curve.solver == options.solver);
         for (std::size_t j = 0; j < curve.steps.size(); ++j) {
             INFO(scene.name << ", step " << j);
             const LoadStep& step = curve.steps[j];
@@ -26,20 +25,13 @@ void check_against_oracle(Solver solver, double tolerance, ContactOptions option
 
 } // namespace
 
-TEST_CASE("the direct solvers agree with an independent oracle on six scenes", "[contact]") {
-    check_against_oracle(GENERATE(Solver::nested, Solver::nnls), 1e-9);
-}
-
-TEST_CASE("the iterative solvers agree with an independent oracle to ten times their tolerance",
-          "[contact]") {
-    check_against_oracle(GENERATE(Solver::polonsky_keer, Solver::active_set),
-                         10 * ContactOptions().tolerance);
-}
-
-TEST_CASE("the active set, whose search is in single precision, still answers far beyond it", "[contact]") {
-    ContactOptions options;
-    options.tolerance = 1e-10;
-    check_against_oracle(Solver::active_set, 10 * options.tolerance, options);
+TEST_CASE("each solver agrees with an independent implementation within its tolerance", "[contact]") {
+    for (const Solver solver : {Solver::nested, Solver::nnls})
+        check_against_reference({.solver = solver}, 1e-9);
+    for (const Solver solver : {Solver::polonsky_keer, Solver::active_set})
+        check_against_reference({.solver = solver}, 1e-5);
+    // The search in single precision does not limit the result.
+    check_against_reference({.solver = Solver::active_set, .tolerance = 1e-10}, 1e-9);
 }
 
 TEST_CASE("the oracle in extended precision agrees with the reference curves", "[contact]") {
@@ -47,13 +39,11 @@ TEST_CASE("the oracle in extended precision agrees with the reference curves", "
         INFO(scene.name);
         if (scene.profile.nodes() > 256)
             continue;
-        const std::vector<double> some{scene.displacement[0], scene.displacement[9], scene.displacement[19]};
-        const Oracle oracle = consult_oracle(scene.profile, scene.body, some);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t j = std::array{0u, 9u, 19u}[k];
-            CHECK(oracle.pressure[k] == Approx(scene.pressure[j]).epsilon(1e-12));
-            CHECK(oracle.tangent_stiffness[k] == Approx(scene.tangent_stiffness[j]).epsilon(1e-12));
-            CHECK(oracle.contact_nodes[k] == scene.contact_nodes[j]);
+        for (const std::size_t j : {0u, 9u, 19u}) {
+            const Oracle oracle = consult_oracle(scene.profile, scene.body, {scene.displacement[j]});
+            CHECK(oracle.pressure[0] == Approx(scene.pressure[j]).epsilon(1e-12));
+            CHECK(oracle.tangent_stiffness[0] == Approx(scene.tangent_stiffness[j]).epsilon(1e-12));
+            CHECK(oracle.contact_nodes[0] == scene.contact_nodes[j]);
         }
     }
 }

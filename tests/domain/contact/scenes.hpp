@@ -1,12 +1,14 @@
 #pragma once
 
-#include "domain/contact/solve.hpp"
+#include "domain/contact/names.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sobol.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -22,28 +24,20 @@ struct Reference {
     std::vector<int> contact_nodes;
 };
 
-/// Heights of a genome as the data files have it.
-inline rough::Profile profile_of(const nlohmann::json& genome, rough::Index nodes, double length,
-                                 bool periodic) {
-    return sample(rough::genome_from_json(genome, "scene"), {nodes, length, periodic});
-}
-
 inline std::vector<Reference> reference_curves() {
     std::ifstream file(std::string(RUGOSA_TEST_DATA) + "/curves.json");
     std::vector<Reference> scenes;
     for (const auto& scene : nlohmann::json::parse(file)) {
         Reference r;
         r.name = scene["name"];
-        const std::string kernel = scene["kernel"];
-        r.body.kernel = kernel == "free"       ? rough::Kernel::free
-                        : kernel == "periodic" ? rough::Kernel::periodic
-                                               : rough::Kernel::strip;
+        r.body.kernel = rough::kernel_named(scene["kernel"]);
         r.body.effective_modulus = scene["effective_modulus_MPa"];
         if (!scene["datum_mm"].is_null())
             r.body.datum = scene["datum_mm"];
         if (!scene["strip_width_mm"].is_null())
             r.body.strip_width = scene["strip_width_mm"];
-        r.profile = profile_of(scene["genome"], scene["nodes"], scene["length_mm"], kernel == "periodic");
+        r.profile = sample(rough::genome_from_json(scene["genome"], "scene"),
+                           {scene["nodes"], scene["length_mm"], r.body.kernel == rough::Kernel::periodic});
         r.displacement = scene["displacement_mm"].get<std::vector<double>>();
         r.pressure = scene["pressure_MPa"].get<std::vector<double>>();
         r.tangent_stiffness = scene["tangent_stiffness_MPa_per_mm"].get<std::vector<double>>();
@@ -53,14 +47,63 @@ inline std::vector<Reference> reference_curves() {
     return scenes;
 }
 
-/// The paper's database of 100 one-series genomes: lambda = L = 0.84942 mm, A = 1, M = 1, waves down to L/511
-/// whatever the number of nodes.
+/// The paper's database of 100 one-series genomes: lambda = L = 0.84942 mm, A = 1, M = 1. Waves go down to
+/// L/511 for any number of nodes.
 inline std::vector<rough::Profile> database(rough::Index nodes) {
     std::vector<rough::Profile> profiles;
     const double length = rough::DatabaseLayout().lambda;
     for (const rough::Genome& genome : rough::sobol_database({.shortest = length / 511}))
         profiles.push_back(sample(genome, {nodes, length}));
     return profiles;
+}
+
+/// Heights (mm) of a function of x on a line of `nodes` nodes.
+template <class Height>
+rough::Profile line_of(rough::Index nodes, double spacing, Height height) {
+    rough::Profile profile{Eigen::VectorXd(nodes), spacing};
+    for (rough::Index i = 0; i < nodes; ++i)
+        profile.heights[i] = height(static_cast<double>(i) * spacing);
+    return profile;
+}
+
+/// A profile on a body, and the displacements that it is pressed to.
+struct Scene {
+    rough::Profile profile;
+    rough::Body body;
+    std::vector<double> displacements; ///< mm
+};
+
+/// Random scene number k, on the kernel number k % 3, of `fewest` to `fewest + more` nodes. It is a sum of
+/// cosines of random amplitude and phase, between smooth and rough, pressed in even steps.
+inline Scene random_scene(std::mt19937& random, int k, rough::Index fewest, rough::Index more, int steps) {
+    using rough::Index;
+    std::uniform_real_distribution<double> uniform(0, 1);
+    Scene scene;
+    scene.body.kernel = static_cast<rough::Kernel>(k % 3);
+    const Index nodes = fewest + static_cast<Index>(uniform(random) * static_cast<double>(more));
+    const double length = std::pow(10, 4 * uniform(random) - 2);
+    const bool periodic = scene.body.kernel == rough::Kernel::periodic;
+    scene.profile = {Eigen::VectorXd::Zero(nodes),
+                     length / static_cast<double>(periodic ? nodes : nodes - 1)};
+    scene.body.effective_modulus = std::pow(10, 6 * uniform(random));
+    scene.body.datum = length * (k % 2 ? 0.3 + 0.6 * uniform(random) : std::pow(10, uniform(random)));
+    scene.body.strip_width = scene.profile.spacing * std::pow(10, 4 * uniform(random) - 2);
+    const double decay = 0.5 + 1.5 * uniform(random);
+    for (int wave = 1; wave < 30; ++wave) {
+        const double amplitude = length * std::pow(wave, -decay) * uniform(random),
+                     phase = 7 * uniform(random);
+        for (Index i = 0; i < nodes; ++i)
+            scene.profile.heights[i] +=
+                amplitude *
+                std::cos(6.283185307179586 * wave * static_cast<double>(i) * scene.profile.spacing / length +
+                         phase);
+    }
+    const double highest = scene.profile.heights.maxCoeff();
+    const double reach = periodic ? 0.95 * (highest - scene.profile.heights.mean())
+                                  : highest - scene.profile.heights.minCoeff();
+    for (int j = 1; j <= steps; ++j)
+        scene.displacements.push_back(reach * j / steps);
+    return scene;
 }
 
 /// t range, t = reach j/steps, j = 1..steps, mm

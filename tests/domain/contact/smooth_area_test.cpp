@@ -12,50 +12,40 @@ namespace {
 struct Pressed {
     Profile profile;
     Body body;
-    std::vector<double> displacements;
+    std::vector<double> displacements; ///< mm
 };
 
-/// A random profile of so many nodes, to be pressed to `reach` of its height.
-Pressed random_scene(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest, double reach) {
-    Pressed scene;
-    scene.body.kernel = kernel;
-    scene.body.strip_width = 0.002;
-    const Grid grid{nodes, 0.84942, kernel == Kernel::periodic};
-    scene.profile = sample(testing::random_genome(random, 1, 1, 0.84942, shortest), grid);
-    Loading loading;
-    loading.reach = reach;
-    scene.displacements = step_displacements(scene.profile, scene.body, loading);
+/// A random profile or map, pressed to `reach` of its height.
+Pressed random_scene(std::mt19937_64& random, const Body& body, int ridges, double shortest, Grid grid,
+                     double reach) {
+    grid.periodic = body.kernel == Kernel::periodic;
+    Pressed scene{sample(testing::random_genome(random, 1, ridges, 0.84942, shortest), grid), body, {}};
+    scene.displacements = step_displacements(scene.profile, scene.body, {.reach = reach});
     return scene;
 }
 
-/// The same of an area.
+Pressed random_line(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest, double reach) {
+    return random_scene(random, {.kernel = kernel, .strip_width = 0.002}, 1, shortest, {.nodes = nodes},
+                        reach);
+}
+
 Pressed random_area(std::mt19937_64& random, Kernel kernel, double reach) {
-    Pressed scene;
-    scene.body.kernel = kernel;
-    scene.profile = sample(testing::random_genome(random, 1, 3, 0.84942, 0.2),
-                           {16, 0.84942, kernel == Kernel::periodic, 0, 14, 0.8});
-    Loading loading;
-    loading.reach = reach;
-    scene.displacements = step_displacements(scene.profile, scene.body, loading);
-    return scene;
+    return random_scene(random, {.kernel = kernel}, 3, 0.2, {.nodes = 16, .rows = 14, .width = 0.8}, reach);
 }
 
 ContactCurve pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
-    ContactOptions options;
-    options.states = true;
-    return solve_contact(profile, body, displacements, options);
+    return solve_contact(profile, body, displacements, {.states = true});
 }
 
 } // namespace
 
-TEST_CASE(
-    "a smooth contact fraction is within half a node an edge of the counted one, and the same on the mean") {
+TEST_CASE("a smooth contact fraction is within half a node per edge of the counted one") {
     std::mt19937_64 random(41);
     double mean = 0;
     int steps = 0;
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
         for (int scene = 0; scene < 5; ++scene) {
-            const auto [profile, body, displacements] = random_scene(random, kernel, 256, 0.02, 0.9);
+            const auto [profile, body, displacements] = random_line(random, kernel, 256, 0.02, 0.9);
             const auto curve = pressed(profile, body, displacements);
             const SmoothArea area = smooth_area(profile, body, curve);
             for (std::size_t j = 0; j < curve.steps.size(); ++j) {
@@ -74,14 +64,14 @@ TEST_CASE(
     CHECK(std::abs(mean / steps) < 0.05);
 }
 
-TEST_CASE("the derivatives of a smooth contact fraction follow differences in heights and displacement") {
+TEST_CASE("derivatives of a smooth contact fraction agree with differences") {
     std::mt19937_64 random(42);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
         for (int scene = 0; scene < 6; ++scene) {
             if (scene >= 3 && kernel == Kernel::strip)
                 break;
             const Pressed pressing =
-                scene < 3 ? random_scene(random, kernel, 128, 0.05, 0.8) : random_area(random, kernel, 0.8);
+                scene < 3 ? random_line(random, kernel, 128, 0.05, 0.8) : random_area(random, kernel, 0.8);
             const Profile& profile = pressing.profile;
             const Body& body = pressing.body;
             const std::vector<double>& displacements = pressing.displacements;
@@ -125,7 +115,7 @@ TEST_CASE("the derivatives of a smooth contact fraction follow differences in he
         }
 }
 
-TEST_CASE("an area's smooth contact fraction goes on where a node enters", "[areas]") {
+TEST_CASE("the smooth contact fraction of an area does not jump when a node enters", "[areas]") {
     std::mt19937_64 random(46);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         Pressed scene = random_area(random, kernel, 0.5);
@@ -135,10 +125,10 @@ TEST_CASE("an area's smooth contact fraction goes on where a node enters", "[are
         };
         double below = scene.displacements[8], above = scene.displacements[9];
         REQUIRE(count(below) < count(above));
-        const std::size_t least = count(below);
+        const std::size_t lowest = count(below);
         while (above - below > 1e-11 * above) {
             const double middle = 0.5 * (below + above);
-            (count(middle) == least ? below : above) = middle;
+            (count(middle) == lowest ? below : above) = middle;
         }
         const auto at = [&](double displacement) {
             return smooth_area(scene.profile, scene.body, pressed(scene.profile, scene.body, {displacement}))

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "domain/database/setup.hpp"
+#include "domain/database/build.hpp"
 
 namespace rough::testing {
 
-/// Of genomes that are solved in no time.
+/// A set-up whose genomes are solved very quickly.
 inline DatabaseSetup small_setup() {
     DatabaseSetup setup;
     setup.model.grid.nodes = 64;
@@ -12,6 +12,14 @@ inline DatabaseSetup small_setup() {
     setup.law.series = 2;
     setup.law.shortest = 0.1;
     return setup;
+}
+
+/// A database built with these options.
+inline GenomeStore built(const std::filesystem::path& file, const BuildOptions& options,
+                         const DatabaseSetup& setup = small_setup()) {
+    GenomeStore store = GenomeStore::create(file, setup);
+    build(store, options);
+    return store;
 }
 
 } // namespace rough::testing

@@ -2,47 +2,28 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/stored.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <algorithm>
+#include "tests/domain/design/setups.hpp"
 
 using namespace rough;
+using testing::drawn;
 
 namespace {
 
-/// The drawn target on few nodes, on a line or a map.
-DesignSetup drawn(bool area) {
-    DesignSetup setup;
-    setup.model.grid.nodes = area ? 16 : 64;
-    if (area) {
-        setup.model.grid.rows = setup.model.grid.nodes;
-        setup.model.grid.width = setup.model.grid.length;
-    }
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-    setup.max_pressure = 1.6e-4;
-    return completed(setup);
-}
-
 std::string found_by(const DesignSetup& setup, const std::string& pipeline, long evaluations,
                      int threads = 1) {
-    SearchOptions options;
-    options.pipeline = pipeline;
-    options.evaluations = evaluations;
-    options.alternatives = 1;
-    options.threads = threads;
+    const SearchOptions options{
+        .pipeline = pipeline, .threads = threads, .evaluations = evaluations, .alternatives = 1};
     return shape_key(search(setup, options).best.genome);
 }
 
 } // namespace
 
-TEST_CASE(
-    "every named variant finds the same genome by its name, by its text, and in any variant of that text") {
+TEST_CASE("every named variant finds the same genome by its name and by its text") {
     for (const bool area : {false, true}) {
-        DesignSetup setup = drawn(area);
+        DesignSetup setup = drawn(area ? 16 : 64, area);
         setup.targets.push_back(setup.targets[0]); // for mcco and nsga2
         for (const auto& [name, text] : design_variants()) {
-            if (area != (name == "maps")) // on an area each other would press the database anew
+            if (area != (name == "maps")) // on an area all others would solve the whole database
                 continue;
             INFO(name << (area ? " on an area" : ""));
             setup.like = name == "like"
@@ -57,49 +38,44 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a budget in evaluations is kept to, and a pipeline of a coarser grid pays from the same") {
-    const DesignSetup setup = drawn(true);
+TEST_CASE("a coarser grid is paid for from the run's budget of evaluations") {
     for (const long budget : {1L, 17L, 30L}) {
-        SearchOptions options;
-        options.pipeline = "coarser 1 { shape 4 | score | refine lm 5 } | score | refine lm 20 | best 1";
-        options.evaluations = budget;
-        options.alternatives = 1;
-        const SearchResult found = search(setup, options);
+        const SearchResult found =
+            search(drawn(16, true),
+                   {.pipeline = "coarser 1 { shape 4 | score | refine lm 5 } | score | refine lm 20 | best 1",
+                    .evaluations = budget,
+                    .alternatives = 1});
         CHECK(found.counters.asked == budget);
         CHECK(found.stopped == "evaluation budget spent");
     }
 }
 
-TEST_CASE("the default search begins anew until an answer has the required similarity") {
-    DesignSetup setup = drawn(false);
-    SearchOptions options;
-    options.pipeline = "pass";
-    const long once = search(setup, options).counters.asked;
-    options.pipeline = "default";
+TEST_CASE("the default search restarts until an answer has the required similarity") {
+    DesignSetup setup = drawn(64);
+    const auto cost = [&](const char* pipeline, long evaluations) {
+        return search(setup, {.pipeline = pipeline, .evaluations = evaluations}).counters.asked;
+    };
+    const long once = cost("pass", 1000000);
     setup.required_similarity = -1;
-    CHECK(search(setup, options).counters.asked == once);
-    setup.required_similarity = 1.1; // nothing has that
-    options.evaluations = 2 * once;
-    const long twice = search(setup, options).counters.asked;
+    CHECK(cost("default", 1000000) == once);
+    setup.required_similarity = 1.1; // which no answer has
+    const long twice = cost("default", 2 * once);
     CHECK(twice > once);
     CHECK(twice <= 2 * once);
 }
 
-TEST_CASE("corrected targets bring an answer nearer at its worst") {
-    const DesignSetup setup = drawn(true);
-    SearchOptions options;
-    options.alternatives = 1;
-    const std::string before = "shape 6 | score | best 2 | refine lm 20 | best 1";
-    options.pipeline = before;
-    const double plain = search(setup, options).best.lowest();
-    options.pipeline = before + " | corrected { score | refine lm 12 sharpen=4 | best 1 } | score";
-    CHECK(search(setup, options).best.lowest() > plain);
+TEST_CASE("corrected targets raise the lowest similarity of an answer") {
+    const std::string before = "shape 6 | score | best 2 | refine lm 20 | best 1",
+                      after = before + " | corrected { score | refine lm 12 sharpen=4 | best 1 } | score";
+    const auto lowest = [](const std::string& pipeline) {
+        return search(drawn(16, true), {.pipeline = pipeline, .alternatives = 1}).best.lowest();
+    };
+    CHECK(lowest(after) > lowest(before));
 }
 
-TEST_CASE("an answer outside the limits on shape is brought within them, and one inside is left alone") {
-    DesignSetup setup = drawn(false);
-    SearchOptions options;
-    options.pipeline = "shape 1 | score";
+TEST_CASE("only an answer outside the limits on shape is changed to keep them") {
+    DesignSetup setup = drawn(64);
+    const SearchOptions options{.pipeline = "shape 1 | score"};
     const Answer free = search(setup, options).best;
     const auto slope = [&](const Genome& genome) {
         for (const Margin& margin : margins(genome, setup.model.grid, setup.limits))
@@ -119,9 +95,8 @@ TEST_CASE("an answer outside the limits on shape is brought within them, and one
     CHECK(same.counters.gradients == 0);
 }
 
-TEST_CASE("a block that changes the problem is refused on islands") {
-    const DesignSetup setup = drawn(false);
+TEST_CASE("islands refuse a block that changes the problem") {
     CHECK_THROWS_WITH(
-        expect_searchable(setup, "shape 8 | score | islands 2 { corrected { score } | score | best 4 }"),
+        expect_searchable(drawn(64), "shape 8 | score | islands 2 { corrected { score } | score | best 4 }"),
         Catch::Contains("islands"));
 }

@@ -18,7 +18,7 @@ std::size_t chromosomes(const Genome& genome) {
 
 } // namespace
 
-TEST_CASE("cross-over of length scales only exchanges: the two children add up to the two parents") {
+TEST_CASE("two children of a cross-over of length scales add up to their parents") {
     std::mt19937_64 random(31);
     const Grid grid{64, 0.84942, false};
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -40,7 +40,7 @@ TEST_CASE("cross-over of length scales only exchanges: the two children add up t
     }
 }
 
-TEST_CASE("a one-point cross-over exchanges the short waves and leaves the long ones") {
+TEST_CASE("a one-point cross-over exchanges only the short waves") {
     std::mt19937_64 random(33);
     Genome a = random_genome(random, 1, 1, 0.84942, 0.03), b = random_genome(random, 1, 1, 0.84942, 0.03);
     const auto longest = a.series[0].chromosomes[0].phases;

@@ -8,7 +8,7 @@
 
 using namespace rough;
 
-TEST_CASE("the Sobol database equals the reference, pairs and phases") {
+TEST_CASE("the Sobol database has the pairs and phases of the reference") {
     std::ifstream in(RUGOSA_TEST_DATA "/database.csv");
     REQUIRE(in);
     std::string line;
@@ -39,8 +39,7 @@ TEST_CASE("the Sobol database equals the reference, pairs and phases") {
     CHECK(sobol_database(layout).size() == 100);
 }
 
-TEST_CASE("with its first point the Sobol database begins in the middle of the ranges, and all others "
-          "come one later") {
+TEST_CASE("the first point of a Sobol database is the middle of the ranges, before all other points") {
     const DatabaseLayout without{.pairs = 4, .shortest = 0.1};
     DatabaseLayout with = without;
     with.with_first = true;

@@ -10,9 +10,10 @@ using namespace rough;
 
 namespace {
 
-/// Checks every path of applying the influence matrix, on all nodes and on some of them, against its direct
-/// sums; `spectrum` are the eigenvalues if it is circulant.
-void check_paths(const Eigen::VectorXd& column, Extent shape, const Eigen::VectorXd& spectrum = {}) {
+/// Compares every method of applying the influence matrix, on all nodes and on some of them, with its direct
+/// sums.
+void check_paths(const UnitBody& body, Extent shape) {
+    const Eigen::VectorXd column = influence_column(body, shape);
     const Index nodes = shape.nodes();
     const Eigen::VectorXd p = Eigen::VectorXd::Random(nodes).cwiseAbs();
     const auto direct = [&](const Eigen::VectorXd& pressure) {
@@ -25,7 +26,7 @@ void check_paths(const Eigen::VectorXd& column, Extent shape, const Eigen::Vecto
         return sums;
     };
     const Eigen::VectorXd expected = direct(p);
-    const double least = 1e-14 * column.cwiseAbs().sum();
+    const double rounding = 1e-14 * column.cwiseAbs().sum();
     const auto apply = [&](FourierOperator op) {
         std::copy_n(p.data(), nodes, op.input());
         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(op.apply(), nodes));
@@ -34,10 +35,12 @@ void check_paths(const Eigen::VectorXd& column, Extent shape, const Eigen::Vecto
     Eigen::VectorXf::Map(single.input(), nodes) = p.cast<float>();
     const Eigen::VectorXf rounded = Eigen::VectorXf::Map(single.apply(), nodes);
     CHECK((rounded.cast<double>() - expected).cwiseAbs().maxCoeff() < 1e-6 * column.cwiseAbs().sum());
-    CHECK((apply(FourierOperator::toeplitz(column, shape)) - expected).cwiseAbs().maxCoeff() < least);
-    CHECK((SplitOperator(column, shape).apply(p) - expected).cwiseAbs().maxCoeff() < least);
-    if (spectrum.size() > 0)
-        CHECK((apply(FourierOperator::circulant(shape, spectrum)) - expected).cwiseAbs().maxCoeff() < least);
+    CHECK((apply(FourierOperator::toeplitz(column, shape)) - expected).cwiseAbs().maxCoeff() < rounding);
+    CHECK((SplitOperator(column, shape).apply(p) - expected).cwiseAbs().maxCoeff() < rounding);
+    if (body.kernel == Kernel::periodic)
+        CHECK((apply(FourierOperator::circulant(shape, periodic_spectrum(body, shape))) - expected)
+                  .cwiseAbs()
+                  .maxCoeff() < rounding);
     std::vector<int> some;
     Eigen::VectorXd on_some(nodes), elsewhere = Eigen::VectorXd::Zero(nodes);
     for (Index i = nodes - 1; i >= 0; i -= 1 + i % 3) { // in any order
@@ -48,32 +51,29 @@ void check_paths(const Eigen::VectorXd& column, Extent shape, const Eigen::Vecto
     CHECK((Eigen::Map<const Eigen::VectorXd>(DirectOperator(table).apply(some, on_some), nodes) -
            direct(elsewhere))
               .cwiseAbs()
-              .maxCoeff() < least);
+              .maxCoeff() < rounding);
 }
 
 } // namespace
 
-TEST_CASE("every path of applying the influence matrix gives its direct sums", "[contact][areas]") {
+TEST_CASE("every method of applying the influence matrix gives its direct sums", "[contact][areas]") {
     std::srand(8);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
-        const bool periodic = kernel == Kernel::periodic;
         for (const Index nodes : {2, 3, 17, 64, 243, 509}) {
             INFO(static_cast<int>(kernel) << ", " << nodes << " nodes");
-            check_paths(influence_column(kernel, nodes, 1.1 * static_cast<double>(nodes), 0.3), Extent{nodes},
-                        periodic ? periodic_spectrum(nodes) : Eigen::VectorXd());
+            check_paths({kernel, 0, 1.1 * static_cast<double>(nodes), 0.3}, {nodes});
         }
         for (const Extent shape :
              {Extent{2, 3}, Extent{16, 9}, Extent{7, 70}, Extent{70, 5}, Extent{70, 1}, Extent{1, 12}}) {
             if (kernel == Kernel::strip)
                 continue;
             INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows);
-            check_paths(area_influence_column(kernel, shape, 0.7), shape,
-                        periodic ? area_spectrum(shape, 0.7) : Eigen::VectorXd());
+            check_paths({kernel, 0.7}, shape);
         }
     }
 }
 
-TEST_CASE("a fast length is the next even number without a prime factor above five") {
+TEST_CASE("a fast length is the next even number without prime factors above five") {
     const auto fast = [](Index number) {
         for (const Index factor : {2, 3, 5})
             while (number % factor == 0)

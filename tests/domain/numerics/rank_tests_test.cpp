@@ -16,7 +16,7 @@ TEST_CASE("equal values share the mean of their ranks") {
 }
 
 TEST_CASE("the rank-sum test has the p-values of the published tables") {
-    // U = 2 of 5 and 5: 4 of 252 ways lie as far to this side (Mann and Whitney 1947, Table I).
+    // U = 2 of 5 and 5: 4 of 252 choices lie as far to this side (Mann and Whitney 1947, Table I).
     CHECK(rank_sum_p({1, 2, 3, 4, 7}, {5, 6, 8, 9, 10}) == Approx(2 * 4 / 252.0));
     CHECK(rank_sum_p({1, 2, 3}, {4, 5, 6}) == Approx(2 / 20.0));
     // Hollander and Wolfe (1973), p. 69: one-sided 0.1272.
@@ -26,22 +26,12 @@ TEST_CASE("the rank-sum test has the p-values of the published tables") {
     CHECK(rank_sum_p({}, {1, 2}) == 1);
 }
 
-TEST_CASE("ties keep their ranks when all ways are counted") {
-    // Of the 6 ways to choose 2 of the ranks 1, 2.5, 2.5, 4 none is under 3.5, and two are 3.5.
+TEST_CASE("ties keep their ranks in an exact count") {
+    // 2 of the ranks 1, 2.5, 2.5, 4 have 6 sums; none is under 3.5, and two are 3.5.
     CHECK(rank_sum_p({1, 2}, {2, 3}) == Approx(2 * 2 / 6.0));
 }
 
-TEST_CASE("the rank-sum test knows neither order nor scale") {
-    const Values a{3, 9, 4, 1, 7}, b{8, 12, 5, 11};
-    CHECK(rank_sum_p(a, b) == Approx(rank_sum_p(b, a)));
-    Values moved = a, others = b;
-    for (Values* values : {&moved, &others})
-        for (double& value : *values)
-            value = std::exp(value / 3);
-    CHECK(rank_sum_p(moved, others) == Approx(rank_sum_p(a, b)));
-}
-
-TEST_CASE("the normal approximation of many ranks meets the counted p of few") {
+TEST_CASE("the normal approximation continues the exact p-values") {
     ga::Stream stream(4);
     Values a, b;
     for (int i = 0; i < 30; ++i) {
@@ -70,8 +60,8 @@ TEST_CASE("the signed-rank test has the p-values of the published tables") {
     CHECK(signed_rank_p({0, 0}) == 1);
 }
 
-TEST_CASE("Friedman's test of the rounding of first base is as published") {
-    // Hollander and Wolfe (1973), p. 140: 22 players, three ways to round first base.
+TEST_CASE("Friedman's test gives the published result of 22 players") {
+    // Hollander and Wolfe (1973), p. 140: 22 players, three methods of rounding first base.
     const Friedman found = friedman(
         {{5.40, 5.50, 5.55}, {5.85, 5.70, 5.75}, {5.20, 5.60, 5.50}, {5.55, 5.50, 5.40}, {5.90, 5.85, 5.70},
          {5.45, 5.55, 5.60}, {5.40, 5.40, 5.35}, {5.45, 5.50, 5.35}, {5.25, 5.15, 5.00}, {5.85, 5.80, 5.70},
@@ -84,7 +74,7 @@ TEST_CASE("Friedman's test of the rounding of first base is as published") {
     CHECK(friedman({{1, 1, 1}, {2, 2, 2}}).p == 1);
 }
 
-TEST_CASE("Holm's correction multiplies by how many tests are left and never falls") {
+TEST_CASE("Holm's correction gives the p-values of its definition") {
     const Values corrected = holm({0.01, 0.04, 0.03, 0.005});
     CHECK(corrected[3] == Approx(0.02));
     CHECK(corrected[0] == Approx(0.03));
@@ -92,23 +82,4 @@ TEST_CASE("Holm's correction multiplies by how many tests are left and never fal
     CHECK(corrected[1] == Approx(0.06));
     CHECK(holm({0.4, 0.9})[0] == Approx(0.8));
     CHECK(holm({0.7, 0.9}) == Values{1, 1});
-}
-
-TEST_CASE("rank tests reject what is true as seldom as they say") {
-    int summed = 0, signs = 0;
-    for (std::uint64_t trial = 0; trial < 1000; ++trial) {
-        ga::Stream stream(ga::fold(9, trial));
-        Values a, b, differences;
-        for (int i = 0; i < 10; ++i) {
-            a.push_back(stream.normal());
-            b.push_back(stream.normal());
-            differences.push_back(a.back() - b.back());
-        }
-        summed += rank_sum_p(a, b) <= 0.05;
-        signs += signed_rank_p(differences) <= 0.05;
-    }
-    for (const int rejected : {summed, signs}) {
-        CHECK(rejected > 25);
-        CHECK(rejected < 70); // 50 and three deviations
-    }
 }

@@ -7,7 +7,7 @@
 
 using namespace rough;
 
-TEST_CASE("quantiles are read between the values in order, and what is unknown does not count") {
+TEST_CASE("quantiles interpolate between ordered values and ignore NaN") {
     const double nan = std::nan("");
     CHECK(quantile({4, 1, nan, 2, 3}, 0) == 1);
     CHECK(quantile({4, 1, nan, 2, 3}, 1) == 4);
@@ -19,13 +19,13 @@ TEST_CASE("quantiles are read between the values in order, and what is unknown d
     CHECK(std::isnan(mean({nan})));
 }
 
-TEST_CASE("a line's slope is found again, and two points are the fewest") {
+TEST_CASE("the slope of a line is exact, and NaN for fewer than two points") {
     CHECK(slope(Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(5, 3, 1)) == Approx(-2));
     CHECK(slope(Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(0, 3, 0)) == Approx(0).margin(1e-15));
     CHECK(std::isnan(slope(Eigen::VectorXd(1), Eigen::VectorXd(1))));
 }
 
-TEST_CASE("series that vary together correlate fully, and none correlates with a constant") {
+TEST_CASE("linear series correlate fully, and a constant has no correlation") {
     CHECK(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6)) == Approx(1));
     CHECK(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(3, 2, 1)) == Approx(-1));
     CHECK(std::isnan(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7, 7))));
@@ -35,7 +35,7 @@ TEST_CASE("series that vary together correlate fully, and none correlates with a
         CHECK(pearson(size * Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6) / size) == Approx(1));
 }
 
-TEST_CASE("the empirical distribution steps at each value, and what is never reached counts among them") {
+TEST_CASE("the empirical distribution steps at each value and counts NaN") {
     const std::vector<double> values{3, 1, std::nan(""), 2};
     CHECK(share_up_to(values, 0.9) == 0);
     CHECK(share_up_to(values, 1) == 0.25);
@@ -44,7 +44,7 @@ TEST_CASE("the empirical distribution steps at each value, and what is never rea
     CHECK(std::isnan(share_up_to({}, 1)));
 }
 
-TEST_CASE("the median's interval of order statistics is the binomial table's") {
+TEST_CASE("the interval of a median is that of the binomial table") {
     std::vector<double> values;
     for (int i = 1; i <= 15; ++i)
         values.push_back(i);
@@ -52,7 +52,7 @@ TEST_CASE("the median's interval of order statistics is the binomial table's") {
     CHECK(of15.lower == 4);
     CHECK(of15.upper == 12);
     CHECK(of15.coverage == Approx(0.96484).epsilon(1e-4));
-    const Interval of3 = median_interval({2, 9, 4}); // too few: the extremes, and what they are worth
+    const Interval of3 = median_interval({2, 9, 4}); // too few: the extremes with their coverage
     CHECK(of3.lower == 2);
     CHECK(of3.upper == 9);
     CHECK(of3.coverage == Approx(0.75));
@@ -61,7 +61,7 @@ TEST_CASE("the median's interval of order statistics is the binomial table's") {
     CHECK(std::isnan(median_interval({1, 2, std::nan("")}).upper));
 }
 
-TEST_CASE("the bootstrap's interval of a mean holds it about as often as it says") {
+TEST_CASE("a bootstrap interval holds the mean about as often as its confidence") {
     int held = 0;
     constexpr int trials = 400;
     for (std::uint64_t trial = 0; trial < trials; ++trial) {

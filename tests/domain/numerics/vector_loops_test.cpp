@@ -1,5 +1,4 @@
 #include "domain/numerics/aligned.hpp"
-#include "domain/numerics/build.hpp"
 #include "domain/numerics/vector_loops.hpp"
 
 #include <Eigen/Cholesky>
@@ -26,7 +25,7 @@ double number(Index i) { return std::sin(static_cast<double>(i * i % 1009) + 0.3
 
 } // namespace
 
-TEST_CASE("the widest vectors of the processor are taken, and the build says which", "[vectors]") {
+TEST_CASE("the widest vectors of the processor are taken and recorded", "[vectors]") {
     REQUIRE(vector_loops("baseline"));
     CHECK_FALSE(vector_loops("none"));
     if (!std::getenv("RUGOSA_VECTORS"))
@@ -67,14 +66,14 @@ TEST_CASE("a factor's panels solve a linear system with any kind of vectors", "[
         VectorXd x = VectorXd::Map(one.data(), n) - VectorXd::Map(image.data(), n);
         loops->back_substitute(factor, n / panel_width, x.data());
         CHECK((x - exact).cwiseAbs().maxCoeff() < 1e-13);
-        // A row that is another's again has no pivot of its own.
+        // A row that repeats another has no pivot.
         MatrixXd::Map(panels[0], panel_width, panel_width).setOnes();
         const VectorXd ones = VectorXd::Ones(panel_width);
         CHECK(loops->eliminate(factor, 0, 0, ones.data(), gap.data(), 1e-10) == 1);
     }
 }
 
-TEST_CASE("products of any kind of vectors are the matrices' own", "[vectors]") {
+TEST_CASE("products agree with Eigen for any kind of vectors", "[vectors]") {
     constexpr Index depth = 45, width = panel_width, size = 128;
     AlignedBuffer<double> rows(width * depth);
     for (Index i = 0; i < width * depth; ++i)
@@ -102,7 +101,7 @@ TEST_CASE("products of any kind of vectors are the matrices' own", "[vectors]") 
     }
 }
 
-TEST_CASE("the deepest node is found wherever it lies, and what is no number noticed", "[vectors]") {
+TEST_CASE("the deepest node is found at any place, and NaN is noticed", "[vectors]") {
     for (const VectorLoops* loops : kinds())
         for (const Index n : {Index{1}, Index{7}, Index{8}, Index{21}}) {
             INFO(loops->vectors << ", " << n << " nodes");
@@ -123,7 +122,7 @@ TEST_CASE("the deepest node is found wherever it lies, and what is no number not
         }
 }
 
-TEST_CASE("a wave of any kind of vectors is the cosine of its angle", "[vectors]") {
+TEST_CASE("a wave is the cosine of its angle for any kind of vectors", "[vectors]") {
     constexpr Index nodes = 75, block = 32;
     const double step = 0.07, phase = 0.4;
     VectorXd start_cosines(3), start_sines(3), fine_cosines(block), fine_sines(block);

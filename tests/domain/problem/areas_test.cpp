@@ -1,88 +1,70 @@
-#include "domain/mwm/sobol.hpp"
-#include "domain/problem/drawn_start.hpp"
-#include "domain/problem/surface_descriptors.hpp"
-#include "domain/target/stiffness_limits.hpp"
 #include "tests/domain/problem/jacobian.hpp"
-#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::check_jacobian;
+using rough::testing::fitted_genome;
 
 namespace {
 
 DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
     DesignSetup setup;
     setup.model.body.kernel = kernel;
-    setup.model.grid.nodes = columns;
-    setup.model.grid.rows = rows;
-    setup.model.grid.width = 0.8;
+    setup.model.grid = {.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8};
     setup.model.loading.steps = 8;
     setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     setup.limits.shortest_wave = 0.25;
     return completed(setup);
 }
 
-Genome two_series(std::mt19937_64& random, const DesignSetup& setup) {
-    return with_fitting_amplitude(setup,
-                                  testing::random_genome(random, 2, 3, 0.84942, setup.limits.shortest_wave));
-}
-
-/// A chromosome of two ridges, across each other: Z = -G [cos(k x + 0.4) + cos(k y + 1)] and a constant.
+/// A chromosome of two crossed ridges: Z = -G [cos(k x + 0.4) + cos(k y + 1)] and a constant.
 Genome crossed_waves(double lambda) { return {0.02, {{1, 0.8, 1.5, lambda, {{1, {0.4, 1}}}}}}; }
 
 } // namespace
 
-TEST_CASE("on areas the derivatives of the misfits follow differences in every gene", "[areas]") {
+TEST_CASE("derivatives of misfits on maps agree with differences in every gene", "[areas]") {
     std::mt19937_64 random(71);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic})
         for (const bool free_amplitude : {false, true}) {
             DesignSetup setup = area_setup(kernel);
             if (!free_amplitude)
                 setup.max_pressure = 1.6e-4;
-            check_jacobian(setup, two_series(random, setup), "similarity");
+            check_jacobian(setup, fitted_genome(random, setup, 3), "similarity");
         }
-}
-
-TEST_CASE("on areas they do so for interface stiffness, contact fractions and loads", "[areas]") {
-    std::mt19937_64 random(72);
+    random.seed(72);
     for (const Quantity quantity : {Quantity::interface_stiffness, Quantity::area_at_pressure,
                                     Quantity::area_at_displacement, Quantity::load_at_displacement}) {
-        INFO("quantity " << static_cast<int>(quantity));
+        INFO("quantity " << name_of(quantity));
         DesignSetup setup = area_setup(Kernel::free);
         Target& target = setup.targets[0];
         target.quantity = quantity;
         target.x = Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4);
-        target.y = is_contact_fraction(quantity) ? Eigen::VectorXd(Eigen::VectorXd::LinSpaced(8, 0.05, 0.6))
-                                                 : Eigen::VectorXd(0.6 * target.x);
+        target.y = Eigen::VectorXd::LinSpaced(8, 0.05, 0.6);
+        if (quantity == Quantity::load_at_displacement)
+            target.y = 0.6 * target.x;
         if (quantity == Quantity::interface_stiffness)
             target.y = Eigen::VectorXd::LinSpaced(8, 0.5, 4);
-        // A smooth contact fraction is steep where a node is about to enter, and differences of it less good.
-        check_jacobian(setup, two_series(random, setup), "similarity",
+        // A smooth contact fraction is steep just before a node touches, and differences are less accurate.
+        check_jacobian(setup, fitted_genome(random, setup, 3), "similarity",
                        is_contact_fraction(quantity) ? 1e-4 : 1e-5);
     }
 }
 
-TEST_CASE("an area's verification is that of separate solutions, all its fine steps solved or nearly so",
-          "[areas]") {
+TEST_CASE("a map's verification agrees with four separate solutions", "[areas]") {
     std::mt19937_64 random(73);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         DesignSetup setup = area_setup(kernel, 18, 16);
         setup.model.loading.steps = 20;
         setup.max_pressure = 1.6e-4;
         setup.model.contact.tolerance = 1e-9;
-        const Genome genome = two_series(random, setup);
-        const auto alone = [&](Index refine, int times) {
-            Model model = refined(setup.model, refine);
-            model.loading.steps *= times;
-            return similarity(setup, respond(setup, genome, model));
-        };
+        const Genome genome = fitted_genome(random, setup, 3);
+        const auto [similarity, refined, stepped, both] =
+            rough::testing::separate_similarities(setup, genome);
         const Verification verified = Verifier(setup).of(genome);
-        CHECK(verified.similarity == Approx(alone(1, 1)).epsilon(1e-6));
-        CHECK(verified.refined == Approx(alone(4, 1)).epsilon(1e-6));
-        CHECK(verified.stepped == Approx(alone(1, 4)).epsilon(1e-6));
-        const double both = alone(4, 4);
+        CHECK(verified.similarity == Approx(similarity).epsilon(1e-6));
+        CHECK(verified.refined == Approx(refined).epsilon(1e-6));
+        CHECK(verified.stepped == Approx(stepped).epsilon(1e-6));
         CHECK(verified.reading_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Approx(both).margin(3e-3 * (2 - both)));
         CHECK(verified.both == Verifier(setup, 2).of(genome).both);
@@ -90,44 +72,35 @@ TEST_CASE("an area's verification is that of separate solutions, all its fine st
     }
 }
 
-TEST_CASE("a verification of an area that is stopped knows what was solved by then and nothing of the rest",
-          "[areas]") {
+TEST_CASE("a stopped verification of a map has only the similarities solved before", "[areas]") {
     std::mt19937_64 random(75);
     DesignSetup setup = area_setup(Kernel::periodic);
     setup.max_pressure = 1.6e-4;
-    const Genome genome = two_series(random, setup);
+    const Genome genome = fitted_genome(random, setup, 3);
     const Verification whole = Verifier(setup).of(genome);
-    const auto stopped_after = [&](long questions, long* asked = nullptr) {
-        long count = 0;
+    long count = 0;
+    const auto stopped_after = [&](long questions) {
         DesignSetup ends = setup;
-        ends.model.contact.stop = [&] { return ++count > questions; };
-        const Verification verified = Verifier(ends).of(genome);
-        if (asked)
-            *asked = count;
-        return verified;
+        ends.model.contact.stop = [&count, questions] { return ++count > questions; };
+        count = 0;
+        return Verifier(ends).of(genome);
     };
-    long all = 0;
-    const Verification never = stopped_after(1000000, &all);
-    CHECK(never.worst() == whole.worst());
-    const Verification at_once = stopped_after(0);
-    CHECK(std::isnan(at_once.similarity));
-    CHECK(std::isnan(at_once.stepped));
-    CHECK(std::isnan(at_once.worst()));
-    CHECK(at_once.on_own.empty());
-    const Verification late = stopped_after(all - 1); // in the last step of the finer grid
+    CHECK(stopped_after(1000000).worst() == whole.worst());
+    const Verification late = stopped_after(count - 1); // in the last step of the finer grid
     CHECK(late.similarity == whole.similarity);
     CHECK(late.stepped == whole.stepped);
     CHECK(late.on_own[0].pressure == whole.on_own[0].pressure);
-    CHECK(std::isnan(late.refined));
-    CHECK(std::isnan(late.both));
-    CHECK(std::isnan(late.worst()));
+    CHECK((std::isnan(late.refined) && std::isnan(late.both) && std::isnan(late.worst())));
     CHECK(late.on_finer.empty());
+    const Verification at_once = stopped_after(0);
+    CHECK((std::isnan(at_once.similarity) && std::isnan(at_once.stepped) && std::isnan(at_once.worst())));
+    CHECK(at_once.on_own.empty());
 }
 
-TEST_CASE("an evaluation on an area that is stopped says nothing of its genome", "[areas]") {
+TEST_CASE("a stopped evaluation of a map is reported as stopped, not as a failed genome", "[areas]") {
     std::mt19937_64 random(76);
     DesignSetup setup = area_setup(Kernel::periodic);
-    const Genome genome = two_series(random, setup);
+    const Genome genome = fitted_genome(random, setup, 3);
     const DesignOutcome outcome = DesignProblem(setup).evaluate(genome);
     setup.model.contact.stop = [] { return true; };
     const DesignProblem problem(setup);
@@ -137,7 +110,7 @@ TEST_CASE("an evaluation on an area that is stopped says nothing of its genome",
             CHECK_THROWS_AS(objective.fitness(outcome), ga::Stopped);
 }
 
-TEST_CASE("two waves across each other have the slope, height and curvature of both", "[areas]") {
+TEST_CASE("margins of two crossed waves are the slope, height and radius of both", "[areas]") {
     const double L = 0.84942;
     const Grid grid{33, L, false, 0, 33, L};
     const Genome genome = crossed_waves(L / 2);
@@ -152,12 +125,12 @@ TEST_CASE("two waves across each other have the slope, height and curvature of b
     CHECK(found[3].value <= 1 / (G * k * k));
 }
 
-TEST_CASE("on areas no finer grid shows a gradient or a height beyond the margins", "[areas]") {
+TEST_CASE("no finer map shows a gradient or a height beyond the margins", "[areas]") {
     std::mt19937_64 random(74);
     for (const bool periodic : {false, true}) {
         const Grid grid{24, 0.84942, periodic, 0, 20, 0.8};
         const Genome genome = testing::random_genome(random, 2, 3, 0.84942, 0.25);
-        const auto says = margins(genome, grid, {});
+        const auto margin = margins(genome, grid, {});
         const Profile fine = sample(genome, refined(grid, 16));
         const auto [columns, rows] = fine.shape();
         const auto z = fine.heights.reshaped(columns, rows);
@@ -166,19 +139,19 @@ TEST_CASE("on areas no finer grid shows a gradient or a height beyond the margin
         const double steepest =
             (x.leftCols(rows - 1).square() + y.topRows(columns - 1).square()).sqrt().maxCoeff();
         const double height = z.maxCoeff() - z.minCoeff();
-        CHECK(steepest <= says[1].value * (1 + 1e-3)); // differences across a corner are a little apart
-        CHECK(steepest > 0.95 * says[1].value);
-        CHECK(height <= says[2].value);
-        CHECK(height > 0.97 * says[2].value);
+        CHECK(steepest <= margin[1].value * (1 + 1e-3)); // differences at a corner are not at one point
+        CHECK(steepest > 0.95 * margin[1].value);
+        CHECK(height <= margin[2].value);
+        CHECK(height > 0.97 * margin[2].value);
     }
 }
 
-TEST_CASE("the rows of limits on an area's shape follow differences", "[areas]") {
+TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     std::mt19937_64 random(75);
     DesignSetup setup = area_setup(Kernel::free);
     setup.max_pressure = 1.6e-4;
     const DesignProblem problem(setup);
-    Genome genome = two_series(random, setup);
+    Genome genome = fitted_genome(random, setup, 3);
     genome = problem.settled(genome, problem.evaluate(genome));
     const auto has = margins(genome, setup.model.grid, {});
     setup.limits.max_slope = 0.8 * has[1].value;

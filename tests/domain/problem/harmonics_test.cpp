@@ -1,9 +1,7 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/waves.hpp"
-#include "domain/problem/harmonics.hpp"
-#include "domain/problem/problem.hpp"
-#include "tests/domain/random_genome.hpp"
+#include "tests/domain/problem/jacobian.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,14 +12,13 @@ namespace {
 constexpr double length = 0.84942;
 
 DesignSetup periodic_setup() {
-    DesignSetup setup;
-    setup.model.grid.nodes = 128;
+    DesignSetup setup = rough::testing::drawn_setup(128);
     setup.model.body.kernel = Kernel::periodic;
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.model.loading.reach = 0;
     return completed(setup);
 }
 
-/// Height at L less that at 0, in units of the range.
+/// The height at L minus that at 0, over the range.
 double jump(const Genome& genome) {
     const Profile profile = sample(genome, {1025, length});
     return std::abs(profile.heights[1024] - profile.heights[0]) /
@@ -30,7 +27,7 @@ double jump(const Genome& genome) {
 
 } // namespace
 
-TEST_CASE("starts of a design on a periodic body repeat without a jump, and mutation keeps that") {
+TEST_CASE("starts on a periodic body repeat without a jump, also after a mutation") {
     const DesignProblem problem(periodic_setup());
     ga::Stream random(3);
     for (int draw = 0; draw < 4; ++draw)
@@ -45,7 +42,7 @@ TEST_CASE("starts of a design on a periodic body repeat without a jump, and muta
         }
 }
 
-TEST_CASE("a genome moved to harmonics keeps its waves' amplitudes and phases and loses its jump") {
+TEST_CASE("a genome moved to harmonics keeps amplitudes and phases and has no jump") {
     std::mt19937_64 random(5);
     for (int i = 0; i < 10; ++i) {
         const Genome genome = rough::testing::random_genome(random, 2, 2, length, 0.02);
@@ -61,7 +58,7 @@ TEST_CASE("a genome moved to harmonics keeps its waves' amplitudes and phases an
     }
 }
 
-TEST_CASE("a design on a periodic body begins at harmonics, whether from given genomes or the database") {
+TEST_CASE("a search on a periodic body begins at harmonics, from given genomes or the database") {
     std::mt19937_64 random(6);
     const DesignSetup setup = periodic_setup();
     SearchOptions options;

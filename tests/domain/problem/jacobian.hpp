@@ -1,13 +1,50 @@
 #pragma once
 
+#include "domain/problem/drawn_start.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/problem/verification.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace rough::testing {
 
-/// Whatever has a corner: contact sets, extreme nodes, which segment of a curve serves a point, the band.
+/// A design for the paper's target on a grid of `nodes`, with amplitude free or by Eq. 11.
+inline DesignSetup drawn_setup(Index nodes, bool eq_11 = false) {
+    DesignSetup setup;
+    setup.model.grid.nodes = nodes;
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    if (eq_11)
+        setup.max_pressure = 1.6e-4;
+    return completed(setup);
+}
+
+/// A random genome of two series in the amplitude that fits the first target.
+inline Genome fitted_genome(std::mt19937_64& random, const DesignSetup& setup, std::size_t ridges = 1) {
+    return with_fitting_amplitude(
+        setup, random_genome(random, 2, ridges, setup.model.grid.length, setup.limits.shortest_wave));
+}
+
+/// The value of an objective for a genome.
+inline double fitness(const DesignProblem& problem, const Genome& genome, const std::string& name) {
+    for (const auto& objective : problem.objectives())
+        if (objective.name == name)
+            return objective.fitness(problem.evaluate(genome));
+    FAIL("no objective " << name);
+    return 0;
+}
+
+/// A verification's four similarities by one solution each.
+inline std::array<double, 4> separate_similarities(const DesignSetup& setup, const Genome& genome) {
+    const auto alone = [&](Index refine, int times) {
+        Model model = refined(setup.model, refine);
+        model.loading.steps *= times;
+        return similarity(setup, respond(setup, genome, model));
+    };
+    return {alone(1, 1), alone(4, 1), alone(1, 4), alone(4, 4)};
+}
+
+/// All values at which a misfit has a corner: contact sets, extreme nodes, the segment that serves a point,
+/// the band.
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
     const Model model = refined(setup.model, refine);
     std::vector<double> marks;
@@ -34,7 +71,7 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
     return marks;
 }
 
-/// Those of every curve that an objective reads.
+/// The corners of every curve that an objective uses.
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome,
                                    const std::string& objective) {
     std::vector<double> marks = corners(setup, genome, 1);
@@ -49,6 +86,8 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
     return marks;
 }
 
+/// Checks the Jacobian of an objective against central differences. A gene is omitted if a corner lies
+/// between the differences; more than half must remain.
 inline void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective,
                            double tolerance = 1e-5) {
     const DesignProblem problem(setup);

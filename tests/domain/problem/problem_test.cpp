@@ -2,91 +2,87 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/paper/dominance.hpp"
-#include "domain/problem/drawn_start.hpp"
 #include "ga/problem/ranking.hpp"
 #include "tests/domain/problem/jacobian.hpp"
-#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::check_jacobian;
+using rough::testing::drawn_setup;
+using rough::testing::fitted_genome;
 
 namespace {
 
-const char* const drawn_target = RUGOSA_TEST_DATA "/target_paper.csv";
-
-DesignSetup drawn_setup(Index nodes = 128) {
-    DesignSetup setup;
-    setup.model.grid.nodes = nodes;
-    setup.targets = {read_target(drawn_target)};
-    setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
-    return setup;
+/// A target of n points whose x and y grow evenly.
+Target straight(Quantity quantity, Index n, double x_from, double x_to, double y_from, double y_to) {
+    Target target;
+    target.quantity = quantity;
+    target.x = Eigen::VectorXd::LinSpaced(n, x_from, x_to);
+    target.y = Eigen::VectorXd::LinSpaced(n, y_from, y_to);
+    return target;
 }
 
-/// The same with a contact area at each of the target's pressures beside it.
+/// The drawn target and a contact area at each of its pressures.
 DesignSetup drawn_with_area() {
-    DesignSetup setup = drawn_setup();
-    Target area = setup.targets[0];
-    area.quantity = Quantity::area_at_pressure;
-    area.y = Eigen::VectorXd::LinSpaced(area.points(), 0.05, 0.6);
-    setup.targets.push_back(area);
+    DesignSetup setup = drawn_setup(128);
+    setup.targets.push_back(straight(Quantity::area_at_pressure, 20, 8e-6, 1.6e-4, 0.05, 0.6));
     return setup;
 }
 
 } // namespace
 
-TEST_CASE("the derivatives of the misfits follow differences in every gene, amplitude free or by Eq. 11") {
+TEST_CASE("derivatives of misfits agree with differences in every gene, with and without Eq. 11") {
     std::mt19937_64 random(31);
-    for (const bool free_amplitude : {false, true})
-        for (std::size_t ridges : {1u, 2u}) {
-            DesignSetup setup = drawn_setup();
-            if (!free_amplitude)
-                setup.max_pressure = 1.6e-4;
-            const Genome genome = with_fitting_amplitude(
-                setup, testing::random_genome(random, 2, ridges, 0.84942, setup.limits.shortest_wave));
+    for (const bool free_amplitude : {false, true}) {
+        DesignSetup setup = drawn_setup(128, !free_amplitude);
+        for (std::size_t ridges : {1u, 2u})
             for (const char* objective : {"similarity", "low", "high", "more_steps", "verified"})
-                check_jacobian(setup, genome, objective);
-        }
+                check_jacobian(setup, fitted_genome(random, setup, ridges), objective);
+        setup.targets[0].quantity = Quantity::interface_stiffness;
+        setup.targets[0].y *= 1.5;
+        for (const char* objective : {"similarity", "verified"})
+            check_jacobian(setup, fitted_genome(random, setup), objective);
+    }
 }
 
-TEST_CASE("they do so for loads against displacement, bands, weights and two targets at once") {
-    std::mt19937_64 random(32);
-    DesignSetup setup = drawn_setup();
-    Target load;
-    load.quantity = Quantity::load_at_displacement;
-    load.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
-    load.y = 0.6 * load.x;
-    load.weight = 0.4;
-    setup.targets.push_back(load);
+TEST_CASE("derivatives agree for contact fractions, and for loads, bands and weights together") {
+    std::mt19937_64 random(35);
+    for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement}) {
+        DesignSetup setup = drawn_setup(128);
+        setup.targets = {straight(quantity, 10, 1e-5, 2e-4, 0.05, 0.6)}; // smooth contact fractions
+        check_jacobian(setup, fitted_genome(random, setup), "similarity");
+    }
+    random.seed(32);
+    DesignSetup setup = drawn_setup(128);
+    setup.targets.push_back(straight(Quantity::load_at_displacement, 10, 1e-5, 2e-4, 6e-6, 1.2e-4));
+    setup.targets[1].weight = 0.4;
     setup.targets[0].lower = 0.97 * setup.targets[0].y;
     setup.targets[0].upper = 1.05 * setup.targets[0].y;
-    const Genome genome = with_fitting_amplitude(
-        setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
-    check_jacobian(setup, genome, "similarity");
+    check_jacobian(setup, fitted_genome(random, setup), "similarity");
 }
 
-TEST_CASE("they do so for a periodic profile in full contact before the target ends") {
+TEST_CASE("derivatives agree for a periodic profile in full contact before the target ends") {
     std::mt19937_64 random(37);
     for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness,
                                     Quantity::area_at_displacement, Quantity::area_at_pressure}) {
-        DesignSetup setup = drawn_setup();
+        DesignSetup setup = drawn_setup(128);
         setup.model.body.kernel = Kernel::periodic;
         setup.model.grid.periodic = true;
+        setup.model.loading.reach = 0;
         const Genome genome =
             testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
         const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);
-        const Response own = respond(genome, setup.model);
+        const Response plain = respond(genome, setup.model);
+        const double last = against_pressure(quantity) ? 4 * plain.pressure.maxCoeff() : 1.5 * full;
+        setup.targets = {straight(quantity, 10, 0.1 * last, last, 0.1, 1)};
         Target& target = setup.targets[0];
-        target.quantity = quantity;
-        const double last = target.against_pressure() ? 4 * own.pressure.maxCoeff() : 1.5 * full;
-        target.x = Eigen::VectorXd::LinSpaced(10, 0.1 * last, last);
-        target.y = Eigen::VectorXd::LinSpaced(10, 0.1, 1);
-        if (!is_contact_fraction(quantity))
-            target.y *= 10 * (quantity == Quantity::stiffness ? own.tangent_stiffness[2] : own.pressure[2]);
-        if (!is_contact_fraction(quantity)) // which jumps as nodes touch
+        if (!is_contact_fraction(quantity)) { // a contact fraction jumps when nodes touch
+            target.y *=
+                10 * (quantity == Quantity::stiffness ? plain.tangent_stiffness[2] : plain.pressure[2]);
             check_jacobian(setup, genome, "similarity");
-        // A target that is met up to full contact is not met beyond it, but for a contact fraction.
+        }
+        // Only a contact fraction can meet its target beyond full contact.
         const Curve met = respond(setup, genome, setup.model).curves.front();
         const double end = met.x[met.x.size() - 2];
         target.y = target.x.unaryExpr([&](double x) { return met.at(std::min(x, end)); });
@@ -98,40 +94,9 @@ TEST_CASE("they do so for a periodic profile in full contact before the target e
     }
 }
 
-TEST_CASE("they do so for interface stiffness, with and without Eq. 11") {
-    std::mt19937_64 random(36);
+TEST_CASE("rows of limits on shape agree with differences, and are 0 within the limits") {
     for (const bool free_amplitude : {false, true}) {
-        DesignSetup setup = drawn_setup();
-        setup.targets[0].quantity = Quantity::interface_stiffness;
-        setup.targets[0].y *= 1.5;
-        if (!free_amplitude)
-            setup.max_pressure = 1.6e-4;
-        const Genome genome = with_fitting_amplitude(
-            setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
-        for (const char* objective : {"similarity", "verified"})
-            check_jacobian(setup, genome, objective);
-    }
-}
-
-TEST_CASE("they do so for contact fractions against pressure and displacement, which move smoothly there") {
-    std::mt19937_64 random(35);
-    for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement}) {
-        DesignSetup setup = drawn_setup();
-        Target& target = setup.targets[0];
-        target.quantity = quantity;
-        target.x = Eigen::VectorXd::LinSpaced(10, 1e-5, 2e-4);
-        target.y = Eigen::VectorXd::LinSpaced(10, 0.05, 0.6);
-        const Genome genome = with_fitting_amplitude(
-            setup, testing::random_genome(random, 2, 1, 0.84942, setup.limits.shortest_wave));
-        check_jacobian(setup, genome, "similarity");
-    }
-}
-
-TEST_CASE("the rows of limits on shape follow differences and vanish within the limits") {
-    for (const bool free_amplitude : {false, true}) {
-        DesignSetup setup = drawn_setup();
-        if (!free_amplitude)
-            setup.max_pressure = 1.6e-4;
+        DesignSetup setup = drawn_setup(128, !free_amplitude);
         DesignProblem problem(setup);
         Genome genome = shaped_start(setup, ga::Stream(5));
         genome = problem.settled(genome, problem.evaluate(genome));
@@ -141,8 +106,9 @@ TEST_CASE("the rows of limits on shape follow differences and vanish within the 
         setup.limits.max_height = 0.7 * has[2].value;
         setup.limits.min_radius = 1.2 * has[3].value;
         check_jacobian(setup, genome, "similarity");
-        CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
-        CHECK(DesignProblem(setup).objectives()[0].fitness(DesignProblem(setup).evaluate(genome)) < -1);
+        const DesignProblem tight(setup);
+        CHECK(tight.evaluate(genome).excess > 0.5);
+        CHECK(tight.objectives()[0].fitness(tight.evaluate(genome)) < -1);
         setup.limits.max_slope = 1.1 * has[1].value;
         setup.limits.max_height = 1.1 * has[2].value;
         setup.limits.min_radius = 0.9 * has[3].value;
@@ -150,12 +116,12 @@ TEST_CASE("the rows of limits on shape follow differences and vanish within the 
     }
 }
 
-TEST_CASE("no finer grid shows a slope, height or curvature beyond what the margins say") {
+TEST_CASE("no finer grid shows a slope, height or curvature beyond the margins") {
     std::mt19937_64 random(33);
     for (int scene = 0; scene < 10; ++scene) {
         const Grid grid{256, 0.84942, false};
         const Genome genome = testing::random_genome(random, 2, 2, 0.84942, 8 * grid.spacing());
-        const auto says = margins(genome, grid, {});
+        const auto margin = margins(genome, grid, {});
         for (const Index finer : {4, 32}) {
             const Profile profile = sample(genome, refined(grid, finer));
             const Index n = profile.nodes();
@@ -163,19 +129,19 @@ TEST_CASE("no finer grid shows a slope, height or curvature beyond what the marg
                 (profile.heights.tail(n - 1) - profile.heights.head(n - 1)) / profile.spacing;
             const Eigen::VectorXd curvature = (slope.tail(n - 2) - slope.head(n - 2)) / profile.spacing;
             const double height = profile.heights.maxCoeff() - profile.heights.minCoeff();
-            CHECK(slope.cwiseAbs().maxCoeff() <= says[1].value * (1 + 1e-9));
-            CHECK(height <= says[2].value * (1 + 1e-9));
-            CHECK(1 / curvature.cwiseAbs().maxCoeff() >= says[3].value * (1 - 1e-6));
-            if (finer == 32) { // and they are no looser than two percent
-                CHECK(slope.cwiseAbs().maxCoeff() > 0.98 * says[1].value);
-                CHECK(height > 0.98 * says[2].value);
-                CHECK(1 / curvature.cwiseAbs().maxCoeff() < 1.02 * says[3].value);
+            CHECK(slope.cwiseAbs().maxCoeff() <= margin[1].value * (1 + 1e-9));
+            CHECK(height <= margin[2].value * (1 + 1e-9));
+            CHECK(1 / curvature.cwiseAbs().maxCoeff() >= margin[3].value * (1 - 1e-6));
+            if (finer == 32) { // and the margins are at most 2 % above
+                CHECK(slope.cwiseAbs().maxCoeff() > 0.98 * margin[1].value);
+                CHECK(height > 0.98 * margin[2].value);
+                CHECK(1 / curvature.cwiseAbs().maxCoeff() < 1.02 * margin[3].value);
             }
         }
     }
 }
 
-TEST_CASE("moved within its bounds a genome has no wave shorter than allowed") {
+TEST_CASE("a genome moved within its bounds has no wave shorter than allowed") {
     const DesignSetup setup = drawn_setup(512);
     const DesignProblem problem(setup);
     for (std::uint64_t start = 0; start < 20; ++start) {
@@ -191,11 +157,9 @@ TEST_CASE("moved within its bounds a genome has no wave shorter than allowed") {
     }
 }
 
-TEST_CASE("starts shaped to the drawn target are near it before any search") {
+TEST_CASE("some starts shaped to the drawn target are near it before any search") {
     for (const bool free_amplitude : {false, true}) {
-        DesignSetup setup = drawn_setup(512);
-        if (!free_amplitude)
-            setup.max_pressure = 1.6e-4;
+        const DesignSetup setup = drawn_setup(512, !free_amplitude);
         int near = 0;
         for (std::uint64_t key = 0; key < 16; ++key)
             near += similarity(setup, shaped_start(setup, ga::Stream(key))) > 0.9;
@@ -203,7 +167,7 @@ TEST_CASE("starts shaped to the drawn target are near it before any search") {
     }
 }
 
-TEST_CASE("with several targets each has an objective of its own, whose rows are its part of all") {
+TEST_CASE("each of several targets has an objective, whose rows are a part of all rows") {
     DesignSetup setup = drawn_with_area();
     const DesignProblem problem(setup);
     const Genome genome = shaped_start(setup, ga::Stream(3));
@@ -212,13 +176,12 @@ TEST_CASE("with several targets each has an objective of its own, whose rows are
     REQUIRE(all.size() == 40);
     CHECK(problem.sensitivity(genome, "goal1").residuals == all.head(20));
     CHECK(problem.sensitivity(genome, "goal2").residuals == all.tail(20));
-    CHECK(1 - outcome.misfits[0].cwiseAbs().maxCoeff() == Approx(1 - all.head(20).cwiseAbs().maxCoeff()));
     CHECK(problem.objectives().back().name == "goal2");
     CHECK(problem.objectives().back().fitness(outcome) == 1 - outcome.misfits[1].cwiseAbs().maxCoeff());
 }
 
-TEST_CASE("what is reduced to a target keeps the chromosomes that follow it, one at least") {
-    DesignSetup setup = drawn_setup();
+TEST_CASE("a genome reduced to a target keeps at least one chromosome") {
+    DesignSetup setup = drawn_setup(128);
     std::mt19937_64 random(34);
     for (int scene = 0; scene < 5; ++scene) {
         const Genome genome = testing::random_genome(random, 1, 1, 0.84942, setup.limits.shortest_wave);
@@ -236,7 +199,7 @@ TEST_CASE("what is reduced to a target keeps the chromosomes that follow it, one
     }
 }
 
-TEST_CASE("compromises are better than each other in one target or another, and within the limits") {
+TEST_CASE("compromises do not dominate each other and keep the limits") {
     DesignSetup setup = drawn_with_area();
     std::vector<Genome> genomes;
     for (std::uint64_t key = 0; key < 30; ++key)
@@ -256,8 +219,6 @@ TEST_CASE("compromises are better than each other in one target or another, and 
     const auto few = compromises(setup, genomes, 2, 1);
     CHECK(few.front().similarity == front.front().similarity);
     CHECK(few.back().similarity == front.back().similarity);
-    const std::vector<Genome> ends{front.back().genome, front.front().genome};
-    CHECK(compromises(setup, ends, 100, 1).size() == 2); // in any order
     setup.limits.max_height = 1e-9;
     CHECK(compromises(setup, genomes, 100, 1).empty());
 }

@@ -1,6 +1,5 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/problem/surface_descriptors.hpp"
 #include "domain/profile/roughness.hpp"
 #include "tests/domain/random_genome.hpp"
 
@@ -16,7 +15,7 @@ const ga::Descriptor<Genome>& named(const std::vector<ga::Descriptor<Genome>>& a
 
 } // namespace
 
-TEST_CASE("descriptors of one cosine are its height, slope and length, and no skewness") {
+TEST_CASE("descriptors of one cosine are its height, slope and wavelength, with skewness near 0") {
     const double L = 2;
     const Grid grid{1001, L};
     const Genome wave{0.01, {{1, 0.8, 2, L, {{3, {0.3}}}}}}; // a quarter of L long, four of them
@@ -29,7 +28,7 @@ TEST_CASE("descriptors of one cosine are its height, slope and length, and no sk
     CHECK(std::abs(named(all, "skewness").of(wave)) < 0.01);
 }
 
-TEST_CASE("descriptors have the derivatives that differences find") {
+TEST_CASE("derivatives of descriptors agree with differences") {
     std::mt19937_64 random(5);
     for (int trial = 0; trial < 3; ++trial) {
         const Grid grid = trial < 2 ? Grid{257, 0.84942} : Grid{24, 0.84942, false, 0, 20, 0.8};

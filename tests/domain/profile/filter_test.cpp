@@ -17,7 +17,7 @@ Profile made(Index nodes, double spacing, auto height) {
 
 } // namespace
 
-TEST_CASE("the Gaussian filter halves a cosine of the cut-off's length, and others by the standard's law") {
+TEST_CASE("the Gaussian filter passes cosines by the standard's law") {
     const double cut_off = 0.8, spacing = 0.002, pi = std::numbers::pi;
     for (const double length : {0.25, 0.4, 0.8, 1.6, 2.5, 8.0})
         for (const double phase : {0.0, 1.1}) {
@@ -30,13 +30,13 @@ TEST_CASE("the Gaussian filter halves a cosine of the cut-off's length, and othe
         }
 }
 
-TEST_CASE("a line passes the filter to its very ends, whatever the cut-off") {
+TEST_CASE("a line passes the filter up to its ends at any cut-off") {
     const Profile line = made(700, 0.003, [](double x) { return 5 - 0.3 * x; });
     for (const double cut_off : {0.0001, 0.003, 0.01, 0.8, 2.5, 100.0})
         CHECK((low_passed(line, cut_off) - line.heights).cwiseAbs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("the filter agrees with weighted least squares at every node, ends included") {
+TEST_CASE("the filter agrees with weighted least squares up to the ends") {
     std::mt19937_64 random(3);
     const Profile profile =
         sample(testing::random_genome(random, 2, 3, 0.84942, 0.84942 / 30), {.nodes = 150});

@@ -18,7 +18,7 @@ double cycle(double x) { return x - std::floor(x); }
 
 } // namespace
 
-TEST_CASE("a raised node and one that dips are found, and nothing beside them") {
+TEST_CASE("raised and lowered nodes are found, and no other nodes") {
     const double pi = std::numbers::pi;
     Eigen::VectorXd z = made(4096, [&](double i) {
         const double x = i / 4096;
@@ -32,7 +32,7 @@ TEST_CASE("a raised node and one that dips are found, and nothing beside them") 
     CHECK((interpolated(z, outliers(z)) - clean).cwiseAbs().maxCoeff() < 1e-4);
 }
 
-TEST_CASE("a sharp honest profile has no outlier, however it lies on the nodes") {
+TEST_CASE("sharp profiles have no outliers at any position of the nodes") {
     for (const Index nodes : {40, 400, 3001})
         for (const double shift : {0.0, 0.3, 0.77}) {
             const double n = double(nodes);
@@ -56,7 +56,7 @@ TEST_CASE("a sharp honest profile has no outlier, however it lies on the nodes")
         }
 }
 
-TEST_CASE("a particle with flanks is found up to where they return to the surface") {
+TEST_CASE("a particle is found with its flanks, up to the surface") {
     const Eigen::VectorXd clean =
         made(600, [](double i) { return std::cos(i / 40) + 0.01 * std::sin(7 * i); });
     for (const double sign : {1., -1.}) {
@@ -69,7 +69,7 @@ TEST_CASE("a particle with flanks is found up to where they return to the surfac
     }
 }
 
-TEST_CASE("a particle on a scan is found whole: none of its nodes stays and none beside it goes") {
+TEST_CASE("a particle on a scan is found with all of its nodes and no other nodes") {
     int particles = 0, whole = 0, cut = 0, beside = 0;
     for (unsigned seed = 9300; seed < 9360; ++seed) {
         std::mt19937_64 random(seed);

@@ -1,6 +1,7 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/text/zip.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/domain/random_genome.hpp"
 #include "tests/folder.hpp"
 
@@ -40,10 +41,22 @@ Facets parsed(const std::string& stl) {
 
 Eigen::Vector3d vector(const Corner& corner) { return {corner[0], corner[1], corner[2]}; }
 
-double volume(const Facets& mesh) {
+/// Checks that every edge is passed once in each direction and that normals point outwards; gives the volume.
+double closed_volume(const Facets& mesh) {
     double six = 0;
-    for (const auto& [a, b, c] : mesh.facets)
+    std::map<std::pair<Corner, Corner>, int> edges;
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
+        const auto& [a, b, c] = mesh.facets[f];
+        for (const auto& edge : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+            ++edges[edge];
         six += vector(a).dot(vector(b).cross(vector(c)));
+        const Eigen::Vector3d normal = (vector(b) - vector(a)).cross(vector(c) - vector(a)).normalized();
+        CHECK((normal - vector(mesh.normals[f])).norm() < 1e-6);
+    }
+    for (const auto& [edge, times] : edges) {
+        CHECK(times == 1);
+        CHECK(edges.count({edge.second, edge.first}) == 1);
+    }
     return six / 6;
 }
 
@@ -64,35 +77,34 @@ Profile rough_profile(unsigned seed, Index nodes) {
 
 } // namespace
 
-TEST_CASE("an extruded profile is closed: every edge is walked once each way") {
-    const Facets mesh = parsed(binary_stl(rough_profile(1, 257)));
-    CHECK(mesh.facets.size() == 8 * 256 + 4);
-    std::map<std::pair<Corner, Corner>, int> edges;
-    for (const auto& facet : mesh.facets)
-        for (int i = 0; i < 3; ++i)
-            ++edges[{facet[std::size_t(i)], facet[std::size_t((i + 1) % 3)]}];
-    for (const auto& [edge, times] : edges) {
-        CHECK(times == 1);
-        CHECK(edges.count({edge.second, edge.first}) == 1);
-    }
-}
-
-TEST_CASE("an extruded profile's volume is its area times the width, its normals point outwards") {
+TEST_CASE("a profile's solid is closed, and its volume is the profile's area times the width") {
     const Profile profile = rough_profile(2, 400);
     for (const double magnify : {1.0, 50.0}) {
         const Facets mesh = parsed(binary_stl(profile, {.width = 0.3, .base = 0.2, .magnify = magnify}));
+        CHECK(mesh.facets.size() == 8 * 399 + 4);
         const Eigen::ArrayXd z = profile.heights.array() - profile.heights.minCoeff() + 0.2;
         const double area = (z.sum() - (z[0] + z[z.size() - 1]) / 2) * profile.spacing;
-        CHECK(volume(mesh) == Approx(area * 0.3 * std::pow(magnify, 3)).epsilon(1e-5));
-        for (std::size_t f = 0; f < mesh.facets.size(); ++f) {
-            const auto& [a, b, c] = mesh.facets[f];
-            const Eigen::Vector3d normal = (vector(b) - vector(a)).cross(vector(c) - vector(a)).normalized();
-            CHECK((normal - vector(mesh.normals[f])).norm() < 1e-6);
-        }
+        CHECK(closed_volume(mesh) == Approx(area * 0.3 * std::pow(magnify, 3)).epsilon(1e-5));
     }
 }
 
-TEST_CASE("ADMesh finds nothing to mend in an extruded profile") {
+TEST_CASE("a map's solid is closed and as large as its prism", "[areal]") {
+    const Profile map =
+        maps::map_of({7, 5}, 0.1, 0.2, [](double x, double y) { return std::sin(9 * x) * std::cos(4 * y); });
+    const Facets mesh = parsed(binary_stl(map, {.base = 0.5, .magnify = 2}));
+    CHECK(mesh.facets.size() == 4 * (35 - 1));
+    double volume = 0; // each cell is cut into two triangles along its rising diagonal
+    const double low = map.heights.minCoeff();
+    for (Index j = 0; j < 4; ++j)
+        for (Index i = 0; i < 6; ++i) {
+            const auto z = [&](Index x, Index y) { return map.heights[y * 7 + x] - low + 0.5; };
+            volume += 0.1 * 0.2 * ((z(i, j) + z(i + 1, j + 1)) / 3 + (z(i + 1, j) + z(i, j + 1)) / 6);
+        }
+    CHECK(closed_volume(mesh) == Approx(8 * volume).epsilon(1e-5));
+    CHECK_THROWS_WITH(solid(map, {.width = 1}), Catch::Contains("as wide as they are"));
+}
+
+TEST_CASE("ADMesh finds no fault in a profile's solid") {
     const tests::Folder folder;
     for (const Index nodes : {2, 512, 5001}) {
         const auto file = folder.write("solid.stl", binary_stl(rough_profile(3, nodes), {.magnify = 100}));
@@ -112,23 +124,20 @@ TEST_CASE("ADMesh finds nothing to mend in an extruded profile") {
     }
 }
 
-TEST_CASE("a solid that single precision cannot hold is refused, and heights are not lost beside its base") {
+TEST_CASE("a solid beyond single precision is refused, and its base leaves heights resolved") {
     const Profile profile = rough_profile(5, 50);
     CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e308}), Catch::Contains("width of 1e+308 mm"));
     CHECK_THROWS_WITH(binary_stl(profile, {.width = 1e-308}), Catch::Contains("width of 1e-308 mm"));
     CHECK_THROWS_WITH(binary_stl(profile, {.magnify = 1e300}), Catch::Contains("length of"));
     CHECK_THROWS_WITH(binary_stl(profile, {.base = 1e7}), Catch::Contains("base 10000000 mm"));
-    Profile smooth = profile;
-    smooth.heights *= 1e-9;
-    const Facets mesh = parsed(binary_stl(smooth));
     std::set<float> levels;
-    for (const auto& facet : mesh.facets)
+    for (const auto& facet : parsed(binary_stl({1e-9 * profile.heights, profile.spacing})).facets)
         for (const Corner& corner : facet)
             levels.insert(corner[2]);
-    CHECK(levels.size() >= 45); // of 50 nodes
+    CHECK(levels.size() >= 45); // 50 nodes
 }
 
-TEST_CASE("a 3MF file is the STL's solid in millimetres, in the parts that the format asks for") {
+TEST_CASE("a 3MF file has the STL's solid in millimetres and the parts of its format") {
     const Profile profile = rough_profile(6, 120);
     const Extrusion extrusion{.width = 0.3, .base = 0.2, .magnify = 10};
     const std::string bytes = three_mf(profile, extrusion);

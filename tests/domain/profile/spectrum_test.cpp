@@ -12,12 +12,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The integral over q of a spectrum on its own wave numbers, which are evenly spaced.
+/// The integral over q of a spectrum whose wavenumbers are evenly spaced.
 double integral(const Spectrum& spectrum) { return spectrum.density.sum() * spectrum.wave_number[0]; }
 
 } // namespace
 
-TEST_CASE("the discrete spectrum of a genome has one line a wave number and sums to the mean square height") {
+TEST_CASE("a genome's discrete spectrum has one line per wavenumber and its mean square") {
     Genome genome;
     genome.series.push_back({1.3, 0.9, 2, 1, {{1, {0.3}}, {2, {1.0, 2.5}}, {4, {5.0}}}});
     genome.series.push_back({0.4, 0.6, 2, 0.5, {{1, {2.0}}, {2, {0.1}}}}); // first wave is the other's second
@@ -32,7 +32,7 @@ TEST_CASE("the discrete spectrum of a genome has one line a wave number and sums
     CHECK(power == Approx((z - z.mean()).square().mean()).epsilon(1e-12));
 }
 
-TEST_CASE("the continuous spectrum of white noise is flat at its mean square over the wave numbers") {
+TEST_CASE("the continuous spectrum of white noise is flat") {
     std::mt19937_64 random(3);
     Profile noise{Eigen::VectorXd(1 << 16), 0.01};
     for (double& z : noise.heights)
@@ -46,8 +46,7 @@ TEST_CASE("the continuous spectrum of white noise is flat at its mean square ove
     CHECK(integral(spectrum) == Approx(0.25).epsilon(0.03));
 }
 
-TEST_CASE(
-    "a cosine's continuous spectrum peaks at its wave number and integrates to half its squared amplitude") {
+TEST_CASE("a cosine's continuous spectrum has its wavenumber and mean square") {
     const double amplitude = 0.02, length = 3;
     for (const Index nodes : {512, 513, 1000}) {
         Profile profile{Eigen::VectorXd(nodes), length / double(nodes)};

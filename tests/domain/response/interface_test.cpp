@@ -1,7 +1,6 @@
-#include "domain/contact/datum.hpp"
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/response/interface.hpp"
+#include "domain/response/curve.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
@@ -17,35 +16,31 @@ constexpr double length = 0.84942;
 
 Response pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                  Solver solver) {
-    ContactOptions options;
-    options.solver = solver;
-    const ContactCurve curve = solve_contact(profile, body, displacements, options);
+    const ContactCurve curve = solve_contact(profile, body, displacements, {.solver = solver, .stop = {}});
     return response_of(curve.steps, curve.solver, displacement_range(profile, body.kernel),
                        full_contact_stiffness(profile.nodes(), profile.spacing, body));
 }
 
 } // namespace
 
-TEST_CASE("full contact is as stiff as a flat profile pressed by the direct solver, on grids of any size") {
+TEST_CASE("full contact is as stiff as a flat profile by the direct solver, on any grid") {
     for (const Index nodes : {2, 3, 17, 100, 511, 2048})
         for (const double datum : {0.26 + 0.5 / static_cast<double>(nodes - 1), 1.0, 40.0})
             for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
                 const Profile flat{Eigen::VectorXd::Zero(nodes), length / static_cast<double>(nodes - 1)};
                 const Body body{kernel, 3, datum * length, 0.1 * datum * length};
-                ContactOptions options;
-                options.solver = Solver::nested;
-                const double direct = solve_contact(flat, body, {1}, options).steps[0].tangent_stiffness;
+                const double direct = solve_contact(flat, body, {1}, {.solver = Solver::nested, .stop = {}})
+                                          .steps[0]
+                                          .tangent_stiffness;
                 INFO(nodes << " nodes, datum " << datum);
                 const double full = full_contact_stiffness(nodes, flat.spacing, body);
                 CHECK(std::abs(1 / full - 1 / direct) <= 1e-11 / direct);
-                CHECK(full == full_contact_stiffness(nodes, flat.spacing, body));
             }
     CHECK(std::isinf(full_contact_stiffness(64, 0.1, {Kernel::periodic, 1, 1, 0})));
     CHECK_THROWS_WITH(full_contact_stiffness(64, 0.1, {Kernel::free, 1, 1, 0}), Catch::Contains("datum"));
 }
 
-TEST_CASE(
-    "the interface's stiffness does not depend on the datum, tangents and secants, by the direct solvers") {
+TEST_CASE("interface stiffness does not depend on the datum, tangents and secants") {
     std::mt19937_64 random(31);
     double worst = 0;
     for (int trial = 0; trial < 30; ++trial) {
@@ -59,7 +54,7 @@ TEST_CASE(
             load_displacements(displacement_range(profile, near.kernel), {}, near.kernel);
         const Response one = pressed(profile, near, displacements, solver);
         std::vector<double> moved;
-        for (Index j = 0; j < one.steps(); ++j) // the same contact sets
+        for (Index j = 0; j < one.steps(); ++j) // equal contact sets
             moved.push_back(one.displacement[j] - one.pressure[j] * datum_sensitivity(1, length, 1) *
                                                       std::log(far.datum / near.datum));
         const Response other = pressed(profile, far, moved, solver);
@@ -76,7 +71,7 @@ TEST_CASE(
     CHECK(worst <= 1e-12);
 }
 
-TEST_CASE("the interface is as stiff as the body on a periodic half-plane, and rigid at full contact") {
+TEST_CASE("interface stiffness is K on a periodic half-plane and infinite at full contact") {
     std::mt19937_64 random(32);
     Model model;
     model.grid = {128, length, true};

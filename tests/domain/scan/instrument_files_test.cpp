@@ -1,12 +1,121 @@
 #include "domain/errors.hpp"
 #include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
-#include "tests/domain/scan/instrument_files.hpp"
+#include "domain/scan/scan.hpp"
+#include "domain/text/bytes.hpp"
+#include "domain/text/zip.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace rough;
+
+/// Files in the formats of instruments, byte by byte from their descriptions: maps of 2 rows of 9 points, 2
+/// µm and 3 µm apart, heights in steps of 10 nm. The last but one of the second row was not measured.
+namespace testing {
+namespace {
+
+constexpr int map_columns = 9, map_rows = 2;
+const std::vector<int> map_heights{3, -2, 4, 1, -5, 9, 2, 6, 5, 7, -3, 5, 3, -1, 0, 4, -8, 2};
+constexpr std::size_t map_gap = 16;
+
+void put(std::string& bytes, std::size_t at, auto value) {
+    std::string part;
+    append_little_endian(part, value);
+    bytes.replace(at, part.size(), part);
+}
+
+/// ISO 25178-71, binary; `type` as in missing_mark().
+std::string sdf_file(int type = 5) {
+    std::string bytes = "bISO-1.0" + std::string(73, ' ');
+    put(bytes, 42, std::uint16_t(map_columns)), put(bytes, 44, std::uint16_t(map_rows));
+    put(bytes, 46, 2e-6), put(bytes, 54, 3e-6), put(bytes, 62, 1e-8), put(bytes, 70, 0.0);
+    bytes[78] = 0, bytes[79] = char(type), bytes[80] = 0;
+    for (std::size_t i = 0; i < map_heights.size(); ++i)
+        if (type == 4)
+            append_little_endian(bytes, std::int8_t(map_heights[i])); // has no mark of a missing value
+        else if (type == 5)
+            append_little_endian(bytes, std::int16_t(i == map_gap ? -32768 : map_heights[i]));
+        else if (type == 6)
+            append_little_endian(bytes, i == map_gap ? std::numeric_limits<int>::min() : map_heights[i]);
+        else
+            append_little_endian(bytes, i == map_gap ? std::nan("") : double(map_heights[i]));
+    return bytes;
+}
+
+/// Digital Surf, 16 or 32 bits, with a comment and a private zone before the heights.
+std::string sur_file(int bits = 32) {
+    std::string bytes(512, '\0');
+    bytes.replace(0, 12, "DIGITAL SURF");
+    put(bytes, 14, std::int16_t(1)), put(bytes, 18, std::int16_t(2));
+    put(bytes, 86, std::int16_t(1)), put(bytes, 98, std::int16_t(bits));
+    put(bytes, 100, -8), put(bytes, 104, 9), put(bytes, 108, map_columns), put(bytes, 112, map_rows);
+    put(bytes, 120, 0.002f), put(bytes, 124, 3.f), put(bytes, 128, 0.01f);
+    bytes.replace(180, 2, "mm"), bytes.replace(196, 2, "\xB5m"), bytes.replace(212, 2, "\xB5m");
+    put(bytes, 334, std::int16_t(5)), put(bytes, 336, std::int16_t(3));
+    bytes += "notes...";
+    for (std::size_t i = 0; i < map_heights.size(); ++i) {
+        const int height = i == map_gap ? -10 : map_heights[i];
+        if (bits == 16)
+            append_little_endian(bytes, std::int16_t(height));
+        else
+            append_little_endian(bytes, height);
+    }
+    return bytes;
+}
+
+/// Gwyddion's simple field.
+std::string gsf_file(const std::string& title = "t") {
+    std::string bytes = "Gwyddion Simple Field 1.0\nXRes = 9\nYRes = 2\nXReal = 1.8e-5\nYReal = 6e-6\n"
+                        "XYUnits = m\nZUnits = m\nTitle = " +
+                        title + "\n";
+    bytes.append(4 - bytes.size() % 4, '\0');
+    for (std::size_t i = 0; i < map_heights.size(); ++i)
+        append_little_endian(bytes, i == map_gap ? std::nanf("") : float(1e-8 * map_heights[i]));
+    return bytes;
+}
+
+/// main.xml of an X3P file of 16 bit heights with a mask of the valid points.
+std::string x3p_xml() {
+    return "<?xml version=\"1.0\"?>\n<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">"
+           "<Record1><Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType><Axes>"
+           "<CX><AxisType>I</AxisType><DataType>D</DataType><Increment>2e-6</Increment></CX>"
+           "<CY><AxisType>I</AxisType><DataType>D</DataType><Increment>3e-6</Increment></CY>"
+           "<CZ><AxisType>A</AxisType><DataType>I</DataType><Increment>1e-8</Increment></CZ></Axes></Record1>"
+           "<Record3><MatrixDimension><SizeX>9</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>"
+           "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
+           "<ValidPointsLink>bindata/valid.bin</ValidPointsLink></DataLink></Record3></p:ISO5436_2>";
+}
+
+template <class Number = std::int16_t>
+std::string x3p_data() {
+    std::string data;
+    for (const int height : map_heights)
+        append_little_endian(data, Number(height));
+    return data;
+}
+
+/// Heights of a type other than I, the archive's paths from here.
+std::string x3p_file(char type = 'I') {
+    std::string valid(3, '\xFF'), xml = x3p_xml();
+    valid[map_gap / 8] = char(~(1 << map_gap % 8));
+    xml[xml.find("<DataType>I") + 10] = type;
+    if (type != 'I')
+        for (const std::string path : {"bindata/data", "bindata/valid"})
+            xml.replace(xml.find(path), 0, "./");
+    return zipped({{"main.xml", xml},
+                   {"bindata/data.bin", type == 'L'   ? x3p_data<std::int32_t>()
+                                        : type == 'F' ? x3p_data<float>()
+                                        : type == 'D' ? x3p_data<double>()
+                                                      : x3p_data()},
+                   {"bindata/valid.bin", valid}});
+}
+
+} // namespace
+} // namespace testing
 
 namespace {
 
@@ -16,13 +125,30 @@ Scan read(const std::string& bytes, ScanOptions options) {
     return read_scan(folder.write("scan.bin", bytes), options);
 }
 
-std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
+const Profile relief =
+    maps::map_of({6, 4}, 0.01, 0.025, [](double x, double y) { return 1e-3 * std::sin(300 * x) - y; });
+
+Map as_map(const std::string& bytes, const MapLayout& layout = {}) {
+    const tests::Folder folder;
+    return read_map(folder.write("map", bytes), layout);
+}
+
+/// The one line with which reading is refused.
+std::string refusal_of(auto reading) {
     try {
-        return "read as " + read(bytes, options).account;
+        return "read as " + reading().account;
     } catch (const InputError& error) {
         CHECK(std::string(error.what()).find('\n') == std::string::npos);
         return error.what();
     }
+}
+
+std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
+    return refusal_of([&] { return read(bytes, options); });
+}
+
+std::string map_refusal(const std::string& bytes, const MapLayout& layout = {}) {
+    return refusal_of([&] { return as_map(bytes, layout); });
 }
 
 std::string changed(std::string bytes, const std::string& what, const std::string& to) {
@@ -37,8 +163,9 @@ std::string x3p_of(const std::string& xml, const std::string& data = testing::x3
 
 } // namespace
 
-TEST_CASE("every instrument's format holds the same map, in millimetres, rows along x") {
-    for (const auto& [name, bytes] : {std::pair("SDF of integers", testing::sdf_file()),
+TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
+    for (const auto& [name, bytes] : {std::pair("SDF of bytes", testing::sdf_file(4)),
+                                      {"SDF of integers", testing::sdf_file()},
                                       {"SDF of long integers", testing::sdf_file(6)},
                                       {"SDF of doubles", testing::sdf_file(7)},
                                       {"SUR of 32 bits", testing::sur_file()},
@@ -51,6 +178,7 @@ TEST_CASE("every instrument's format holds the same map, in millimetres, rows al
                                       {"X3P of floats", testing::x3p_file('F')},
                                       {"X3P of doubles", testing::x3p_file('D')}}) {
         INFO(name);
+        const bool has_mark = bytes != testing::sdf_file(4); // a byte has no mark of a missing value
         const auto map = binary_map(bytes, "map");
         REQUIRE(map);
         CHECK(map->rows == 2);
@@ -60,7 +188,7 @@ TEST_CASE("every instrument's format holds the same map, in millimetres, rows al
         for (Index i = 0; i < map->heights.size(); ++i) {
             INFO(i);
             const double height = map->heights[i] * map->height_factor * map->height_unit.in_mm;
-            if (std::size_t(i) == testing::map_gap)
+            if (std::size_t(i) == testing::map_gap && has_mark)
                 CHECK(std::isnan(height));
             else
                 CHECK(height == Approx(1e-5 * testing::map_heights[std::size_t(i)]).epsilon(1e-6));
@@ -69,23 +197,16 @@ TEST_CASE("every instrument's format holds the same map, in millimetres, rows al
         CHECK(scan.profile.nodes() == 9);
         CHECK(scan.profile.heights[5] == Approx(9e-5).epsilon(1e-6));
         CHECK_THAT(scan.account, Catch::Contains("row 1 of 2 rows of 9 heights"));
-        CHECK(read(bytes, {.fill = true, .row = 2}).profile.heights[7] == Approx(3e-5).epsilon(1e-6));
-        CHECK_THAT(refusal(bytes, {.row = 2}), Catch::Contains("missing value"));
+        CHECK(read(bytes, {.fill = true, .row = 2}).profile.heights[7] ==
+              Approx(has_mark ? 3e-5 : -8e-5).epsilon(1e-6));
+        CHECK_THAT(refusal(bytes, {.row = 2}), Catch::Contains(has_mark ? "missing value" : "read as"));
         for (const Index row : {0, 3})
             CHECK_THAT(refusal(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
         CHECK_THAT(refusal(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
     }
 }
 
-TEST_CASE("an SDF of bytes has heights of its whole range") {
-    const auto map = binary_map(testing::sdf_file(4), "map");
-    REQUIRE(map);
-    for (Index i = 0; i < map->heights.size(); ++i)
-        CHECK(map->heights[i] * map->height_factor * map->height_unit.in_mm ==
-              Approx(1e-5 * testing::map_heights[std::size_t(i)]));
-}
-
-TEST_CASE("an ASCII surface data file of several profiles is a map as well") {
+TEST_CASE("an ASCII surface data file of several profiles is a map") {
     const std::string text = "aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-6\nYscale = 2e-6\n"
                              "Zscale = 1e-6\nDataType = 5\n*\n1 2 1\n4 -32768 5\n*\n";
     CHECK(read(text, {.row = 1}).profile.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
@@ -97,16 +218,16 @@ TEST_CASE("an ASCII surface data file of several profiles is a map as well") {
 TEST_CASE("a profile written as X3P is read back to the last bit") {
     Profile profile{1e-3 * Eigen::VectorXd::Random(500), 0.84942 / 511};
     const std::string bytes = x3p(profile);
-    CHECK(bytes == x3p(profile)); // no clock in it
+    CHECK(bytes == x3p(profile)); // without a date
     const Scan scan = read(bytes, {});
     CHECK(scan.profile.spacing == Approx(profile.spacing).epsilon(1e-15));
     CHECK((scan.profile.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
     CHECK_THAT(scan.account, Catch::Contains("X3P"));
-    CHECK_THAT(refusal(bytes), Catch::Contains("a row given, expected none"));
-    CHECK_THAT(refusal(bytes, {.spacing = -1}), Catch::Contains("spacing: -1, expected a length above 0"));
-    CHECK_THAT(refusal(bytes, {.row = -1}), Catch::Contains("row: -1, expected 1 or more"));
+    CHECK_THAT(refusal(bytes), Catch::Contains("omit the row"));
+    CHECK_THAT(refusal(bytes, {.spacing = -1}), Catch::Contains("spacing: -1 is not a length above 0"));
+    CHECK_THAT(refusal(bytes, {.row = -1}), Catch::Contains("row: -1 is out of range (1 or more)"));
     const Zip zip(bytes, "x");
-    // MD5 of the parts, as md5sum tells it
+    // the MD5 of md5sum
     const tests::Folder folder;
     folder.write("main.xml", zip.entry("main.xml", 10000).value());
     folder.write("md5checksum.hex", zip.entry("md5checksum.hex", 1000).value());
@@ -114,7 +235,7 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
               ("cd '" + folder.path().string() + "' && md5sum --status -c md5checksum.hex").c_str()) == 0);
 }
 
-TEST_CASE("an X3P whose check sum or mask is not the one it speaks of is refused") {
+TEST_CASE("an X3P with a wrong check sum or mask is refused") {
     const std::string xml = testing::x3p_xml(), data = testing::x3p_data(), valid(3, '\xFF');
     const auto refused = [&](const std::string& description,
                              std::vector<std::pair<std::string, std::string>> more) {
@@ -140,10 +261,10 @@ TEST_CASE("an X3P whose check sum or mask is not the one it speaks of is refused
     CHECK_THAT(
         refusal(zipped({{"main.xml", zip.entry("main.xml", 10000).value()}, {"bindata/data.bin", other}}),
                 {}),
-        Catch::Contains("as the archive says"));
+        Catch::Contains("but the archive gives"));
 }
 
-TEST_CASE("X3P lists heights in its XML, too, and names of spaces do not matter") {
+TEST_CASE("X3P with heights in its XML is read under any namespace") {
     std::string list =
         "<q:Record3 xmlns:q='u'><q:ListDimension>4</q:ListDimension><q:DataList><q:Datum>1;0;3</q:Datum>"
         "<q:Datum>2;0;4.5</q:Datum><q:Datum/><q:Datum>-1</q:Datum></q:DataList></q:Record3>";
@@ -154,13 +275,14 @@ TEST_CASE("X3P lists heights in its XML, too, and names of spaces do not matter"
     REQUIRE(map->heights.size() == 4);
     CHECK(map->heights[1] == 4.5);
     CHECK(std::isnan(map->heights[2]));
-    CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))), Catch::Contains("other than 4"));
+    CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))),
+               Catch::Contains("lists 3 heights"));
     CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1<", "<q:Datum>0</q:Datum><q:Datum>-1<"))),
-               Catch::Contains("other than 4"));
+               Catch::Contains("lists 5 heights"));
     CHECK_THAT(refusal(x3p_of(changed(xml, "4.5", "high"))), Catch::Contains("'high'"));
 }
 
-TEST_CASE("a damaged file of an instrument is refused in one line that says what is wrong") {
+TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
     const std::string sdf = testing::sdf_file(), sur = testing::sur_file(), gsf = testing::gsf_file(),
                       xml = testing::x3p_xml();
     const auto with = [](std::string bytes, std::size_t at, auto value) {
@@ -169,20 +291,20 @@ TEST_CASE("a damaged file of an instrument is refused in one line that says what
     };
     const std::vector<std::pair<std::string, std::string>> damaged{
         {sdf.substr(0, 60), "header of 81"},
-        {sdf.substr(0, 100), "ends early, expected 36 bytes"},
+        {sdf.substr(0, 100), "ends early, with 19 of 36 bytes"},
         {with(sdf, 46, std::nan("")), "Xscale"},
         {with(sdf, 79, '\x9'), "type 9"},
         {with(sdf, 42, std::uint16_t(0)), "rows of 0 heights"},
         {with(sur, 108, 2'000'000'000), "2000000000 heights"},
         {with(sur, 112, -2), "-2 rows"},
         {with(sur, 98, std::int16_t(24)), "24 bits"},
-        {with(sur, 180, 'q'), "no length unit"},
+        {with(sur, 180, 'q'), "not a length unit"},
         {"DSCOMPRESSED" + sur.substr(12), "without compression"},
         {changed(gsf, "XRes = 9", "XRes = 9999999"), "ends early"},
         {changed(gsf, "ZUnits = m", "ZUnits = V"), "'V'"},
         {testing::x3p_file().substr(0, 300), "damaged zip"},
         {zipped({{"xl/workbook.xml", "<a/>"}}), "Excel"},
-        {x3p_of("<a"), "no XML"},
+        {x3p_of("<a"), "not XML"},
         {x3p_of("<a/>"), "no axes"},
         {x3p_of(changed(xml, "<SizeX>9", "<SizeX>1e9")), "SizeX"},
         {x3p_of(changed(xml, "<SizeZ>1", "<SizeZ>2")), "several layers"},
@@ -197,4 +319,68 @@ TEST_CASE("a damaged file of an instrument is refused in one line that says what
     };
     for (const auto& [bytes, fault] : damaged)
         CHECK_THAT(refusal(bytes), Catch::Contains(fault));
+}
+
+TEST_CASE("a map written as X3P is read back with both spacings", "[map]") {
+    const Map map = as_map(x3p(relief));
+    CHECK(map.heights.shape() == relief.shape());
+    CHECK(map.heights.spacing == Approx(0.01).epsilon(1e-14));
+    CHECK(map.heights.row_spacing == Approx(0.025).epsilon(1e-14));
+    CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() < 1e-16);
+    CHECK_THAT(map.account, Catch::Contains("X3P"));
+    CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
+               Catch::Contains("its own spacing along x is 0.01"));
+    CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights are in m"));
+}
+
+TEST_CASE("a matrix and points x, y, height in any order are the same map", "[map]") {
+    const std::string matrix = "1 2 3\n4 5 6\n";
+    const Map by_rows = as_map(matrix, {.unit = "um", .spacing = 10, .row_spacing = 20});
+    const Map by_points = as_map("20 20 6\n0 0 1\n10 0 2\n0 20 4\n20 0 3\n10 20 5\n", {.unit = "um"});
+    for (const Map* map : {&by_rows, &by_points}) {
+        CHECK(map->heights.shape() == Extent{3, 2});
+        CHECK(map->heights.spacing == Approx(0.01));
+        CHECK(map->heights.row_spacing == Approx(0.02));
+        for (Index k = 0; k < 6; ++k)
+            CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));
+    }
+}
+
+TEST_CASE("a text in a named format is read as that map", "[map]") {
+    const Map map = as_map("aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-5\nYscale = 2e-5\n"
+                           "Zscale = 1e-6\nDataType = 5\n*\n1 2 3\n4 5 6\n*\n");
+    CHECK(map.heights.shape() == Extent{3, 2});
+    CHECK(map.heights.spacing == Approx(0.01));
+    CHECK(map.heights.row_spacing == Approx(0.02));
+    for (Index k = 0; k < 6; ++k)
+        CHECK(map.heights.heights[k] == Approx(1e-3 * double(k + 1)));
+    CHECK_THAT(map_refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8; give 9"));
+}
+
+TEST_CASE("an incomplete map is refused with its place", "[map]") {
+    CHECK_THAT(map_refusal("1 2 3 4\n4 5 6 7\n"), Catch::Contains("distance of its nodes"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n"), Catch::Contains("no height at x = 1, y = 1"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0 5\n"), Catch::Contains("line 5"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n3 0 2\n0 1 3\n1 1 4\n3 1 5\n"), Catch::Contains("even steps"));
+    CHECK_THAT(map_refusal("1 2 3 4\n", {.spacing = 1, .row_spacing = 1}), Catch::Contains("2 x 2"));
+}
+
+TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {
+    const std::string bytes = vtk(relief);
+    CHECK_THAT(bytes, Catch::StartsWith("# vtk DataFile Version 3.0\n"));
+    CHECK_THAT(bytes, Catch::Contains("DIMENSIONS 6 4 1\nPOINTS 24 double\n"));
+    const std::string mark = "POINTS 24 double\n";
+    const std::size_t first = bytes.find(mark) + mark.size();
+    const auto number = [&](std::size_t k) {
+        const std::string word(bytes.rbegin() + long(bytes.size() - first - 8 * (k + 1)),
+                               bytes.rbegin() + long(bytes.size() - first - 8 * k));
+        return little_endian<double>(word, 0);
+    };
+    for (const std::size_t k : {0, 5, 13, 23}) {
+        CHECK(number(3 * k) == Approx(0.01 * double(k % 6)).margin(1e-18));
+        CHECK(number(3 * k + 1) == Approx(0.025 * double(k / 6)).margin(1e-18));
+        CHECK(number(3 * k + 2) == relief.heights[Index(k)]);
+    }
+    CHECK_THAT(bytes.substr(first + 24 * 24),
+               Catch::StartsWith("\nPOINT_DATA 24\nSCALARS height_mm double 1\n"));
 }

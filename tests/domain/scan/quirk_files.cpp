@@ -32,18 +32,22 @@ std::string height_at(std::size_t i, const Form& form) {
     return number(quirk_heights[i] / form.height_unit, form.height_decimals, form.point);
 }
 
-std::string two_columns(const Form& form) {
-    std::string text;
+/// A header, then one line for each point.
+std::string listed(const std::string& header, auto line) {
+    std::string text = header;
     for (std::size_t i = 0; i < quirk_heights.size(); ++i)
-        text += form.before + x_at(i, form) + form.separator + height_at(i, form) + form.behind + form.end;
+        text += line(i);
     return text;
 }
 
+std::string two_columns(const Form& form) {
+    return listed("", [&](std::size_t i) {
+        return form.before + x_at(i, form) + form.separator + height_at(i, form) + form.behind + form.end;
+    });
+}
+
 std::string one_column(const Form& form) {
-    std::string text;
-    for (std::size_t i = 0; i < quirk_heights.size(); ++i)
-        text += height_at(i, form) + form.end;
-    return text;
+    return listed("", [&](std::size_t i) { return height_at(i, form) + form.end; });
 }
 
 std::string utf16(const std::string& ascii) {
@@ -64,14 +68,6 @@ std::string swapped(std::string text, const std::string& old, const std::string&
     return text.replace(text.find(old), old.size(), fresh);
 }
 
-/// One line per point: what `before` gives for its number, x, height.
-std::string numbered(const std::string& header, auto before, bool with_x, const std::string& separator) {
-    std::string text = header;
-    for (std::size_t i = 0; i < quirk_heights.size(); ++i)
-        text += before(i) + (with_x ? separator + x_at(i, {}) : "") + separator + height_at(i, {}) + "\n";
-    return text;
-}
-
 std::vector<QuirkFile> columns() {
     const Form comma_points = with(micro, [](Form& f) { f.point = ',', f.separator = ";"; });
     return {
@@ -88,27 +84,26 @@ std::vector<QuirkFile> columns() {
         {"one column with decimal commas", one_column(with(micro, [](Form& f) { f.point = ','; })), "um",
          0.5},
         {"one column after its count", "8\n" + one_column({}), "", quirk_spacing},
-        {"one row", swapped("z", "z", one_column({.end = " "})) + "\n", "", quirk_spacing},
-        {"a running index before x",
-         numbered(
-             "No.;x;z\n", [](std::size_t i) { return std::to_string(i + 1); }, true, ";")},
-        {"a counter that goes on, before x",
-         numbered(
-             "Counter\tx (mm)\tAltitude (mm)\n", [](std::size_t i) { return std::to_string(i + 37); }, true,
-             "\t")},
+        {"one row", one_column({.end = " "}) + "\n", "", quirk_spacing},
+        {"a running index before x", listed("No.;x;z\n",
+                                            [](std::size_t i) {
+                                                return std::to_string(i + 1) + ";" + x_at(i, {}) + ";" +
+                                                       height_at(i, {}) + "\n";
+                                            })},
+        {"a counter from 37 before x", listed("Counter\tx (mm)\tAltitude (mm)\n",
+                                              [](std::size_t i) {
+                                                  return std::to_string(i + 37) + "\t" + x_at(i, {}) + "\t" +
+                                                         height_at(i, {}) + "\n";
+                                              })},
         {"a running index for x",
-         numbered(
-             "", [](std::size_t i) { return std::to_string(i); }, false, " "),
-         "", quirk_spacing},
+         listed("", [](std::size_t i) { return std::to_string(i) + " " + height_at(i, {}) + "\n"; }), "",
+         quirk_spacing},
         {"numbers in quotes",
          "\"x\",\"z\"\n" + two_columns({.separator = "\",\"", .before = "\"", .behind = "\""})},
-        {"x running backwards",
-         [] {
-             std::string text;
-             for (std::size_t i = quirk_heights.size(); i-- > 0;)
-                 text += x_at(i, {}) + " " + height_at(i, {}) + "\n";
-             return text;
-         }()},
+        {"x running backwards", listed("",
+                                       [last = quirk_heights.size() - 1](std::size_t i) {
+                                           return x_at(last - i, {}) + " " + height_at(last - i, {}) + "\n";
+                                       })},
     };
 }
 
@@ -126,7 +121,7 @@ std::vector<QuirkFile> headers() {
         {"two units by one key", "Units: x mm, z um\n" + two_columns(mixed)},
         {"units in words",
          "Lateral um,Raw Nanometer,\n" + two_columns(with(nano, [](Form& f) { f.behind = ",,"; }))},
-        {"units in a line of their own", "x;z\n[mm];[um]\n" + two_columns(mixed)},
+        {"units in a separate line", "x;z\n[mm];[um]\n" + two_columns(mixed)},
         {"units alone and a count",
          "\xC2\xB5m \xC2\xB5m\n8\n" + two_columns(with(micro, [](Form& f) { f.separator = ", "; }))},
         {"Latin-1 units", "x [mm];z [\xB5m]\n" + two_columns(mixed)},
@@ -143,7 +138,7 @@ std::vector<QuirkFile> headers() {
         {"HFM export", "X;Y;valid\n[mm];[mm];[1/0]\n" + two_columns({.separator = ";", .behind = ";1"})},
         {"matrix text with a width",
          "# Channel: Main\n# Width: 4 \xC2\xB5m\n# Value units: nm\n" + one_column({.height_unit = 1e-6})},
-        {"SPIP's keys, the lengths' unit by its own",
+        {"SPIP's keys with a key for the lengths' unit",
          "# x-pixels = 8\n# x-length = 4\n# x-unit = um\n# z-unit = nm\n" +
              one_column({.height_unit = 1e-6})},
         {"a first width of nothing and a factor of no unit",
@@ -154,7 +149,7 @@ std::vector<QuirkFile> headers() {
     };
 }
 
-/// Layouts of their own, as instruments and metrology institutes write them.
+/// Formats of instruments and metrology institutes.
 std::vector<QuirkFile> named_layouts() {
     const std::string microns = one_column({.end = "\r\n", .height_unit = 1e-3});
     const std::string sdf = "ManufacID = maker\nCreateDate = 210520051200\nNumPoints = 8\nNumProfiles = 1\n"

@@ -3,13 +3,12 @@
 #include <string>
 #include <vector>
 
-/// A small file with a quirk of real scans. All hold the same measured profile.
+/// A small file with a quirk of real scans. All contain the same measured profile.
 struct QuirkFile {
     std::string quirk;
     std::string bytes;
     std::string unit = {};
     double spacing = 0;
-    bool fill = false;
 };
 
 /// The profile in every quirk file: heights in mm at every 0.5 µm.

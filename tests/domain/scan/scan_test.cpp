@@ -1,5 +1,8 @@
 #include "domain/errors.hpp"
-#include "domain/scan/scan.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/scan/map.hpp"
+#include "domain/scan/source.hpp"
+#include "domain/text/zip.hpp"
 #include "tests/domain/scan/quirk_files.hpp"
 #include "tests/folder.hpp"
 
@@ -7,6 +10,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 
 using namespace rough;
 
@@ -33,9 +37,55 @@ std::string rows(int count, auto height) {
     return text;
 }
 
+const std::string four_rows = "1 2\n2 3\n3 5\n4 1\n";
+
+std::string repeated(const std::string& part, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i)
+        all += part;
+    return all;
+}
+
+/// Largest number of bytes that reading adds to this process; 0 without /proc.
+std::size_t peak_while(const std::function<void()>& read) {
+    const auto kilobytes = [](const std::string& key) {
+        std::ifstream status("/proc/self/status");
+        for (std::string word; status >> word;)
+            if (word == key)
+                return status >> word, std::stoul(word);
+        return 0UL;
+    };
+    std::ofstream("/proc/self/clear_refs") << "5"; // the peak is counted from here
+    const std::size_t before = kilobytes("VmRSS:");
+    read();
+    const std::size_t peak = kilobytes("VmHWM:");
+    return 1000 * (peak > before ? peak - before : 0);
+}
+
+void check_frugal(const std::string& name, const std::string& content, const std::string& part) {
+    INFO(name);
+    const tests::Folder folder;
+    const auto file = folder.write(name, content);
+    for (const bool as_map : {false, true}) {
+        std::string said = "read";
+        const std::size_t peak = peak_while([&] {
+            try {
+                if (as_map)
+                    read_map(file, {.spacing = 1, .row_spacing = 1});
+                else
+                    read_scan(file, {.row = 1});
+            } catch (const InputError& error) {
+                said = error.what();
+            }
+        });
+        CHECK_THAT(said, Catch::Contains(part));
+        CHECK(peak < std::max<std::size_t>(20 * content.size(), 200'000'000));
+    }
+}
+
 } // namespace
 
-TEST_CASE("a file with any one quirk of real scans holds the same profile as the others") {
+TEST_CASE("files with different quirks of real scans give the same profile") {
     const auto files = quirk_files();
     REQUIRE(files.size() >= 30);
     for (const QuirkFile& file : files) {
@@ -52,7 +102,7 @@ TEST_CASE("a file with any one quirk of real scans holds the same profile as the
     }
 }
 
-TEST_CASE("of an areal matrix one row is taken, counted from 1, with the spacing given") {
+TEST_CASE("the requested row of an areal matrix is taken, from 1") {
     const std::string matrix = "1 2 3 4\n5 6 7 9\n0 0 1 0\n";
     ScanOptions options{.unit = "um", .spacing = 2, .detrend = Detrend::none, .row = 2};
     const Scan scan = read(matrix, options);
@@ -62,15 +112,15 @@ TEST_CASE("of an areal matrix one row is taken, counted from 1, with the spacing
     options.row = 3;
     CHECK(read("# map\n" + matrix, options).profile.heights[2] == Approx(1e-3));
     options.row = 4;
-    CHECK_THAT(refusal(matrix, options), Catch::Contains("row 4 given of 3 rows"));
+    CHECK_THAT(refusal(matrix, options), Catch::Contains("row 4 of 3 rows"));
     options.row = 1;
-    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", options), Catch::Contains("row 1 given of 3 rows of 2"));
+    CHECK_THAT(refusal("0 1\n1 2\n2 1\n", options), Catch::Contains("row 1 of 3 rows of 2"));
     CHECK_THAT(refusal("1 NaN 3 4\n5 6 7 9\n", options), Catch::Contains("missing"));
     options.spacing = 0;
     CHECK_THAT(refusal(matrix, options), Catch::Contains("spacing"));
 }
 
-TEST_CASE("a unit that contradicts the header is refused, one that agrees with it is not") {
+TEST_CASE("a unit is refused only if it contradicts the header") {
     CHECK_THAT(refusal("x [mm];z [um]\n0;1\n1;2\n2;1\n", {.unit = "mm"}),
                Catch::Contains("header gives heights in µm"));
     CHECK_THAT(refusal("x [um];z [um]\n0;1\n1;2\n2;1\n", {.unit = "nm"}),
@@ -81,12 +131,12 @@ TEST_CASE("a unit that contradicts the header is refused, one that agrees with i
     CHECK_THAT(refusal("x [mm];z [V]\n0;1\n1;2\n2;1\n"), Catch::Contains("line 1") && Catch::Contains("'V'"));
 }
 
-TEST_CASE("a unit that nobody knows is refused by its name, unless one is given") {
+TEST_CASE("an unknown unit is refused by its name unless a unit is given") {
     for (const std::string header : {"x [ft] z [ft]", "x [ft]\tz [ft]", "x (ft);z (ft)", "x [yd],z [a.u.]"}) {
         INFO(header);
         CHECK_THAT(refusal(header + "\n0 1\n1 2\n2 1\n"),
                    Catch::Contains("a column in '" + std::string(header[3] == 'y' ? "yd" : "ft") + "'") &&
-                       Catch::Contains("or one given"));
+                       Catch::Contains("or give one"));
         CHECK_NOTHROW(read(header + "\n0 1\n1 2\n2 1\n", {.unit = "in"}));
     }
     CHECK_THAT(refusal("x [mm];z [a.u.]\n0;1\n1;2\n2;1\n"), Catch::Contains("'a.u.'"));
@@ -94,7 +144,7 @@ TEST_CASE("a unit that nobody knows is refused by its name, unless one is given"
         CHECK_NOTHROW(read(header + "\n0;1\n1;2\n2;1\n"));
 }
 
-TEST_CASE("a missing value is refused with its line and filled linearly when asked") {
+TEST_CASE("a missing value is refused with its line, or filled linearly on request") {
     for (const std::string missing : {"NaN", "nan", "BAD", "--", "n/a", ""}) {
         INFO(missing);
         const std::string text = "x;z\n0;1\n1;" + missing + "\n2;3\n3;0\n";
@@ -104,13 +154,13 @@ TEST_CASE("a missing value is refused with its line and filled linearly when ask
         CHECK_THAT(scan.account, Catch::Contains("1 missing height filled"));
     }
     CHECK_THAT(refusal("x;z\n0;1\n;2\n2;3\n3;0\n"), Catch::Contains("line 3") && Catch::Contains("an x"));
-    CHECK_THAT(refusal("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n"), Catch::Contains("line 4"));
-    CHECK(read("X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n", {.detrend = Detrend::none, .fill = true})
-              .profile.heights[1] == Approx(2));
+    const std::string invalid = "X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n";
+    CHECK_THAT(refusal(invalid), Catch::Contains("line 4"));
+    CHECK(read(invalid, {.detrend = Detrend::none, .fill = true}).profile.heights[1] == Approx(2));
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
 }
 
-TEST_CASE("missing values at the ends of a scan are left out when filling") {
+TEST_CASE("filling removes missing values at the ends of a scan") {
     const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
     REQUIRE(scan.profile.nodes() == 4);
     CHECK(scan.profile.heights[1] == Approx(4));
@@ -128,7 +178,7 @@ TEST_CASE("unevenly spaced points are resampled on the straight lines between th
           Approx(2));
 }
 
-TEST_CASE("a spacing rounded in its last digit is even and moves no height") {
+TEST_CASE("a spacing rounded in its last digit is even and leaves heights unchanged") {
     const double spacing = 0.0000995587;
     std::string text;
     Eigen::VectorXd heights(5000);
@@ -151,12 +201,12 @@ TEST_CASE("points out of order are refused with their line") {
                Catch::Contains("line 2") && Catch::Contains("0.25 mm after 1 mm"));
 }
 
-TEST_CASE("what cannot be a line scan is refused in one line that says why") {
-    CHECK_THAT(refusal(""), Catch::Contains("holds no numbers"));
+TEST_CASE("a file that is not a line scan is refused in one line with the reason") {
+    CHECK_THAT(refusal(""), Catch::Contains("contains no numbers"));
     CHECK_THAT(refusal(std::string("\x89PNG\0\0\1", 7)), Catch::Contains("binary"));
-    CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("expected a spacing"));
+    CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("give the spacing"));
     CHECK_THAT(refusal("0.5 1\n1 2\n2 1\n", {.spacing = 0.5}), Catch::Contains("two columns"));
-    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("of an areal matrix, the row to take"));
+    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("for an areal matrix the row to take"));
     CHECK_THAT(refusal("0 1 5\n1 2 5.5\n3 1 7\n"), Catch::Contains("3 columns"));
     CHECK_THAT(refusal("0 1\n1 2\n2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
     CHECK_THAT(refusal("0 1\n1 2\n2 3 4\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("3 columns"));
@@ -167,7 +217,7 @@ TEST_CASE("what cannot be a line scan is refused in one line that says why") {
     CHECK_THROWS_WITH(read_scan("no/such/scan.txt"), Catch::Contains("no/such/scan.txt"));
 }
 
-TEST_CASE("a layout of its own that is no profile, or ends early, is refused with its line") {
+TEST_CASE("an export that is not a profile, or ends early, is refused with its line") {
     const std::string head = "aISO-1.0\nNumPoints = 3\nNumProfiles = 1\nXscale = 1e-6\nZscale = 1e-6\n";
     CHECK_THAT(refusal("aISO-1.0\nXscale = 1e-6\nNumProfiles = 4\n*\n1\n2\n1\n*\n"),
                Catch::Contains("3 heights") && Catch::Contains("NumProfiles times"));
@@ -186,7 +236,7 @@ TEST_CASE("a layout of its own that is no profile, or ends early, is refused wit
     CHECK_THAT(refusal("SigmaSurf_Data 1.0\nPROFILE_UM:\n1\n2\n"), Catch::Contains("SPACING_UM"));
 }
 
-TEST_CASE("mean, line and parabola are removed exactly and only they") {
+TEST_CASE("only the mean, line or parabola is removed, exactly") {
     const auto polynomial = [](int i) { return 3 - 0.5 * i + 0.02 * i * i; };
     const auto bump = [](int i) { return i == 10 ? 1. : 0.; };
     const auto with_bump = [&](int i) { return polynomial(i) + bump(i); };
@@ -204,14 +254,12 @@ TEST_CASE("mean, line and parabola are removed exactly and only they") {
     }
     CHECK(read(rows(5, polynomial)).profile.heights[2] == Approx(polynomial(2)));
     CHECK_THROWS_WITH(detrend_named("plane", "--detrend"), Catch::Contains("parabola"));
-    for (const auto& name : detrend_names())
-        CHECK(name_of(detrend_named(name, "")) == name);
 }
 
-TEST_CASE("the form of a polynomial or an arc is removed exactly, and the rest is left") {
+TEST_CASE("the form of a polynomial or an arc is removed exactly") {
     Profile profile{Eigen::VectorXd(301), 0.01};
     Eigen::VectorXd quartic(301), rest(301);
-    const double radius = 20, steep = 0.05; // mm; an arc that is no parabola any more at 1e-12
+    const double radius = 20, steep = 0.05; // mm; no parabola fits this arc to 1e-12
     for (Index i = 0; i < 301; ++i) {
         const double x = 0.01 * double(i) - 1.5;
         profile.heights[i] = 3 - std::sqrt(radius * radius - std::pow(x - radius * steep, 2));
@@ -231,7 +279,7 @@ TEST_CASE("the form of a polynomial or an arc is removed exactly, and the rest i
                       Catch::Contains("no arc"));
 }
 
-TEST_CASE("outliers are told, and replaced where that is asked for") {
+TEST_CASE("outliers are reported, and replaced on request") {
     const auto wave = [](int i) { return std::cos(0.1 * i) + (i == 40 ? 3 : 0); };
     const Scan kept = read(rows(90, wave)),
                removed = read(rows(90, wave), {.detrend = Detrend::none, .remove_outliers = true});
@@ -242,15 +290,14 @@ TEST_CASE("outliers are told, and replaced where that is asked for") {
     CHECK(removed.profile.heights[41] == kept.profile.heights[41]);
 }
 
-TEST_CASE("filters take off short and long waves, after the form, and the account says so") {
+TEST_CASE("filters remove short and long waves after the form, as the account states") {
     const auto waves = [](double x) {
         return std::cos(2 * M_PI * x / 40) + 0.1 * std::cos(2 * M_PI * x / 4);
     };
     const auto text = rows(800, [&](int i) { return waves(0.1 * i); });
-    ScanOptions options{.detrend = Detrend::none};
-    options.lambda_c = 80, options.spacing = 0; // in mm, of a spacing of 1 mm
+    ScanOptions options{.detrend = Detrend::none, .lambda_c = 80}; // mm, at a spacing of 1 mm
     const Scan scan = read(text, options);
-    CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm taken off"));
+    CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm removed"));
     CHECK(scan.profile.heights[400] == Approx(waves(40.) - std::pow(2, -std::pow(80. / 400, 2)) * 1 -
                                               0.1 * std::pow(2, -std::pow(80. / 40, 2)))
                                            .margin(1e-4));
@@ -260,7 +307,7 @@ TEST_CASE("filters take off short and long waves, after the form, and the accoun
     CHECK_THAT(refusal(text, options), Catch::Contains("lambda-s: -1"));
 }
 
-TEST_CASE("x and heights may be given units of their own") {
+TEST_CASE("x and heights may have different given units") {
     const Scan scan = read("0 1\n1 3\n2 1\n", {.unit = "um,nm", .detrend = Detrend::none});
     CHECK(scan.profile.spacing == Approx(1e-3));
     CHECK(scan.profile.heights[1] == Approx(3e-6));
@@ -270,4 +317,77 @@ TEST_CASE("x and heights may be given units of their own") {
     CHECK_THAT(refusal("0 1\n1 3\n2 1\n", {.unit = "um,parsec"}), Catch::Contains("parsec"));
     CHECK_THAT(refusal("x [um] z [nm]\n0 1\n1 3\n2 1\n", {.unit = "um,um"}),
                Catch::Contains("heights in nm"));
+}
+
+TEST_CASE("a number of twenty digits is not a count of points") {
+    CHECK_THAT(refusal("12345678901234567890\n" + four_rows), Catch::Contains("missing value"));
+    CHECK(read("4\n" + four_rows).profile.nodes() == 4);
+}
+
+TEST_CASE("a count above 1e9 is refused") {
+    CHECK_THAT(refusal("SigmaSurf_Data\nSPACING_UM: 0.25\nNUMBER_OF_POINTS: 1e300\nPROFILE_UM:\n1\n2\n"),
+               Catch::Contains("up to 1e9"));
+}
+
+TEST_CASE("a scan is readable with empty quotes, half a UTF-16 pair, or a tiny exponent") {
+    for (const std::string head : {"x z\n\"\"\n", "\"\" height\n", "\"\"\n\"\" \"\"\n"})
+        CHECK(read(head + four_rows).profile.nodes() == 4);
+    CHECK(read("0.0e-2147483647 2\n" + four_rows).profile.nodes() == 5);
+    std::string wide("\xFF\xFE#\0\x00\xD8x\0\n\0", 10);
+    for (const char c : four_rows)
+        wide += {c, '\0'};
+    CHECK(read(wide).profile.nodes() == 4);
+}
+
+TEST_CASE("a small file never takes much memory") {
+    check_frugal("one long row among short ones",
+                 repeated("1 2 3 4\n", 100'000) + repeated("1 ", 1'000'000) + "\n", "columns, but");
+    std::string widths = repeated("1 ", 1'000'000) + "\n"; // each width is as common as the widest
+    for (int i = 1; i < 1000; ++i)
+        widths += repeated("1 ", i) + "\n";
+    check_frugal("rows of all widths", widths, "columns, but the other rows have 1000000");
+    std::string places; // no two points share an x or a y
+    for (int i = 0; i < 200'000; ++i)
+        places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
+    const tests::Folder folder;
+    CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}), Catch::Contains("give a whole grid"));
+    check_frugal("nodes of XML", zipped({{"main.xml", "<p>" + repeated("<a/>x", 3'000'000) + "</p>"}}),
+                 "more than 1000000 elements");
+}
+
+TEST_CASE("a line with too many numbers for a scan is refused") {
+    CHECK_THAT(refusal(repeated("1 ", 10'000'002)), Catch::Contains("more than 1e7 numbers"));
+}
+
+TEST_CASE("a genome file and a scan are sources, each with its grid") {
+    const tests::Folder folder;
+    const auto genome = folder.write("g.json", R"({"length_mm":2,"series":[{"A":1,"H":0.8,"gamma":1.5,)"
+                                               R"("lambda":2,"chromosomes":[{"n":1,"phases":[0.3]}]}]})");
+    const auto scan = folder.write("s.txt", "1\n3\n0.5\n2\n1\n");
+    const Source waves = open_genome(genome),
+                 points = open_scan(scan, {.spacing = 0.1, .detrend = Detrend::none});
+
+    CHECK(waves.grid().length == 2);
+    CHECK(waves.on(waves.grid()).heights == sample(*waves.genome, waves.grid()).heights);
+    CHECK(points.grid().nodes == 5);
+    CHECK(points.grid().length == 4 * 0.1);
+    CHECK(points.grid(true).length == 5 * 0.1);
+    CHECK(points.on(points.grid()).spacing == 0.1);
+    CHECK(points.on(points.grid()).heights == (Eigen::VectorXd(5) << 1, 3, 0.5, 2, 1).finished());
+
+    Grid longer = points.grid();
+    longer.length = 0.8;
+    CHECK(points.on(longer).spacing == longer.spacing());
+    longer.nodes = 6;
+    CHECK_THROWS_WITH(points.on(longer), Catch::Contains("grid of 6 nodes") && Catch::Contains("scan's 5"));
+}
+
+TEST_CASE("a column of heights keeps the given spacing to the bit") {
+    const tests::Folder folder;
+    std::string heights;
+    for (int i = 0; i < 301; ++i)
+        heights += std::to_string(i % 7) + "\n";
+    const auto file = folder.write("s.txt", heights);
+    for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5})
+        CHECK(open_scan(file, {.spacing = spacing}).measured.spacing == spacing);
 }

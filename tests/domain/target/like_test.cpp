@@ -26,23 +26,23 @@ Model model_of(const Profile& profile) {
 
 } // namespace
 
-TEST_CASE("a target like a profile is that profile's own curve at even points") {
+TEST_CASE("a target like a profile is the profile's curve at even points") {
     const Profile profile = waves();
     const Model model = model_of(profile);
-    const Curve own = secant_stiffness(respond(profile, model));
+    const Curve curve = secant_stiffness(respond(profile, model));
     const Target target = target_like(profile, model, "waves", Quantity::stiffness, 5);
-    CHECK(similarity(target, own) == 1);
+    CHECK(similarity(target, curve) == 1);
     CHECK(target.points() == 5);
-    CHECK(target.x[0] == Approx(own.to / 5));
-    CHECK(target.last() == own.to);
-    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * own.to).last() ==
-          0.25 * own.to);
-    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * own.to).last() == own.to);
+    CHECK(target.x[0] == Approx(curve.to / 5));
+    CHECK(target.last() == curve.to);
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * curve.to).last() ==
+          0.25 * curve.to);
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * curve.to).last() == curve.to);
 }
 
-TEST_CASE("every profile's own response in few load steps is a target that it meets") {
+TEST_CASE("a profile meets its response as a target, in few load steps as well") {
     for (int seed = 0; seed < 40; ++seed) {
-        Profile profile = waves(); // long waves: stiff at once where the second hill comes into contact
+        Profile profile = waves(); // long waves: stiffness jumps when the second hill touches
         for (Index i = 0; i < profile.nodes(); ++i) {
             const double x = static_cast<double>(i) / 20;
             profile.heights[i] = std::cos(x + seed) + 0.7 * std::cos(1.4 * x + 2.7 * seed) +
@@ -59,7 +59,7 @@ TEST_CASE("every profile's own response in few load steps is a target that it me
     }
 }
 
-TEST_CASE("a design like a profile has the nodes that its areas need, and the usual ones without areas") {
+TEST_CASE("a design like a profile has more nodes if its contact fractions need them") {
     const auto nodes_of = [&](Index nodes, std::vector<Quantity> quantities, Index points, Index given = 0) {
         const Profile profile = waves(nodes);
         const DesignSetup setup = like({}, profile, model_of(profile), "p", quantities, points, given);
@@ -75,7 +75,7 @@ TEST_CASE("a design like a profile has the nodes that its areas need, and the us
     }
 }
 
-TEST_CASE("a target of interface stiffness carries over between datums and lengths, and over nothing else") {
+TEST_CASE("only a target of interface stiffness carries over to other datums and lengths") {
     const Profile profile = waves();
     Model model = model_of(profile);
     const Target target = target_like(profile, model, "waves.csv", Quantity::interface_stiffness);
@@ -91,7 +91,7 @@ TEST_CASE("a target of interface stiffness carries over between datums and lengt
     CHECK(recorded_differences(whole, model).size() == 3);
 }
 
-TEST_CASE("a target of interface stiffness ends before full contact, where it is infinite") {
+TEST_CASE("a target of interface stiffness up to full contact is refused") {
     Profile bowl{1e-6 * Eigen::VectorXd::LinSpaced(64, -1, 1).cwiseAbs2(), 1.0 / 63};
     Model model = model_of(bowl);
     model.grid.length = 1;

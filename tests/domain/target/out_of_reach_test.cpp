@@ -1,5 +1,6 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/similarity.hpp"
 #include "tests/domain/random_genome.hpp"
@@ -20,27 +21,26 @@ Model model_on(Kernel kernel, Index nodes, int steps) {
     return completed(model);
 }
 
-/// A punch whose flank is the dent that its raised end node makes before anything else touches, at `depth`:
-/// a logarithm. All its nodes touch there at once.
+/// A punch whose flank is the dent that its raised end node makes at `depth`, a logarithm. Until there only
+/// that node touches, and then all nodes.
 Profile dented_punch(const Model& model, double depth) {
     const Grid& grid = model.grid;
     const double delta = grid.spacing();
-    const auto h = influence_column(model.body.kernel, grid.nodes, model.body.datum / delta,
-                                    model.body.strip_width / delta);
+    const auto h = influence_column(in_units(model.body, delta, 0), grid.shape());
     Profile profile{Eigen::VectorXd(grid.nodes), delta};
     for (Index i = 0; i < grid.nodes; ++i)
         profile.heights[i] = depth * h[i] / h[0];
     return profile;
 }
 
-/// Profiles of every kind that a bound has to hold for.
+/// Random profiles of six kinds.
 Profile scene(const Model& model, int kind, std::mt19937_64& random) {
     const Grid& grid = model.grid;
     std::uniform_real_distribution<double> unit(0, 1);
     Profile profile = dented_punch(model, 1e-3 * unit(random));
     const auto anywhere = [&] { return static_cast<Index>(unit(random) * static_cast<double>(grid.nodes)); };
     switch (kind % 6) {
-    case 1: // with a groove, so that full approach goes beyond the dent
+    case 1: // with a groove, so that the full approach goes beyond the dent
         profile.heights[anywhere()] -= 1e-3 * unit(random);
         break;
     case 2: // a flat with spikes
@@ -67,42 +67,38 @@ Profile scene(const Model& model, int kind, std::mt19937_64& random) {
     return profile;
 }
 
+/// A curve's values as a target at even points.
 Target read_off(const Curve& curve, Quantity quantity, Index points) {
-    Target target;
-    target.quantity = quantity;
-    target.name = "own response";
-    const double last = curve.to;
-    target.x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
-    target.y = target.x.unaryExpr([&](double x) { return curve.at(x); });
-    return target;
+    return even_target(quantity, "the profile's response", points, curve.to,
+                       [&](double x) { return curve.at(x); });
 }
 
 } // namespace
 
-TEST_CASE("a punch that follows the dent of its raised end node is not out of its own reach") {
+TEST_CASE("the response of a punch shaped like a dent is not out of reach") {
     Model model = model_on(Kernel::free, 512, 20);
     constexpr double depth = 2e-5;
     model.loading.to_displacement = depth * 20 / 19;
     const Profile profile = dented_punch(model, depth);
     const Response response = respond(profile, model.body, model.loading);
-    const Target own = read_off(secant_stiffness(response), Quantity::stiffness, 20);
-    // The curve that is scored ends above full contact, beyond its last secant's pressure, as far as any can.
+    const Target target = read_off(secant_stiffness(response), Quantity::stiffness, 20);
+    // The scored curve is continued above full contact, as far as any curve can be.
     const StiffnessLimits secants = stiffness_limits(model);
-    REQUIRE(own.y[19] > 1.6 * secants.most);
-    CHECK(own.y[19] == Approx(scored_limits(secants, 20, 1).most).epsilon(0.01));
-    CHECK(out_of_reach({own}, model).empty());
-    CHECK(out_of_reach({own}, model, own.last()).empty());
-    Target stiffer = own;
+    REQUIRE(target.y[19] > 1.6 * secants.max);
+    CHECK(target.y[19] == Approx(scored_limits(secants, 20, 1).max).epsilon(0.01));
+    CHECK(out_of_reach({target}, model).empty());
+    CHECK(out_of_reach({target}, model, target.last()).empty());
+    Target stiffer = target;
     stiffer.y *= 1.2;
     const auto found = out_of_reach({stiffer}, model);
     REQUIRE(found.size() == 1);
     CHECK(found[0].bound == Approx(1 / 1.2).epsilon(0.02));
     CHECK(found[0].verdict().find('\n') == std::string::npos);
-    // A load that ends later leaves no room there.
-    CHECK_FALSE(out_of_reach({own}, model, 2 * own.last()).empty());
+    // If the load ends later, the curve is not continued there.
+    CHECK_FALSE(out_of_reach({target}, model, 2 * target.last()).empty());
 }
 
-TEST_CASE("no profile's own response is out of reach, and no profile passes the bound of a bent one") {
+TEST_CASE("no response is out of reach, and no profile exceeds the bound of a bent one") {
     std::mt19937_64 random(51);
     std::normal_distribution<double> bend;
     double nearest = 1;
@@ -134,10 +130,10 @@ TEST_CASE("no profile's own response is out of reach, and no profile passes the 
         }
     }
     CHECK(verdicts > 100);
-    CHECK(nearest < 0.05); // bounds that tell nothing would pass the rest
+    CHECK(nearest < 0.05); // otherwise the bounds could be trivial
 }
 
-TEST_CASE("an interface stiffness may exceed full contact's, but neither fall nor be less than one node's") {
+TEST_CASE("interface stiffness may exceed full contact, but not fall or be below one node") {
     const Model model = model_on(Kernel::free, 128, 20);
     const StiffnessLimits limits = stiffness_limits(model);
     const auto target_of = [](double first, double second) {
@@ -147,23 +143,23 @@ TEST_CASE("an interface stiffness may exceed full contact's, but neither fall no
         target.y = Eigen::Vector2d(first, second);
         return target;
     };
-    CHECK(out_of_reach({target_of(1, 1000 * limits.most)}, model).empty());
+    CHECK(out_of_reach({target_of(1, 1000 * limits.max)}, model).empty());
     const auto falls = out_of_reach({target_of(2, 1)}, model);
     REQUIRE(falls.size() == 1);
     CHECK_THAT(falls[0].reason, Catch::StartsWith("interface stiffness falls"));
     CHECK(falls[0].bound == Approx(2.0 / 3));
     // One node's K is its K_i in series with the half-plane's, so K_i is the larger.
-    const double one_node = 1 / (1 / limits.least - 1 / limits.most);
+    const double one_node = 1 / (1 / limits.min - 1 / limits.max);
     CHECK(out_of_reach({target_of(1.001 * one_node, 1)}, model).empty());
-    const auto soft = out_of_reach({target_of(0.5 * (limits.least + one_node), 1)}, model);
+    const auto soft = out_of_reach({target_of(0.5 * (limits.min + one_node), 1)}, model);
     REQUIRE(soft.size() == 1);
     CHECK_THAT(soft[0].verdict(), Catch::Contains("on this grid") && Catch::Contains("single node"));
-    Target light = target_of(0.5 * limits.least, 1);
-    light.x[0] = 1e-4 / 41; // before any first secant, which the next may continue to nothing
+    Target light = target_of(0.5 * limits.min, 1);
+    light.x[0] = 1e-4 / 41; // before any first secant: the curve continued there may be 0
     CHECK(out_of_reach({light}, model).empty());
 }
 
-TEST_CASE("an area's least stiffness is that of a node alone, and its greatest a coarser grid's", "[areas]") {
+TEST_CASE("a map's lowest stiffness is that of one node, its highest that of a coarser grid", "[areas]") {
     for (const Index n : {32, 256}) {
         Model model;
         model.grid = {.nodes = n, .length = 1, .rows = n, .width = 1};
@@ -172,14 +168,14 @@ TEST_CASE("an area's least stiffness is that of a node alone, and its greatest a
         needle.heights[n * n / 2 + n / 2] = 1;
         const LoadStep alone = solve_contact(needle, completed(model).body, {1e-3}).steps[0];
         CHECK(alone.contact_nodes == 1);
-        CHECK(limits.least == Approx(alone.tangent_stiffness));
+        CHECK(limits.min == Approx(alone.tangent_stiffness));
         model.grid.nodes = model.grid.rows = std::min<Index>(n, 128);
-        CHECK(limits.most == stiffness_limits(model).most);
-        CHECK(limits.most > limits.least);
+        CHECK(limits.max == stiffness_limits(model).max);
+        CHECK(limits.max > limits.min);
     }
 }
 
-TEST_CASE("scored stiffness stays within its limits whatever rising secants, which some attain") {
+TEST_CASE("scored stiffness of rising secants stays within its limits and attains them") {
     std::mt19937_64 random(52);
     std::uniform_real_distribution<double> unit(0, 1);
     constexpr double m = 0.2, M = 1.3;
@@ -197,12 +193,12 @@ TEST_CASE("scored stiffness stays within its limits whatever rising secants, whi
     for (const int steps : {2, 3, 7, 20})
         for (double share = 0.001; share <= 1; share += 0.0333) {
             const StiffnessLimits limits = scored_limits({m, M}, steps, share);
-            double least = M, most = m;
+            double lowest = M, highest = m;
             const auto try_out = [&](const std::vector<double>& secants) {
                 const double y = scored(secants, share);
-                CHECK(y >= limits.least * (1 - 1e-9));
-                CHECK(y <= limits.most * (1 + 1e-9));
-                least = std::min(least, y), most = std::max(most, y);
+                CHECK(y >= limits.min * (1 - 1e-9));
+                CHECK(y <= limits.max * (1 + 1e-9));
+                lowest = std::min(lowest, y), highest = std::max(highest, y);
             };
             const auto count = static_cast<std::size_t>(steps);
             for (int trial = 0; trial < 200; ++trial) {
@@ -211,7 +207,7 @@ TEST_CASE("scored stiffness stays within its limits whatever rising secants, whi
                     secant = m + (M - m) * std::clamp(1.4 * unit(random) - 0.2, 0.0, 1.0);
                 std::sort(secants.begin(), secants.end());
                 try_out(secants);
-                // One step soft, the others alike; the last stiff, the others soft; all stiff.
+                // Attained if the first step is soft and all further steps are equal.
                 std::vector<double> rising(count, m + (M - m) * trial / 199);
                 rising[0] = m;
                 try_out(rising);
@@ -220,14 +216,14 @@ TEST_CASE("scored stiffness stays within its limits whatever rising secants, whi
             late.back() = M;
             try_out(late);
             try_out(std::vector<double>(count, M));
-            CHECK(least == Approx(limits.least).epsilon(1e-3));
-            CHECK(most == Approx(limits.most).epsilon(1e-9));
+            CHECK(lowest == Approx(limits.min).epsilon(1e-3));
+            CHECK(highest == Approx(limits.max).epsilon(1e-9));
         }
 }
 
-TEST_CASE("a load curve that bulges by a third is out of reach by the worst of its chords, to the digit") {
+TEST_CASE("a load curve above a chord is out of reach by its exact distance") {
     const Model model = model_on(Kernel::free, 128, 20);
-    const double unit = 0.25e-5 * stiffness_limits(model).most; // half of full contact's slope at most
+    const double unit = 0.25e-5 * stiffness_limits(model).max; // at most half of the slope of full contact
     Target target;
     target.quantity = Quantity::load_at_displacement;
     target.x = Eigen::Vector3d(1e-5, 2e-5, 3e-5);

@@ -6,7 +6,7 @@ using namespace rough;
 
 namespace {
 
-/// y = 2 + x^2 at five points, to be read over [0, 5].
+/// y = 2 + x^2 at five points, defined over [0, 5].
 Curve bent() {
     Curve curve{Eigen::VectorXd::LinSpaced(5, 1, 5), Eigen::VectorXd(5), 0, 5};
     curve.y = 2 + curve.x.array().square();
@@ -26,13 +26,4 @@ TEST_CASE("a curve is compared with a reference at equal shares of their highest
     CHECK(similarity(one_off, reference) == Approx(1 - 0.07 / 1.07));
     one_off.y[1] *= 0.8;
     CHECK(similarity(reference, stretched(one_off, 2)) == Approx(0.8));
-}
-
-TEST_CASE("a target's points are within a span up to both of its ends") {
-    Target target;
-    target.x = Eigen::VectorXd::LinSpaced(5, 1, 5);
-    CHECK(points_within(target, 2, 4) == std::vector<Index>{1, 2, 3});
-    CHECK(points_within(target, 2.1, 3.9) == std::vector<Index>{2});
-    CHECK(points_within(target, 0, 9).size() == 5);
-    CHECK(points_within(target, 6, 9).empty());
 }

@@ -18,7 +18,7 @@ const double persson_slope = std::sqrt(8 / pi), asperity_slope = std::sqrt(2 * p
 
 double normal(double s) { return std::exp(-s * s / 2) / std::sqrt(2 * pi); }
 
-/// By another quadrature, straight in s.
+/// int_t^inf (s - t)^n phi(s) ds by another quadrature.
 double beyond(double n, double t) {
     boost::math::quadrature::exp_sinh<double> integrator;
     return integrator.integrate([&](double s) { return std::pow(s, n) * normal(t + s); });
@@ -32,7 +32,7 @@ const SelfAffine usual{.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope 
 
 } // namespace
 
-TEST_CASE("a cosine's moments are its own, and an isotropic map's those of its sections", "[theory]") {
+TEST_CASE("moments of a cosine are exact, those of a map are of its sections", "[theory]") {
     const double a = 0.003, k = 2 * pi * 5;
     Profile line{Eigen::VectorXd(200), 1.0 / 200};
     for (Index i = 0; i < 200; ++i)
@@ -53,8 +53,7 @@ TEST_CASE("a cosine's moments are its own, and an isotropic map's those of its s
     CHECK(rms_slope(area) == Approx(a * k).epsilon(1e-12));
 }
 
-TEST_CASE("a self-affine surface of parameters has the rms slope, cut-offs and moments asked for",
-          "[theory]") {
+TEST_CASE("a self-affine surface has the requested rms slope, cut-offs and moments", "[theory]") {
     for (const bool is_area : {true, false}) {
         SelfAffine of = usual;
         of.is_area = is_area;
@@ -72,45 +71,22 @@ TEST_CASE("a self-affine surface of parameters has the rms slope, cut-offs and m
     }
 }
 
-TEST_CASE("Greenwood and Williamson's integrals are those of an independent quadrature", "[theory]") {
-    for (const double t : {-6.0, -1.0, 0.0, 0.7, 3.0, 8.0}) {
-        const Exceedances of = exceedances(t);
-        const double tail = std::erfc(t / std::sqrt(2)) / 2;
-        if (t < 5)
-            CHECK(of.one == Approx(normal(t) - t * tail).epsilon(1e-9));
-        CHECK(of.half == Approx(beyond(0.5, t)).epsilon(1e-8));
-        CHECK(of.three_halves == Approx(beyond(1.5, t)).epsilon(1e-8));
-    }
-}
-
-TEST_CASE("McCool's parameters are the published functions of the moments", "[theory]") {
-    const SpectralMoments m{2e-6, 3e-3, 40};
-    const Summits s = summits(m);
-    const double alpha = 2e-6 * 40 / 9e-6;
-    CHECK(m.bandwidth() == Approx(alpha));
-    CHECK(s.density == Approx(40 / 3e-3 / (6 * pi * std::sqrt(3))));
-    CHECK(s.radius == Approx(3 * std::sqrt(pi) / (8 * std::sqrt(40.0))));
-    CHECK(s.deviation * s.deviation == Approx((1 - 0.8968 / alpha) * 2e-6));
-    CHECK(summit_density(m) == Approx(s.density).epsilon(1e-8)); // Nayak's, by the integral that BGT press
-}
-
-TEST_CASE("each theory's curve is consistent: its stiffness is the slope of pressure over separation",
-          "[theory]") {
+TEST_CASE("stiffness of each theory is the slope of pressure over separation", "[theory]") {
     const RandomSurface surface = random_surface(usual);
     for (const Theory theory : {Theory::greenwood_williamson, Theory::bush_gibson_thomas, Theory::persson})
         for (const double p : {1e-5, 1e-3, 5e-3}) {
-            const TheoryCurve curve = foretold_curve(theory, surface, 1, at({p, p * 1.001}));
+            const TheoryCurve curve = predicted_curve(theory, surface, 1, at({p, p * 1.001}));
             INFO(name_of(theory) << " at " << p);
             CHECK(p * 0.001 / (curve.separation[0] - curve.separation[1]) ==
                   Approx(curve.stiffness.mean()).epsilon(1e-5));
             CHECK(curve.contact_fraction[1] > curve.contact_fraction[0]);
-            const TheoryCurve stiffer = foretold_curve(theory, surface, 3, at({3 * p}));
+            const TheoryCurve stiffer = predicted_curve(theory, surface, 3, at({3 * p}));
             CHECK(stiffer.contact_fraction[0] == Approx(curve.contact_fraction[0]).epsilon(1e-9));
             CHECK(stiffer.stiffness[0] == Approx(3 * curve.stiffness[0]).epsilon(1e-9));
         }
 }
 
-TEST_CASE("Persson's area is the error function and full at high load, of profiles, too", "[theory]") {
+TEST_CASE("Persson's area is the error function, for profiles and areas", "[theory]") {
     for (const bool is_area : {true, false}) {
         SelfAffine of = usual;
         of.is_area = is_area;
@@ -123,8 +99,7 @@ TEST_CASE("Persson's area is the error function and full at high load, of profil
     }
 }
 
-TEST_CASE("Persson's length of a wide self-affine surface is that of its integral in closed form",
-          "[theory]") {
+TEST_CASE("Persson's length of a wide spectrum has its closed form", "[theory]") {
     // H = 0.8, short cut-off gone: u0 = gamma h_rms 2 B(1/2, 2) sqrt(0.4 x 1.6) 1.25/sqrt(2 pi)
     SelfAffine of = usual;
     of.shortest = 1e-9;
@@ -135,7 +110,7 @@ TEST_CASE("Persson's length of a wide self-affine surface is that of its integra
           Approx(0.45 * 2.5 * beta * std::sqrt(0.4 * 1.6) / std::sqrt(2 * pi)).epsilon(2e-3));
 }
 
-TEST_CASE("Bush, Gibson and Thomas's curve ends at sqrt(2 pi) at light load", "[theory]") {
+TEST_CASE("Bush, Gibson and Thomas's area ratio tends to sqrt(2 pi) at light load", "[theory]") {
     const SpectralMoments m{1e-6, 1e-3, 2.2}; // alpha 2.2: the limit is near at once
     const double slope = std::sqrt(2 * m.m2);
     double before = 0;
@@ -149,7 +124,7 @@ TEST_CASE("Bush, Gibson and Thomas's curve ends at sqrt(2 pi) at light load", "[
     CHECK(before == Approx(2.507).epsilon(0.012));
 }
 
-TEST_CASE("Greenwood and Williamson's curve is McCool's integral at its own separation", "[theory]") {
+TEST_CASE("Greenwood and Williamson's curve is McCool's integral at its separation", "[theory]") {
     const SpectralMoments m = spectral_moments(random_surface(usual));
     const Summits s = summits(m);
     const TheoryCurve curve = greenwood_williamson(m, 1.7, at({1e-6, 1e-4, 2e-3}));
@@ -164,20 +139,16 @@ TEST_CASE("Greenwood and Williamson's curve is McCool's integral at its own sepa
     CHECK(std::isnan(greenwood_williamson(m, 1, at({1.0})).contact_fraction[0])); // beyond every summit
 }
 
-TEST_CASE("exact isotropic self-affine maps answer beside the theories: area between Persson and Bush, "
-          "stiffness p/u0 at middle loads",
-          "[theory][areas]") {
+TEST_CASE("solved isotropic maps lie between Persson and Bush in area", "[theory][areas]") {
     const Profile map = maps::self_affine(128, 0.8, 1, 0.1);
     const RandomSurface surface = random_surface(map, true);
     const double slope = rms_slope(surface), height = std::sqrt(spectral_moments(surface).m0);
-    CHECK(slope == Approx(maps::rms_slope(map)).epsilon(0.1)); // by differences, which see less
+    CHECK(slope == Approx(maps::rms_slope(map)).epsilon(0.1)); // differences of neighbours give less
     std::vector<double> pressures;
     for (const double share : {0.02, 0.04, 0.08, 0.12, 0.16})
         pressures.push_back(share * slope / 2);
-    Body body;
-    body.kernel = Kernel::periodic;
-    const ContactCurve exact = solve_contact_at_pressures(map, body, pressures);
-    const TheoryCurve foretold =
+    const ContactCurve exact = solve_contact_at_pressures(map, {Kernel::periodic}, pressures);
+    const TheoryCurve predicted =
         persson(surface, 1, Eigen::Map<const Eigen::VectorXd>(pressures.data(), Index(pressures.size())));
     std::vector<double> lengths;
     for (std::size_t j = 0; j < pressures.size(); ++j) {
@@ -188,16 +159,15 @@ TEST_CASE("exact isotropic self-affine maps answer beside the theories: area bet
             CHECK(kappa < asperity_slope);
         }
         lengths.push_back(pressures[j] / step.tangent_stiffness / height);
-        CHECK(step.tangent_stiffness == Approx(foretold.stiffness[Index(j)]).epsilon(j < 2 ? 0.25 : 0.06));
+        CHECK(step.tangent_stiffness == Approx(predicted.stiffness[Index(j)]).epsilon(j < 2 ? 0.25 : 0.06));
     }
-    const double foretold_length = persson_length(surface) / height;
-    CHECK(foretold_length == Approx(0.42).epsilon(0.05));
+    const double predicted_length = persson_length(surface) / height;
+    CHECK(predicted_length == Approx(0.42).epsilon(0.05));
     for (const std::size_t j : {2, 3, 4}) // P/K grows with the load, in theory as well
-        CHECK(lengths[j] == Approx(foretold_length).epsilon(0.25));
+        CHECK(lengths[j] == Approx(predicted_length).epsilon(0.25));
 }
 
-TEST_CASE("a realised surface has the parameters' slope and spectrum, and is the same on every grid",
-          "[theory]") {
+TEST_CASE("a realised surface has its parameters' spectrum and is independent of the grid", "[theory]") {
     for (const bool is_area : {true, false}) {
         SelfAffine of{
             .hurst = 0.7, .longest = 0.5, .shortest = 1.0 / 16, .rms_slope = 0.2, .is_area = is_area};

@@ -8,8 +8,8 @@ using namespace ga;
 
 namespace {
 
-/// Strings of n bits; fitness is the number of ones, in blocks of k that count k when full and k - 1 - ones
-/// otherwise.
+/// Strings of n bits. The fitness is a sum over blocks of k bits: k for a full block, otherwise k - 1 - ones;
+/// for k = 1 it is the number of ones.
 struct Traps {
     using Genome = std::vector<bool>;
     using Outcome = int;

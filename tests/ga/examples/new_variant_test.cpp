@@ -1,5 +1,5 @@
-// The code of the page ga/README.md as it stands, block by block (tests/CMakeLists.txt): a new problem, a new
-// variant in code and in text, a new operator.
+// The code of the page ga/README.md, block by block (tests/CMakeLists.txt): a problem, a variant in code and
+// text, an operator.
 
 #include "ga/ga.hpp"
 #include "ga/pipeline/ask_tell.hpp"

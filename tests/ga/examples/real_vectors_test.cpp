@@ -8,17 +8,6 @@ using namespace ga;
 
 namespace {
 
-Reals rastrigin(std::size_t n) {
-    Reals problem = minimum(n, functions::rastrigin, -5.12, 5.12);
-    problem.slope = [](const Vector& x) {
-        Vector slope(x.size());
-        for (std::size_t i = 0; i < x.size(); ++i)
-            slope[i] = 2 * x[i] + 20 * std::numbers::pi * std::sin(2 * std::numbers::pi * x[i]);
-        return slope;
-    };
-    return problem;
-}
-
 /// ZDT1 (Zitzler, Deb and Thiele 2000): both objectives are minimised; the front is f2 = 1 - sqrt(f1).
 Vector zdt1(const Vector& x) {
     double g = 0;
@@ -34,20 +23,8 @@ TEST_CASE("a search finds the minimum of Rastrigin's function among its 10^10 mi
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
         CHECK(run("sample 60 | score | until evaluations 30000 fitness 1e-6 "
                   "{ tournament 2 | cross sbx 2 rate=0.9 | mutate 0.1 polynomial 20 | score | plus }",
-                  rastrigin(10), {}, {.seed = seed})
+                  minimum(10, functions::rastrigin, -5.12, 5.12), {}, {.seed = seed})
                   .best->value() < 1e-3);
-}
-
-TEST_CASE("a gradient method refines the search's best in few evaluations") {
-    const std::string rough =
-        "sample 60 | score | "
-        "repeat 60 { tournament 2 | cross sbx 2 rate=0.9 | mutate 0.1 polynomial 20 | score | plus }";
-    const auto before = run(rough, rastrigin(5)),
-               after = run(rough + " | best 3 | refine nlopt LD_LBFGS 40 | best 1", rastrigin(5));
-    CHECK(after.counters.asked < before.counters.asked + 300);
-    const Vector x = after.population[0].genome; // at a minimum the slope vanishes
-    CHECK(std::abs(rastrigin(5).slope(x)[0]) < 1e-3 * (1 + std::abs(x[0])));
-    CHECK(after.population[0].value() <= before.best->value());
 }
 
 TEST_CASE("NSGA-II covers the known front of ZDT1") {

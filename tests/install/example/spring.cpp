@@ -1,5 +1,5 @@
-// A problem of one's own for the engine: the wire, coil and number of turns of a helical spring that is to
-// have a given stiffness and mass.
+// A user's problem for the engine: find the wire, coil and number of turns of a helical spring that has a
+// given stiffness and mass.
 #include <array>
 #include <cmath>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include "apps/experiments/compare/problems/bbob.hpp"
+#include "apps/experiments/compare/problems/problems.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,15 +7,21 @@
 #include <numbers>
 #include <numeric>
 
-namespace app::bbob {
+namespace app {
 
 namespace {
 
-constexpr double next_to_nothing = 1e-99; // in the place of 0, whose logarithm is none
+using Array = Eigen::ArrayXd;
+using Index = Eigen::Index;
+
+constexpr double tau = 2 * std::numbers::pi;
+constexpr double next_to_nothing = 1e-99; // replaces 0, which has no logarithm
 constexpr long modulus = 2147483647;
 
-} // namespace
+// BBOB's random generator of 2009, which gives instances the optima, rotations and peaks of COCO.
 
+/// n numbers in (0, 1): Park and Miller's minimal generator (1988) through a shuffling table of 32 (Bays and
+/// Durham 1976).
 std::vector<double> uniform(std::size_t n, long seed) {
     long state = std::max(1L, std::labs(seed));
     const auto step = [&] { return state = 16807 * state % modulus; };
@@ -35,17 +41,19 @@ std::vector<double> uniform(std::size_t n, long seed) {
     return numbers;
 }
 
+/// n normal numbers (Box and Muller 1958).
 std::vector<double> gauss(std::size_t n, long seed) {
     const std::vector<double> u = uniform(2 * n, seed);
     std::vector<double> numbers(n);
     for (std::size_t i = 0; i < n; ++i) {
-        numbers[i] = std::sqrt(-2 * std::log(u[i])) * std::cos(2 * std::numbers::pi * u[n + i]);
+        numbers[i] = std::sqrt(-2 * std::log(u[i])) * std::cos(tau * u[n + i]);
         if (numbers[i] == 0)
             numbers[i] = next_to_nothing;
     }
     return numbers;
 }
 
+/// An orthogonal matrix by Gram and Schmidt from normal columns.
 Eigen::MatrixXd rotation(int dimension, long seed) {
     const std::vector<double> drawn = gauss(static_cast<std::size_t>(dimension * dimension), seed);
     Eigen::MatrixXd columns = Eigen::Map<const Eigen::MatrixXd>(drawn.data(), dimension, dimension);
@@ -57,6 +65,7 @@ Eigen::MatrixXd rotation(int dimension, long seed) {
     return columns;
 }
 
+/// The optimum, on a lattice of 8e-4 in [-4, 4]^n.
 Eigen::VectorXd place_of_optimum(int dimension, long seed) {
     const std::vector<double> u = uniform(static_cast<std::size_t>(dimension), seed);
     Eigen::VectorXd place(dimension);
@@ -68,26 +77,17 @@ Eigen::VectorXd place_of_optimum(int dimension, long seed) {
     return place;
 }
 
+/// The seed of a function's instance; 3 and 4, 17 and 18 share theirs.
 long seed_of(int function, int instance) {
     return (function == 4 ? 3 : function == 18 ? 17 : function) + 10000L * instance;
 }
 
+/// The value at the optimum: 100 times a ratio of normal numbers, with two decimals, from -1000 to 1000.
 double value_of_optimum(int function, int instance) {
     const long seed = seed_of(function, instance);
     const double ratio = gauss(1, seed)[0] / gauss(1, seed + 1)[0];
     return std::clamp(std::floor(100 * 100 * ratio + 0.5) / 100, -1000.0, 1000.0);
 }
-
-} // namespace app::bbob
-
-namespace app {
-
-namespace {
-
-using Array = Eigen::ArrayXd;
-using Index = Eigen::Index;
-
-constexpr double tau = 2 * std::numbers::pi;
 
 double rounded(double x) { return std::floor(x + 0.5); }
 
@@ -112,7 +112,7 @@ Array asymmetric(double beta, const Array& ramp, const Array& x) {
     return y;
 }
 
-/// f_pen: squares of what lies beyond [-5, 5].
+/// f_pen: squared distances beyond [-5, 5].
 double penalty(const Array& x) { return (x.abs() - 5).max(0).square().sum(); }
 
 double ellipsoid(const Array& ramp, const Array& z) { return (Eigen::pow(1e6, ramp) * z.square()).sum(); }
@@ -121,20 +121,20 @@ double rastrigin(const Array& z) {
 }
 double rest(const Array& z) { return z.tail(z.size() - 1).square().sum(); }
 
-/// Terms of Rosenbrock's function, one a pair of neighbours.
+/// Terms of Rosenbrock's function, one for each pair of neighbours.
 Array valley(const Array& z) {
     const Index n = z.size() - 1;
     return 100 * (z.head(n).square() - z.tail(n)).square() + (z.head(n) - 1).square();
 }
 
 double weierstrass(const Array& z) {
-    double sum = 0, least = 0;
+    double sum = 0, lowest = 0;
     for (int k = 0; k < 12; ++k) {
         const double a = std::pow(0.5, k), b = std::pow(3.0, k);
         sum += a * (tau * b * (z + 0.5)).cos().sum() / static_cast<double>(z.size());
-        least += a * std::cos(tau * b * 0.5);
+        lowest += a * std::cos(tau * b * 0.5);
     }
-    return 10 * std::pow(sum - least, 3);
+    return 10 * std::pow(sum - lowest, 3);
 }
 
 double schaffers(const Array& z) {
@@ -162,7 +162,7 @@ double katsuura(const Array& z) {
     return 10 / (n * n) * (std::pow(product, 10 / std::pow(n, 1.2)) - 1);
 }
 
-/// Places in ascending order of the numbers.
+/// Indices in ascending order of the numbers.
 std::vector<double> order_of(const std::vector<double>& numbers) {
     std::vector<double> order(numbers.size());
     std::iota(order.begin(), order.end(), 0.0);
@@ -177,13 +177,13 @@ std::vector<double> order_of(const std::vector<double>& numbers) {
 Array Bbob::scales(double condition) const { return Eigen::pow(condition, ramp_ / 2); }
 
 Bbob::Bbob(int function, int dimension, int instance)
-    : function_(function), dimension_(dimension), value_(bbob::value_of_optimum(function, instance)),
+    : function_(function), dimension_(dimension), value_(value_of_optimum(function, instance)),
       ramp_(Array::LinSpaced(dimension, 0, 1)) {
-    const long seed = bbob::seed_of(function, instance);
+    const long seed = seed_of(function, instance);
     constexpr long other = 1000000; // between the seeds of the two rotations
-    shift_ = bbob::place_of_optimum(dimension, function == 12 ? seed + other : seed).array();
-    first_ = bbob::rotation(dimension, seed + other);
-    second_ = bbob::rotation(dimension, seed);
+    shift_ = place_of_optimum(dimension, function == 12 ? seed + other : seed).array();
+    first_ = rotation(dimension, seed + other);
+    second_ = rotation(dimension, seed);
     const double condition = function == 23 ? 100 : function == 16 ? 0.01 : 10;
     combined_ = first_ * scales(condition).matrix().asDiagonal() * second_;
 
@@ -203,7 +203,7 @@ Bbob::Bbob(int function, int dimension, int instance)
     }
     if (function == 20 || function == 24) {
         const auto n = static_cast<std::size_t>(dimension);
-        const std::vector<double> drawn = function == 20 ? bbob::uniform(n, seed) : bbob::gauss(n, seed);
+        const std::vector<double> drawn = function == 20 ? uniform(n, seed) : gauss(n, seed);
         const double middle = function == 20 ? 0.5 : 0,
                      distance = function == 20 ? 4.2096874637 / 2 : 2.5 / 2;
         for (Index i = 0; i < dimension; ++i)
@@ -221,8 +221,8 @@ void Bbob::draw_peaks(long seed) {
     const int count = function_ == 21 ? 101 : 21;
     const double width = function_ == 21 ? 10 : 9.8;
     const auto n = static_cast<std::size_t>(dimension_), peaks = static_cast<std::size_t>(count);
-    const std::vector<double> levels = order_of(bbob::uniform(peaks - 1, seed));
-    const std::vector<double> places = bbob::uniform(n * peaks, seed);
+    const std::vector<double> levels = order_of(uniform(peaks - 1, seed));
+    const std::vector<double> places = uniform(n * peaks, seed);
     heights_.resize(count);
     peaks_.resize(dimension_, count);
     widths_.resize(dimension_, count);
@@ -233,7 +233,7 @@ void Bbob::draw_peaks(long seed) {
         const double condition = k > 0             ? std::pow(1000, levels[peak - 1] / below)
                                  : function_ == 21 ? std::sqrt(1000)
                                                    : 1000;
-        const std::vector<double> order = order_of(bbob::uniform(n, seed + 1000 * k));
+        const std::vector<double> order = order_of(uniform(n, seed + 1000 * k));
         Eigen::VectorXd place(dimension_);
         for (Index i = 0; i < dimension_; ++i) {
             widths_(i, k) = std::pow(condition, order[static_cast<std::size_t>(i)] / (dimension_ - 1) - 0.5);

@@ -33,11 +33,14 @@ Knapsack::Knapsack(std::size_t things, std::uint64_t seed) {
 }
 
 int Knapsack::best() const {
-    std::vector<int> most(static_cast<std::size_t>(capacity) + 1, 0); // by weight
+    std::vector<int> values_by_weight(static_cast<std::size_t>(capacity) + 1,
+                                      0); // highest value for each weight
     for (std::size_t i = 0; i < weights.size(); ++i)
-        for (auto room = most.size(); room-- > static_cast<std::size_t>(weights[i]);)
-            most[room] = std::max(most[room], most[room - static_cast<std::size_t>(weights[i])] + values[i]);
-    return most.back();
+        for (auto room = values_by_weight.size(); room-- > static_cast<std::size_t>(weights[i]);)
+            values_by_weight[room] =
+                std::max(values_by_weight[room],
+                         values_by_weight[room - static_cast<std::size_t>(weights[i])] + values[i]);
+    return values_by_weight.back();
 }
 
 BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
@@ -86,21 +89,20 @@ double tour_length(const std::vector<Town>& towns, const std::vector<std::uint32
 
 double shortest_tour(const std::vector<Town>& towns) {
     const std::size_t others = towns.size() - 1; // the last town begins and ends
-    std::vector<std::vector<double>> way(std::size_t{1} << others, std::vector<double>(others, HUGE_VAL));
+    std::vector<std::vector<double>> paths(std::size_t{1} << others, std::vector<double>(others, HUGE_VAL));
     for (std::size_t i = 0; i < others; ++i)
-        way[std::size_t{1} << i][i] = distance(towns[others], towns[i]);
-    for (std::size_t seen = 1; seen < way.size();
-         ++seen) // way[seen][i]: through all that is seen, to end at i
+        paths[std::size_t{1} << i][i] = distance(towns[others], towns[i]);
+    for (std::size_t seen = 1; seen < paths.size(); ++seen) // paths[seen][i]: shortest through `seen` to i
         for (std::size_t i = 0; i < others; ++i)
-            if (std::isfinite(way[seen][i]))
+            if (std::isfinite(paths[seen][i]))
                 for (std::size_t next = 0; next < others; ++next)
                     if (!(seen >> next & 1)) {
-                        double& further = way[seen | std::size_t{1} << next][next];
-                        further = std::min(further, way[seen][i] + distance(towns[i], towns[next]));
+                        double& further = paths[seen | std::size_t{1} << next][next];
+                        further = std::min(further, paths[seen][i] + distance(towns[i], towns[next]));
                     }
     double shortest = HUGE_VAL;
     for (std::size_t i = 0; i < others; ++i)
-        shortest = std::min(shortest, way.back()[i] + distance(towns[i], towns[others]));
+        shortest = std::min(shortest, paths.back()[i] + distance(towns[i], towns[others]));
     return shortest;
 }
 

@@ -17,7 +17,7 @@ struct FrontProblem {
     std::size_t genes, objectives;
     Answer (*evaluate)(const Genes&);
     Points (*front)();
-    double reach = 0; ///< of genes behind the first, which lie in [-reach, reach]; 0: in [0, 1]
+    double reach = 0; ///< genes after the first lie in [-reach, reach]; 0: in [0, 1]
 };
 
 double sum_behind_first(const Genes& x, double (*term)(double)) {
@@ -76,7 +76,7 @@ Answer dtlz7(const Genes& x) {
 constexpr int along = 500; // points of a curve
 constexpr int across = 31; // divisions of an edge of a surface: 528 points
 
-/// Those that none dominates: less is better.
+/// The points that no other one dominates; lower is better.
 Points undominated(const Points& points) {
     Points kept;
     for (const ga::Point& a : points)
@@ -141,13 +141,10 @@ const std::map<std::string, FrontProblem>& problems() {
 
 } // namespace
 
-const std::vector<std::string>& front_problems() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> names;
-        for (const auto& [name, problem] : problems())
-            names.push_back(name);
-        return names;
-    }();
+std::vector<std::string> front_problems() {
+    std::vector<std::string> names;
+    for (const auto& [name, problem] : problems())
+        names.push_back(name);
     return names;
 }
 

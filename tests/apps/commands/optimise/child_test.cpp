@@ -6,25 +6,14 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
-#include <ctime>
 #include <fcntl.h>
-#include <poll.h>
 #include <unistd.h>
 
 using namespace app;
 
 namespace {
 
-std::optional<std::string> awaited(Child& child) {
-    while (!child.is_silent()) {
-        if (auto line = child.line())
-            return line;
-        pollfd place[] = {{child.from(), POLLIN, 0}, {child.is_sending() ? child.to() : -1, POLLOUT, 0}};
-        poll(place, 2, 10000);
-        child.push();
-    }
-    return std::nullopt;
-}
+bool never() { return false; }
 
 class Nowhere {
   public:
@@ -45,28 +34,27 @@ TEST_CASE("a command is split at its blanks, but not inside quotes") {
     CHECK_THROWS_AS(split_command(" "), rough::InputError);
 }
 
-TEST_CASE("a child gets lines of any length and gives them back") {
+TEST_CASE("a child reads and writes lines of any length") {
     const Nowhere nowhere;
     Child child({"cat"}, nowhere.file);
-    const std::string longer(1'000'000, 'x'); // more than a pipe holds either way
-    child.send("one\n" + longer + "\n");
-    CHECK(awaited(child) == "one");
-    CHECK(awaited(child) == longer);
+    const std::string longer(1'000'000, 'x'); // more than a pipe holds
+    CHECK(child.answer("one", 10, never) == "one");
+    CHECK(child.answer(longer, 10, never) == longer);
 }
 
-TEST_CASE("how a child ended is told, with the line it left unfinished") {
+TEST_CASE("the end of a child is reported with its unfinished line") {
     const Nowhere nowhere;
     Child child({"sh", "-c", "printf half; exit 3"}, nowhere.file);
-    CHECK(awaited(child) == std::nullopt);
+    CHECK(child.answer("", 10, never) == std::nullopt);
     CHECK(child.unfinished() == "half");
-    CHECK(child.end() == "ended with exit code 3");
+    CHECK(child.end(0.2) == "ended with exit code 3");
     Child killed({"sh", "-c", "kill -SEGV $$"}, nowhere.file);
-    awaited(killed);
-    CHECK(killed.end() == "was ended by signal 11");
+    killed.answer("", 10, never);
+    CHECK(killed.end(0.2) == "was ended by signal 11");
     CHECK_THROWS_AS(Child({"no-program-of-this-name"}, nowhere.file), rough::InputError);
 }
 
-TEST_CASE("a child may finish its work when its input ends; one that does not end is ended and waited for") {
+TEST_CASE("a child may finish its work when its input ends, or is killed") {
     const Nowhere nowhere;
     const tests::Folder folder;
     const std::string mark = (folder / "mark").string();
@@ -75,7 +63,7 @@ TEST_CASE("a child may finish its work when its input ends; one that does not en
     pid_t deaf = 0;
     {
         Child child({"sh", "-c", "trap '' TERM; echo $$; exec sleep 1000"}, nowhere.file);
-        deaf = std::stoi(awaited(child).value());
+        deaf = std::stoi(child.answer("", 10, never).value());
         CHECK(kill(deaf, 0) == 0);
     }
     CHECK(kill(deaf, 0) == -1); // not even a zombie is left

@@ -31,15 +31,7 @@ const std::string ga_text =
     "sample 40 | score | repeat 1000000000 { tournament 2 | cross sbx rate=0.9 | mutate 1/n "
     "polynomial | score | elite 2 } | best 1";
 
-bool same(const Reached& a, const Reached& b) {
-    if (a.precision != b.precision || a.spent != b.spent)
-        return false;
-    for (std::size_t i = 0; i < a.evaluations.size(); ++i)
-        if (a.evaluations[i] != b.evaluations[i] &&
-            !(std::isnan(a.evaluations[i]) && std::isnan(b.evaluations[i])))
-            return false;
-    return true;
-}
+bool same(const Reached& a, const Reached& b) { return nlohmann::json(a).dump() == nlohmann::json(b).dump(); }
 
 Reached reached(std::vector<double> evaluations, long spent) { return {std::move(evaluations), 1, spent}; }
 
@@ -62,7 +54,7 @@ TEST_CASE("a tally keeps the first evaluation at which each target is met, and e
     CHECK(tally.reached().spent == 7);
 }
 
-TEST_CASE("somebody's wish to stop ends a run") {
+TEST_CASE("a stop request ends a run") {
     const std::vector<double> targets{1e-300};
     const std::atomic<bool> stop = true;
     CHECK(raced(sphere(), ga_text, targets, {1, 100000, &stop}).spent <= 1);
@@ -71,7 +63,7 @@ TEST_CASE("somebody's wish to stop ends a run") {
 TEST_CASE("a run ends with its budget or its last target, and the same seed gives the same run") {
     const std::vector<double> far = precisions(1e2, 1e-200), near = precisions(1e2, 1);
     const Reached all = raced(sphere(), ga_text, far, within(3000));
-    CHECK(all.spent <= 3000); // what is remembered is not evaluated again
+    CHECK(all.spent <= 3000); // remembered genomes are not evaluated again
     CHECK(all.spent > 2000);
     CHECK(all.precision < 1e-1);
     const Reached some = raced(sphere(), ga_text, near, within(3000));
@@ -81,7 +73,7 @@ TEST_CASE("a run ends with its budget or its last target, and the same seed give
     CHECK_FALSE(same(all, raced(sphere(), ga_text, far, within(3000, 2))));
 }
 
-TEST_CASE("a pipeline that ends early begins anew from other genomes until its budget is spent") {
+TEST_CASE("a pipeline that ends early restarts from other genomes until its budget is spent") {
     const Reached once = raced(sphere(), "sample 10 | score | best 1", precisions(1e2, 1e-200), within(10));
     const Reached often =
         raced(sphere(), "sample 10 | score | best 1", precisions(1e2, 1e-200), within(5000));
@@ -143,7 +135,7 @@ TEST_CASE("runtime shares, areas, ranks and duels of a comparison by hand") {
         bout.problem.genes = 2;
         bout.problem.targets = {1, 0.1};
         bout.variants = {{"slow", ""}, {"fast", ""}};
-        bout.budget = 2000; // 1000 a gene
+        bout.budget = 2000; // 1000 per gene
         for (const double factor : {100.0, 2.0})
             bout.runs.push_back(std::vector<Reached>(6, reached({factor, factor > 2 ? NAN : 2000}, 2000)));
         contest.bouts.push_back(std::move(bout));
@@ -158,7 +150,7 @@ TEST_CASE("runtime shares, areas, ranks and duels of a comparison by hand") {
     CHECK(group.shares[0].share.front() == 0);
     CHECK(group.shares[0].share.back() == Approx(0.5));
     CHECK(group.shares[1].lower[30] == Approx(group.shares[1].share[30])); // all seeds alike
-    // 50 a gene: log 50 / log 1000 of the way nothing, then one half; the last moment has all of `fast`
+    // From 50 evaluations per gene on, half of the targets; `fast` has all targets at the last moment.
     CHECK(mean_area(group, 0) == Approx(0.5 * (1 - std::log(50) / std::log(1000))).margin(0.01));
     CHECK(mean_area(group, 1) == Approx(0.5 + 0.5 / 61));
     CHECK(group.ranks.mean_ranks == std::vector<double>{2, 1});

@@ -75,7 +75,7 @@ TEST_CASE("nothing drawn at random betters a known front, and the front can be r
     }
 }
 
-TEST_CASE("IGD+ by hand: a better point falls short of nothing, a worse one by what it is worse") {
+TEST_CASE("IGD+ counts only shortfalls: a better point has none") {
     RealInstance instance;
     instance.objectives = 2;
     instance.front = std::make_shared<const std::vector<ga::Point>>(std::vector<ga::Point>{{0, 1}, {1, 0}});
@@ -86,7 +86,7 @@ TEST_CASE("IGD+ by hand: a better point falls short of nothing, a worse one by w
     CHECK(nearness.after({{-1, -1}}) == 0);
 }
 
-TEST_CASE("what breaks its constraints comes no nearer") {
+TEST_CASE("an infeasible evaluation does not improve the precision") {
     BitsInstance instance;
     instance.best = -10;
     instance.scale = 10;
@@ -99,16 +99,16 @@ TEST_CASE("what breaks its constraints comes no nearer") {
 TEST_CASE("the knapsack's optimum is that of all its packings") {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const BitsInstance instance = knapsack_instance(14, seed);
-        double least = HUGE_VAL;
+        double lowest = HUGE_VAL;
         for (unsigned set = 0; set < (1u << 14); ++set) {
             std::vector<bool> taken(14);
             for (unsigned i = 0; i < 14; ++i)
                 taken[i] = set >> i & 1;
             const Answer value = instance.evaluate(taken);
             if (violated(value) == 0)
-                least = std::min(least, value.objectives[0]);
+                lowest = std::min(lowest, value.objectives[0]);
         }
-        CHECK(instance.best == least);
+        CHECK(instance.best == lowest);
     }
     CHECK(knapsack_instance(50, 1).best != knapsack_instance(50, 2).best);
 }
@@ -118,11 +118,11 @@ TEST_CASE("the shortest tour is that of all orders, and of towns on a circle the
         const std::vector<Town> towns = scattered_towns(8, seed);
         std::vector<std::uint32_t> order(8);
         std::iota(order.begin(), order.end(), 0u);
-        double least = HUGE_VAL;
+        double lowest = HUGE_VAL;
         do
-            least = std::min(least, tour_length(towns, order));
+            lowest = std::min(lowest, tour_length(towns, order));
         while (std::next_permutation(order.begin() + 1, order.end()));
-        CHECK(shortest_tour(towns) == Approx(least));
+        CHECK(shortest_tour(towns) == Approx(lowest));
     }
     const TourInstance circle = circle_instance(12, 5);
     CHECK(circle.best == Approx(shortest_tour(towns_on_circle(12, 5))));

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "domain/accuracy/error_bounds.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/response/model.hpp"
+
+#include <optional>
+
+/// @file
+/// Reduced models: a genome without its shortest waves, and one line in place of a map.
+namespace rough {
+
+/// A chromosome and its place in its genome.
+struct ChromosomePlace {
+    std::size_t series;    ///< index into the genome's series
+    int n;                 ///< place in that series
+    double wave_length_mm; ///< lambda_n
+    double amplitude_mm;   ///< |R_n G_n|
+};
+
+/// All of a genome's chromosomes, in order.
+std::vector<ChromosomePlace> places(const Genome& genome);
+
+/// The chromosomes to model, and the window that the omitted ones may open.
+struct Selection {
+    Genome genome;                             ///< with the modelled chromosomes only
+    std::vector<ChromosomePlace> used;         ///< modelled; places in the whole genome
+    std::vector<ChromosomePlace> dropped = {}; ///< omitted; places in the whole genome
+    Window window = {};                        ///< mm; of width 0 if none is omitted
+};
+
+/// Omits the shortest waves, which need the finest grids: as many as a window of this width (`widest`, mm)
+/// allows on `grid`. `whole` is the genome's profile there.
+Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest);
+
+/// One line in place of a map: the mean of its rows or of its columns, whichever has the narrower window.
+struct LineOfMap {
+    Profile line;        ///< mm
+    bool along_x = true; ///< it is the mean of the rows: the ridges run along y
+    Window window;       ///< between the map and the map that repeats the line
+};
+/// The line of a map. Throws InputError on a line profile.
+LineOfMap line_of_map(const Profile& map);
+
+/// A line's curve in place of a map's.
+struct ByLine {
+    LineOfMap of;      ///< the line and its direction
+    Response response; ///< at the map's displacements, or at the line's if pressures were requested
+    std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
+    double bound;                  ///< largest relative error of pressures and secants; may be infinite
+};
+/// Solves the contact of a periodic map's line; nothing if it cannot be pressed as far as the map. (A free
+/// map is finite, so no endless ridge replaces it.) The bound is pressure_bounds(). It needs a capacitary
+/// pressure that is nowhere negative, which is proven for the continuum, not for sampled maps.
+std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
+
+} // namespace rough

@@ -1,0 +1,194 @@
+#pragma once
+
+#include "ga/pipeline/stage.hpp"
+#include "ga/selection/proportional.hpp"
+#include "ga/variation/mutate.hpp"
+
+#include <map>
+
+namespace ga {
+
+/// A problem whose genomes have a distance: that of the problem, that of real genes, or that of bits and
+/// whole numbers at positions.
+template <class P>
+concept HasDistance = Measured<P> || HasGenes<P> || Discrete<typename P::Genome>;
+
+/// The problem's `distance`, if it has one. For real genes it is the root mean square of the differences, in
+/// widths between the first genome's bounds. For discrete genes it is the share that differs. A gene that
+/// only one genome has counts as a difference of one width.
+template <HasDistance P>
+double distance(const P& problem, const typename P::Genome& a, const typename P::Genome& b) {
+    if constexpr (Measured<P>) {
+        return problem.distance(a, b);
+    } else if constexpr (HasGenes<P>) {
+        const std::vector<double> first = genes_of(problem, a), second = genes_of(problem, b);
+        double sum = 0;
+        std::size_t count = std::max(first.size(), second.size()) - std::min(first.size(), second.size());
+        sum += static_cast<double>(count);
+        for (const Variable& v : variables_of(problem, a)) {
+            if (v.gene >= std::min(first.size(), second.size()) || !(width(v) > 0))
+                continue;
+            const double step = (first[v.gene] - second[v.gene]) / width(v);
+            sum += step * step;
+            ++count;
+        }
+        return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
+    } else {
+        const std::size_t shorter = std::min(a.size(), b.size()), longer = std::max(a.size(), b.size());
+        std::size_t differ = longer - shorter;
+        for (std::size_t i = 0; i < shorter; ++i)
+            differ += a[i] != b[i] ? 1 : 0;
+        return longer > 0 ? static_cast<double>(differ) / static_cast<double>(longer) : 0;
+    }
+}
+
+/// Says what a problem without a distance needs, for the listing.
+inline const char* const no_distance = "real genes, discrete genes, or a distance";
+
+/// Clearing (Petrowski 1996): from the best down, an individual is removed if `capacity` better ones that
+/// stay are within `radius`. The population is left in order, best first.
+struct Clearing : Operator {
+    double radius = 0.1;      ///< niche radius, above 0
+    std::size_t capacity = 1; ///< individuals per niche, >= 1
+
+    ///@{ What every operator has (Operator).
+    static Words words() { return {"clear", "niches", "keeps the best of every niche, best first"}; }
+    static void describe(auto& self, auto visit) {
+        visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
+                                  "niche radius: rms of genes in widths, or share of bits that differ"));
+        visit(self.capacity, whole("capacity", "1", 1, "individuals per niche").keyed().quiet());
+    }
+    void check(CheckState& known) const { known.need_score(text_of(*this)); }
+
+    template <HasDistance P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        PopulationOf<P> left;
+        for (const std::size_t i : ranking(population)) {
+            const auto near = std::count_if(left.begin(), left.end(), [&](const auto& better) {
+                return distance(context.problem(), better.genome, population[i].genome) < radius;
+            });
+            if (static_cast<std::size_t>(near) < capacity)
+                left.push_back(std::move(population[i]));
+        }
+        return left;
+    }
+    ///@}
+};
+
+/// The stage `clear radius capacity=capacity`.
+inline Clearing clear(double radius, std::size_t capacity = 1) {
+    return checked(Clearing{{}, radius, capacity});
+}
+
+/// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). Two children of the
+/// same two parents are matched with these parents so that the sum of distances is smallest. A child that is
+/// better than its match replaces it in the generation's start, which is the result. A child with one parent,
+/// or without a sibling next to it, is matched with its nearer parent. Put `random | cross` before it to mate
+/// every individual once.
+struct Crowding : Operator {
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
+    }
+    static void describe(auto&, auto) {}
+    std::size_t reads_of_start() const { return everyone; }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
+
+    template <HasDistance P>
+    PopulationOf<P> operator()(PopulationOf<P> children, Context<P>& context) const {
+        using G = typename P::Genome;
+        auto population = context.generation_start();
+        std::map<Identity, std::size_t> places; // places in the start, by the identity that was there first
+        for (std::size_t i = 0; i < population.size(); ++i)
+            places[population[i].identity] = i;
+        const auto parents_of = [&](const Individual<G>& child) {
+            std::vector<std::size_t> found;
+            for (const Identity parent : child.parents)
+                if (const auto place = places.find(parent); place != places.end())
+                    found.push_back(place->second);
+            return found;
+        };
+        const auto apart = [&](const Individual<G>& child, std::size_t place) {
+            return distance(context.problem(), child.genome, population[place].genome);
+        };
+        const auto match = [&](Individual<G>& child, std::size_t place) {
+            if (better(child.fitness, population[place].fitness))
+                population[place] = std::move(child);
+        };
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            Individual<G>& child = children[i];
+            const auto parents = parents_of(child);
+            if (parents.empty() || places.count(child.identity)) // no child of the start, or a member of it
+                continue;
+            if (parents.size() == 1) {
+                match(child, parents[0]);
+            } else if (i + 1 < children.size() && children[i + 1].parents == child.parents) {
+                Individual<G>& sibling = children[++i];
+                const double straight = apart(child, parents[0]) + apart(sibling, parents[1]);
+                const double across = apart(child, parents[1]) + apart(sibling, parents[0]);
+                match(child, parents[straight <= across ? 0 : 1]);
+                match(sibling, parents[straight <= across ? 1 : 0]);
+            } else {
+                match(child, parents[apart(child, parents[0]) <= apart(child, parents[1]) ? 0 : 1]);
+            }
+        }
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `crowding`.
+inline Crowding crowding() { return {}; }
+
+/// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness is divided
+/// by the crowd of its niche: the sum of sh(d) = 1 - (d/radius)^alpha over all distances d below `radius`. If
+/// a fitness is below 0, all are raised so that the worst is 0.
+struct Sharing : ByFitness {
+    static constexpr bool one_spin = true; ///< one for all places
+
+    double radius = 0.1; ///< niche radius, above 0
+    double alpha = 1;    ///< exponent of the sharing function, above 0
+
+    /// One weight per individual.
+    template <HasDistance P>
+    std::vector<double> of(const PopulationOf<P>& population, const P& problem) const {
+        std::vector<double> shared = ByFitness::of(population); // 0 for individuals that do not count
+        double lowest = 0, highest = -HUGE_VAL;
+        for (std::size_t i = 0; i < population.size(); ++i)
+            if (const Fitness& f = population[i].fitness; !f.has_failed() && f.feasible()) {
+                lowest = std::min(lowest, f.merit());
+                highest = std::max(highest, f.merit());
+            }
+        for (std::size_t i = 0; i < population.size(); ++i)
+            if (const Fitness& f = population[i].fitness; highest > lowest && !f.has_failed() && f.feasible())
+                shared[i] = f.merit() - lowest;
+        std::vector<double> crowd(population.size(), 1);
+        for (std::size_t i = 0; i < population.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const double d = distance(problem, population[i].genome, population[j].genome);
+                const double share = d < radius ? 1 - std::pow(d / radius, alpha) : 0;
+                crowd[i] += share, crowd[j] += share;
+            }
+        for (std::size_t i = 0; i < shared.size(); ++i)
+            shared[i] /= crowd[i];
+        return shared;
+    }
+    /// In the listing.
+    static Words words() {
+        return {"share", "niches", "chooses in proportion to the fitness divided by the crowd nearby"};
+    }
+    /// Its parameters.
+    static void describe(auto& self, auto visit) {
+        visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
+                                  "niche radius: rms of genes in widths, or share of bits that differ"));
+        visit(self.alpha,
+              number("alpha", "1", above_zero, no_limit, "exponent of the sharing function").keyed().quiet());
+    }
+};
+
+/// @param radius  niche radius, in the problem's distance
+inline Proportional<Sharing> share(double radius, double alpha = 1) {
+    return checked(Proportional<Sharing>{{}, Sharing{{}, radius, alpha}});
+}
+
+} // namespace ga

@@ -1,0 +1,123 @@
+#pragma once
+
+#include "ga/pipeline/stage.hpp"
+
+namespace ga {
+
+/// Brings back the k best of the generation's start in place of the worst. An individual that is still there
+/// is not doubled, and a better individual is never replaced by a worse one. Under several objectives both
+/// populations are ranked together first.
+struct Elite : Operator {
+    std::size_t k = 1; ///< individuals that come back, >= 1
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
+    }
+    static void describe(auto& self, auto visit) { visit(self.k, whole("k", "1", 1, "how many")); }
+    std::size_t reads_of_start() const { return k; }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        const auto& start = context.generation_start();
+        std::vector<double> worth = merits(population, start);
+        const auto first_of_start = static_cast<std::ptrdiff_t>(population.size());
+        for (std::size_t i = 0; i < std::min(k, start.size()); ++i) {
+            const auto& old = start[i];
+            const auto same = [&](const auto& each) { return each.identity == old.identity; };
+            if (std::any_of(population.begin(), population.end(), same))
+                continue;
+            const auto worst = std::min_element(worth.begin(), worth.begin() + first_of_start);
+            const double own = worth[population.size() + i];
+            if (*worst < own) {
+                *worst = own;
+                population[static_cast<std::size_t>(worst - worth.begin())] = old;
+            }
+        }
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `elite k`.
+inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
+
+/// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children
+/// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
+struct Plus : Operator {
+    std::size_t mu = 0; ///< 0 for the size of the start
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"plus", "replacement", "the mu best of the generation's start and its children"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.mu, whole("mu", "0", 0, "how many; 0 for as many as at the start").quiet());
+    }
+    std::size_t reads_of_start() const { return everyone; }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        const auto& start = context.generation_start();
+        return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
+    }
+    ///@}
+};
+
+/// The stage `plus mu`.
+inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
+
+/// Adds the generation's start to the population, so that the next stages choose among both.
+struct JoinParents : Operator {
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"parents", "replacement",
+                "adds the generation's start, so that the next stages choose among all"};
+    }
+    static void describe(auto&, auto) {}
+    std::size_t reads_of_start() const { return everyone; }
+    void check(CheckState& known) const {
+        known.need_generation(text_of(*this));
+        if (known.scored != known.start_scored)
+            known.scored.reset();
+    }
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        const auto& start = context.generation_start();
+        context.need_room(population.size() + start.size(), population);
+        return joined_with(start, std::move(population));
+    }
+    ///@}
+};
+
+/// The stage `parents`.
+inline JoinParents parents() { return {}; }
+
+/// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
+/// the children, whatever their fitness. Put `tournament 2 size=2` before it for two children per generation.
+struct Steady : Operator {
+    ///@{ What every operator has (Operator).
+    static Words words() {
+        return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
+    }
+    static void describe(auto&, auto) {}
+    std::size_t reads_of_start() const { return everyone; }
+    void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> children, Context<P>& context) const {
+        auto population = context.generation_start();
+        const std::vector<std::size_t> order = ranking(population);
+        const std::size_t count = std::min(children.size(), population.size());
+        for (std::size_t i = 0; i < count; ++i)
+            population[order[order.size() - 1 - i]] = std::move(children[i]);
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `steady`.
+inline Steady steady() { return {}; }
+
+} // namespace ga

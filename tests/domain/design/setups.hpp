@@ -1,0 +1,43 @@
+#pragma once
+
+#include "domain/mwm/sampling.hpp"
+#include "domain/problem/setup.hpp"
+#include "domain/target/like.hpp"
+
+#include <catch2/catch.hpp>
+
+/// Genomes and set-ups of the tests of designs.
+namespace rough::testing {
+
+constexpr double two_mm = 2; ///< length of the profiles of these genomes, mm
+
+inline Genome two_waves(double first = 0.3, double second = 1, double scale = 0.01) {
+    return {scale, {{1, 0.8, 1.5, two_mm, {{1, {first}}, {2, {second}}}}}};
+}
+
+/// The stiffness of the genome's profile on 65 nodes as target, up to a part of the pressure that it reaches.
+inline DesignSetup like_itself(const Genome& genome, double part = 1, Kernel kernel = Kernel::free) {
+    DesignSetup setup;
+    setup.model.grid = {65, two_mm};
+    setup.model.body.kernel = kernel;
+    setup.model = completed(setup.model);
+    const Profile profile = sample(genome, setup.model.grid);
+    const double last = secant_stiffness(respond(profile, setup.model)).to;
+    setup.targets = {target_like(profile, setup.model, "itself", Quantity::stiffness, 10, part * last)};
+    return setup;
+}
+
+/// The drawn target on a line with these nodes, or on an area with these along either side.
+inline DesignSetup drawn(Index nodes, bool area = false) {
+    DesignSetup setup;
+    setup.model.grid.nodes = nodes;
+    if (area) {
+        setup.model.grid.rows = nodes;
+        setup.model.grid.width = setup.model.grid.length;
+    }
+    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.max_pressure = 1.6e-4;
+    return completed(setup);
+}
+
+} // namespace rough::testing

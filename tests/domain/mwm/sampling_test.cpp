@@ -1,0 +1,201 @@
+#include "domain/errors.hpp"
+#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "tests/domain/random_genome.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace rough;
+using testing::random_genome;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Grid area(Index columns, Index rows, bool periodic) {
+    Grid grid{columns, 0.84942, periodic};
+    grid.rows = rows;
+    grid.width = 0.7;
+    return grid;
+}
+
+/// Eq. 1-3 as printed: one cosine for each ridge.
+double height_as_printed(const Genome& genome, double x) {
+    double z = 0;
+    for (const auto& series : genome.series)
+        for (const auto& chromosome : series.chromosomes) {
+            const double k = 2 * pi / series.lambda * std::pow(series.gamma, chromosome.n - 1);
+            const double G =
+                series.A *
+                std::sqrt(std::log10(series.gamma) / static_cast<double>(chromosome.phases.size())) *
+                std::pow(2 * pi / series.lambda, -series.H) *
+                std::pow(series.gamma, -(chromosome.n - 1) * series.H);
+            for (double phase : chromosome.phases)
+                z += G * (std::cos(phase) - std::cos(k * x + phase));
+        }
+    return genome.scale * z;
+}
+
+} // namespace
+
+TEST_CASE("a genome jumps at the ends of a length that its waves do not divide") {
+    Genome wave;
+    wave.series = {Series{.A = 1e-3, .H = 1, .gamma = 1.5, .lambda = 2, .chromosomes = {{1, {0.4}}}}};
+    const Profile whole = sample(wave, {2001, 2});
+    const double range = whole.heights.maxCoeff() - whole.heights.minCoeff();
+    // Half a turn after cos(0.4): the jump is twice that part of the amplitude, the range twice the
+    // amplitude.
+    CHECK(jump_at_ends(wave, 1) == Approx(range * std::cos(0.4)).epsilon(1e-5));
+    CHECK(std::abs(jump_at_ends(wave, 2)) < 1e-12 * range);
+    CHECK(std::abs(jump_at_ends(wave, 6)) < 1e-12 * range);
+}
+
+TEST_CASE("a profile is the sum of the cosines of all ridges") {
+    std::mt19937_64 random(1);
+    for (std::size_t ridges : {1u, 2u, 8u})
+        for (int series : {1, 2}) {
+            Genome genome = random_genome(random, series, ridges, 0.84942, 0.84942 / 511);
+            genome.scale = 0.3;
+            const Grid grid{512, 0.84942, false};
+            const Profile profile = sample(genome, grid);
+            double bound = 0;
+            for (const Wave& wave : waves(genome))
+                bound += std::abs(wave.amplitude) + std::abs(wave.offset);
+            for (Index i = 0; i < 512; i += 7)
+                CHECK(std::abs(profile.heights[i] -
+                               height_as_printed(genome, static_cast<double>(i) * grid.spacing())) <
+                      1e-12 * bound);
+        }
+}
+
+TEST_CASE("the last chromosome of an exact power is kept") {
+    CHECK(last_chromosome(1.4 * 1.4, 1.4, 1) == 3);
+    CHECK(last_chromosome(std::pow(1.5, 5), 1.5, 1) == 6);
+    CHECK(last_chromosome(0.84942, 1.4, 0.84942 / 511) == 19);
+    CHECK_THROWS_AS(last_chromosome(1, 1.5, 0), InputError); // without a last one
+    CHECK(last_chromosome(1, 2, 2) == 0);
+}
+
+TEST_CASE("derivatives of linear functionals of heights agree with differences in every gene") {
+    std::mt19937_64 random(2);
+    const Grid grid{128, 0.84942, false};
+    for (std::size_t ridges : {1u, 3u}) {
+        Genome genome = random_genome(random, 2, ridges, 0.84942, 0.1);
+        genome.scale = 0.7;
+        Eigen::MatrixXd functional = Eigen::MatrixXd::Random(3, grid.nodes);
+        functional.colwise() -= functional.rowwise().mean().eval(); // blind to a constant
+        const Eigen::MatrixXd jacobian = pulled_back(functional, genome, grid);
+        const auto values = genes(genome);
+        REQUIRE(jacobian.cols() == static_cast<Index>(values.size()));
+        for (std::size_t g = 0; g < values.size(); ++g) {
+            const double h = 1e-6;
+            auto up = values, down = values;
+            up[g] += h;
+            down[g] -= h;
+            const Eigen::VectorXd difference = functional *
+                                               (sample(with_genes(genome, up), grid).heights -
+                                                sample(with_genes(genome, down), grid).heights) /
+                                               (2 * h);
+            INFO("gene " << g);
+            CHECK((difference - jacobian.col(static_cast<Index>(g))).norm() < 1e-7 * jacobian.norm());
+        }
+    }
+}
+
+TEST_CASE("adding genomes adds their profiles, in either order to the bit") {
+    std::mt19937_64 random(3);
+    const Grid grid{64, 0.84942, false};
+    for (int i = 0; i < 20; ++i) {
+        Genome a = random_genome(random, 1, 1, 0.84942, 0.05), b = random_genome(random, 2, 1, 0.84942, 0.05);
+        a.scale = 0.01;
+        b.scale = 2.5;
+        CHECK(shape_key(sum(a, b)) == shape_key(sum(b, a)));
+        const Eigen::VectorXd both = sample(a, grid).heights + sample(b, grid).heights;
+        CHECK((sample(sum(a, b), grid).heights - both).norm() < 1e-12 * both.norm());
+        CHECK(sum(a, a).series.size() == 1);
+    }
+}
+
+TEST_CASE("a genome file is read back with the scale in its amplitudes") {
+    std::mt19937_64 random(4);
+    Genome genome = random_genome(random, 2, 3, 0.84942, 0.05);
+    genome.scale = 1e-3;
+    const auto text = genome_to_json(genome).dump();
+    const Genome again = genome_from_json(nlohmann::json::parse(text), "test");
+    CHECK(shape_key(again) == shape_key(folded(genome)));
+}
+
+TEST_CASE("a malformed genome is refused with its place and fault") {
+    const std::string good =
+        R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
+    CHECK_NOTHROW(genome_from_json(nlohmann::json::parse(good), "g.json"));
+    const std::vector<std::array<std::string, 3>> cases{
+        {"\"A\":1", "\"A\":0", "A is 0"},
+        {"\"A\":1", "\"A\":{\"b\":1}", "A is {\"b\":1}, which is not a number"},
+        {"\"A\":1", "\"a\":1", "unknown key \"a\""},
+        {"\"A\":1,", "", "key \"A\" is missing"},
+        {"0.84942", "-1", "lambda is -1"},
+        {"\"n\":1", "\"n\":0", "n is 0"},
+        {"[0.3]", "[]", "no phases"},
+        {"[{\"n\":1,\"phases\":[0.3]}]", "[]", "no chromosomes"},
+        {"{\"n\":1,\"phases\":[0.3]}", "{\"n\":1,\"phases\":[0.3]},{\"n\":1,\"phases\":[0.3]}",
+         "given twice"},
+    };
+    for (const auto& [from, to, expected] : cases) {
+        std::string text = good;
+        text.replace(text.find(from), from.size(), to);
+        INFO(text);
+        CHECK_THROWS_WITH(genome_from_json(nlohmann::json::parse(text), "g.json"),
+                          Catch::StartsWith("g.json: ") && Catch::Contains(expected));
+    }
+    CHECK_THROWS_AS(read_genome("/no/such/file.json"), InputError);
+}
+
+TEST_CASE("on a map every ridge is a plane wave in its direction", "[areas]") {
+    Genome genome;
+    genome.scale = 0.4;
+    genome.series = {Series{.A = 1e-3,
+                            .H = 0.7,
+                            .gamma = 1.6,
+                            .lambda = 0.5,
+                            .chromosomes = {{1, {0.3, 1.1, 2.5}}, {3, {4, 5}}}}};
+    const Grid grid = area(31, 23, false);
+    const Profile map = sample(genome, grid);
+    for (const Index node : {0, 17, 200, 431, 712}) {
+        const double x = grid.spacing() * static_cast<double>(node % 31),
+                     y = grid.row_spacing() * static_cast<double>(node / 31);
+        double height = 0; // as printed
+        for (const Chromosome& chromosome : genome.series[0].chromosomes) {
+            const double M = static_cast<double>(chromosome.phases.size()),
+                         k = 2 * pi / 0.5 * std::pow(1.6, chromosome.n - 1);
+            for (std::size_t m = 0; m < chromosome.phases.size(); ++m) {
+                const double theta = pi * static_cast<double>(m) / M, phi = chromosome.phases[m];
+                height += 0.4 * 1e-3 * std::sqrt(std::log10(1.6) / M) * std::pow(k, -0.7) *
+                          (std::cos(phi) - std::cos(k * (x * std::cos(theta) + y * std::sin(theta)) + phi));
+            }
+        }
+        CHECK(map.heights[node] == Approx(height).epsilon(1e-10).margin(1e-15));
+    }
+}
+
+TEST_CASE("on a periodic map wave vectors are the nearest of the lattice, but not zero", "[areas]") {
+    std::mt19937_64 random(22);
+    const Genome genome = random_genome(random, 2, 5, 0.84942, 0.02);
+    const auto moved = plane_waves(genome, area(64, 48, true)),
+               free = plane_waves(genome, area(64, 48, false));
+    for (std::size_t w = 0; w < moved.size(); ++w) {
+        const double i = moved[w].k_x * 0.84942 / (2 * pi), j = moved[w].k_y * 0.7 / (2 * pi);
+        CHECK(std::abs(i - std::round(i)) < 1e-9);
+        CHECK(std::abs(j - std::round(j)) < 1e-9);
+        CHECK(std::hypot(i, j) > 0.5);
+        CHECK(std::abs(moved[w].k_x - free[w].k_x) <= (1 + 1e-12) * pi / 0.84942);
+        CHECK(std::abs(moved[w].k_y - free[w].k_y) <= (1 + 1e-12) * pi / 0.7);
+        const double far = std::hypot(moved[w].k_x - free[w].k_x, moved[w].k_y - free[w].k_y);
+        CHECK(moved[w].moved == Approx(far / std::hypot(free[w].k_x, free[w].k_y)).margin(1e-12));
+        CHECK(free[w].moved == 0);
+    }
+    Genome slow;
+    slow.series = {Series{.A = 1, .H = 1, .gamma = 1.5, .lambda = 9, .chromosomes = {{1, {0.4}}}}};
+    CHECK(plane_waves(slow, area(64, 48, true))[0].k_x == Approx(2 * pi / 0.84942));
+}
