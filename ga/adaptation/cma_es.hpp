@@ -159,11 +159,7 @@ struct CmaEs : Operator {
             if (const Variable& v = state.moving[i]; std::isfinite(v.upper - v.lower))
                 mean[static_cast<Eigen::Index>(i)] = random.uniform(v.lower, v.upper) / width(v);
         state.cloud = Cloud(std::move(mean), sigma * state.run.shrink);
-        CmaRecord fresh;
-        fresh.to_beat = state.record.to_beat;
-        for (const double best : state.record.best)
-            fresh.to_beat = std::max(fresh.to_beat, best);
-        state.record = std::move(fresh);
+        state.record = {};
     }
 
     template <Problem P, class G = typename P::Genome>
@@ -206,8 +202,8 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
          numbers(s.first),
          {numbers(c.mean), c.sigma, numbers(c.covariance), numbers(c.path_sigma), numbers(c.path_c),
           numbers(c.axes), numbers(c.scales), c.learnt, c.drawn},
-         {s.record.best, s.record.median, s.record.equal, s.record.spent, s.record.to_beat},
-         {s.plan.usual, s.plan.doublings, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large,
+         {s.record.best, s.record.median, s.record.equal, s.record.spent},
+         {s.plan.usual, s.plan.restarts, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large,
           s.plan.begun},
          {s.run.lambda, s.run.shrink, s.run.most},
          s.children,
@@ -234,9 +230,9 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.cloud.axes = numbers(c.at(5), n * n).reshaped(n, n);
     s.cloud.scales = numbers(c.at(6), n);
     s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
-    read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent, s.record.to_beat);
+    read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent);
     CmaPlan& p = s.plan;
-    read_parts(j.at(4), p.usual, p.doublings, p.large, p.small, p.last_large, p.now_large, p.begun);
+    read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
     read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.most);
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2));
     j.at(6).get_to(s.children);

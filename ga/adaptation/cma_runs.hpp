@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -137,7 +136,6 @@ struct CmaRecord {
     std::vector<double> median; ///< median value per generation
     std::vector<double> equal;  ///< 1 if the best and the k-th best value were equal
     long spent = 0;             ///< children that were scored
-    double to_beat = std::numeric_limits<double>::lowest(); ///< best value of the runs before
 
     /// Notes a generation's values, best first.
     void note(const std::vector<double>& values, std::size_t lambda) {
@@ -157,8 +155,7 @@ struct CmaRecord {
 
 /// Why a run of CMA-ES is over, or null. The rules are those of Hansen (2009, Benchmarking a BI-population
 /// CMA-ES on the BBOB-2009 function testbed, sec. 2.1); Stagnation has a window of 120 + 30 n/lambda
-/// generations. There is one more rule: Inferior, if the run is worse than an earlier one by more than ten
-/// times the range of its recent best values. `scale` is the run's first sigma.
+/// generations. `scale` is the run's first sigma.
 inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& record, double scale) {
     const auto n = static_cast<double>(cloud.mean.size()), lambda = static_cast<double>(c.lambda);
     const auto last = [](const std::vector<double>& all, double count) {
@@ -178,8 +175,6 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
         const auto [low, high] = std::minmax_element(recent.begin(), recent.end());
         if (*high - *low < 1e-12)
             return "TolHistFun";
-        if (record.to_beat - *high > 10 * (*high - *low))
-            return "Inferior";
     }
     const auto equal = last(record.equal, n);
     if (generations >= n && std::accumulate(equal.begin(), equal.end(), 0.0) > n / 3)
@@ -212,16 +207,17 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
     return nullptr;
 }
 
-/// The sequence of runs: each has twice the children of the previous one (IPOP: Auger and Hansen 2005). BIPOP
-/// (Hansen 2009) spends as many evaluations on additional runs with few children and small steps.
+/// The sequence of runs. In IPOP each has four times the children of the previous one; Auger and Hansen
+/// (2005) double them. In BIPOP (Hansen 2009) the large runs double, and as many evaluations are spent on
+/// additional runs with few children and small steps.
 struct CmaPlan {
-    std::size_t usual = 0;     ///< children of the first run
-    std::size_t doublings = 0; ///< large runs after the first
-    long large = 0;            ///< evaluations spent in large runs
-    long small = 0;            ///< evaluations spent in small runs
-    long last_large = 0;       ///< evaluations of the last large run
-    bool now_large = false;    ///< whether the current run is large
-    bool begun = false;        ///< whether the first run is over
+    std::size_t usual = 0;    ///< children of the first run
+    std::size_t restarts = 0; ///< large runs after the first
+    long large = 0;           ///< evaluations spent in large runs
+    long small = 0;           ///< evaluations spent in small runs
+    long last_large = 0;      ///< evaluations of the last large run
+    bool now_large = false;   ///< whether the current run is large
+    bool begun = false;       ///< whether the first run is over
 
     /// Settings of a run.
     struct Run {
@@ -238,8 +234,8 @@ struct CmaPlan {
         begun = true;
         now_large = !both || large <= small;
         if (now_large)
-            return {usual << std::min<std::size_t>(++doublings, 20), 1, 0};
-        const double ratio = 0.5 * std::pow(2, static_cast<double>(doublings)), u = random.uniform();
+            return {usual << std::min<std::size_t>((both ? 1 : 2) * ++restarts, 20), 1, 0};
+        const double ratio = 0.5 * std::pow(2, static_cast<double>(restarts)), u = random.uniform();
         const double children = static_cast<double>(usual) * std::pow(ratio, u * u);
         return {static_cast<std::size_t>(children), std::pow(10, -2 * random.uniform()), last_large / 2};
     }
