@@ -1,6 +1,6 @@
 #include "apps/prompt/model_settings.hpp"
 
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
 #include "domain/contact/names.hpp"

@@ -1,8 +1,8 @@
 #include "apps/report/render.hpp"
 
+#include "apps/prompt/units.hpp"
 #include "apps/report/builtin.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/units.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -1,7 +1,7 @@
 #include "apps/report/surface.hpp"
 
 #include "apps/prompt/terminal.hpp"
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/text/atomic_file.hpp"

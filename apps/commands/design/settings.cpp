@@ -1,7 +1,7 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"
 #include "domain/design/pipelines.hpp"

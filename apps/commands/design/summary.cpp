@@ -1,5 +1,5 @@
 #include "apps/commands/design/run.hpp"
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/contact/names.hpp"
 
 #include <algorithm>

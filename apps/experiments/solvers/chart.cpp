@@ -1,7 +1,7 @@
 #include "apps/experiments/solvers/chart.hpp"
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/contact/exact.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"

@@ -1,5 +1,5 @@
 #include "apps/experiments/solvers/chart.hpp"
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/numerics/statistics.hpp"
 
 #include <nlohmann/json.hpp>

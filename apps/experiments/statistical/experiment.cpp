@@ -1,6 +1,6 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/scan/map.hpp"

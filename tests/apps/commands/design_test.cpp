@@ -1,4 +1,4 @@
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "domain/database/starts.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/mwm/genome_json.hpp"

@@ -1,4 +1,4 @@
-#include "apps/report/units.hpp"
+#include "apps/prompt/units.hpp"
 #include "tests/apps/found.hpp"
 #include "tests/apps/results.hpp"
 
