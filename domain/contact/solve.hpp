@@ -15,7 +15,7 @@ enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 /// How contact is to be solved.
 struct ContactOptions {
     Solver solver = Solver::automatic; ///< which method
-    double tolerance = 1e-6;           ///< relative, iterative solvers only
+    double tolerance = 1e-6;           ///< largest kkt_residual that an iterative solver leaves
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
     std::function<bool()> stop = {}; ///< called now and then if set; true ends the solution with NotConverged
@@ -30,7 +30,7 @@ struct LoadStep {
         0; ///< approach Delta from the highest node, mm (periodic: from there to the mean plane)
     double pressure = 0;          ///< P = sum p_i delta / L, MPa
     double tangent_stiffness = 0; ///< dP/dDelta at the step's contact set, MPa/mm
-    double kkt_residual = 0;      ///< certificate, scale-free, H applied by another path than the solver's
+    double kkt_residual = 0;      ///< certificate, relative; see solve_contact
     Index contact_nodes = 0;      ///< number of nodes that touch
     Index held_nodes = 0;         ///< number of nodes held at the hardness
     double contact_fraction = 0;  ///< contact_nodes / N
@@ -54,27 +54,34 @@ struct ContactCurve {
     long iterations = 0;               ///< in the solver's unit, over all steps
 };
 
-/// Presses a rigid profile on an elastic body to each of the displacements (mm, >= 0, increasing). Solves u =
-/// H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0; g0_i = max(Z) - Z_i. At Delta = 0 the
-/// touching nodes count as contact without pressure, so that K is the stiffness of first loading.
-/// `automatic` continues with another solver if the chosen one does not settle, needs too much memory or far
-/// more work than predicted. With a hardness, p <= p_H. Held nodes, p = p_H, may sink in: u <= Delta - g0
-/// there, and K is that of the elastic nodes. Solved by active set, to 1e-11.
-/// Throws InputError if a profile, body or displacement has no solution, NotConverged if the certificate of a
-/// step exceeds the solver's tolerance.
+/// Presses a rigid profile on an elastic body to each of the displacements Delta (mm, >= 0, increasing).
+/// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0. The unknowns are the pressures
+/// p_i of the nodes and the displacements u_i of the body's surface. H is the influence matrix (kernel.hpp)
+/// and
+/// g0_i = max(Z) - Z_i the gap at first touch; Z_i are the heights. The certificate (kkt_residual) is the
+/// largest relative violation of these conditions, with H p computed by another method than the solver's.
+///
+/// At Delta = 0 the touching nodes count as contact without pressure, so that K is the stiffness of first
+/// loading. `automatic` continues with another solver if the chosen one does not settle, needs too much
+/// memory or far more work than predicted. With a hardness p_H, p <= p_H. Held nodes, p = p_H, may sink in: u
+/// <= Delta - g0 there, and K is that of the elastic nodes. Only `automatic` and `active_set` accept a
+/// hardness; a projected Newton method solves such steps to 1e-11. Throws InputError if a profile, body or
+/// displacement has no solution, NotConverged if the certificate of a step exceeds the solver's tolerance.
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
 
-/// Presses to each of the mean pressures (MPa, > 0, increasing). For a solver without load control (the table
-/// in solvers/solvers.hpp), Newton's method finds the displacements, because P is convex in them. Throws
-/// InputError also for a pressure above that of full contact (periodic).
+/// Presses to each of the mean pressures (MPa, > 0, increasing). If a solver does not have load control
+/// (the table in solvers/solvers.hpp) or fails on a line, Newton's method finds the displacements.
+/// Without a hardness it converges, because P is convex in Delta. Throws InputError also for a pressure above
+/// that of full contact (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
-/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. A direct solver finds it to 12
-/// digits of pressure. An iterative one on a line finds it up to 3 tolerances above the pressure, so that no
-/// curve to it ends below. Throws the same as solve_contact_at_pressures.
+/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. A direct solver
+/// finds it to 12 digits of pressure. An iterative solver on a line ends at most 3 tolerances above the
+/// pressure, so that a curve to this displacement does not end below it. Throws the same as
+/// solve_contact_at_pressures.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
@@ -82,8 +89,8 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 /// included. Throws InputError for a body without a datum, or a datum up to (L + delta)/4.
 ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
 
-/// Predicted cost of a curve of `steps` steps on `nodes` nodes, of which `contact` touch at the last one, by
-/// the faster of the factor and the active set. Only ratios of costs have a meaning.
+/// Predicted cost of a curve of `steps` steps on `nodes` nodes, of which `contact` touch at the last step, by
+/// the cheaper of the solvers nested and active_set. Only ratios of costs have a meaning.
 double predicted_cost(double nodes, double contact, double steps);
 
 } // namespace rough

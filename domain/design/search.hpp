@@ -38,16 +38,18 @@ struct SearchOptions {
     long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
     const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
     std::size_t alternatives = 3;                        ///< how many different answers, the best included
-    /// How many answers of the pipeline are verified at the end, and as many of the best of all stages. On an
-    /// area, where verifying takes longer than searching, at most two of the pipeline. 1 if time is short.
+    /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. Sources
+    /// are the final population, the answers that the pipeline verified, and the best of all stages. The
+    /// first given start is verified, too. For a map the first two sources give at most two, because
+    /// verifying takes longer than searching.
     std::size_t verifying = 3;
     std::optional<CheckpointOptions> checkpoints = {}; ///< none: no checkpoints are written
     /// Curves that several searches of one set-up share (DesignProblem).
     std::shared_ptr<ResponseMemory> memory = nullptr;
 };
 
-/// A genome in final amplitude and its similarities. On an area that was not verified in time all but the
-/// first are NaN.
+/// A genome at its final amplitude, and its similarities. If time ran out during the verification of a map,
+/// the similarities without a result and similarity_worst are NaN.
 struct Answer {
     Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
@@ -67,11 +69,12 @@ struct Answer {
     bool is_verified() const { return !std::isnan(similarity_worst); }
 };
 
-/// Verifies a genome under a set-up from as_reported(). If the set-up's ContactOptions::stop ends this, only
-/// the similarity on the set-up's grid is computed. Throws what respond() throws.
+/// Verifies a genome under a set-up from as_reported(). If the set-up's ContactOptions::stop ends this, the
+/// similarity on the set-up's grid and load steps is still computed; the others may be NaN. Throws what
+/// respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The answer's response under the set-up that was searched, without approximations. For an answer that is
-/// not verified, the response that the search computed.
+/// The answer's response under the set-up; pass exactly(setup) for a response without approximations. For an
+/// answer that is not verified, the response in its verification.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.
@@ -88,7 +91,7 @@ std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<
 
 /// The result of a search and its cost.
 struct SearchResult {
-    Answer best;                      ///< the one of the highest verified similarity
+    Answer best;                      ///< the answer of the highest rank (search)
     std::vector<Answer> alternatives; ///< the best, then the next best that differ from all before them
     std::vector<Compromise> front;    ///< from `pareto`; empty if the pipeline does not have it
     /// If the set-up has errors: the Pareto front of the verified answers' similarities with and without
@@ -105,17 +108,17 @@ struct SearchResult {
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.
 void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 
-/// Runs a pipeline on a design. Verifies its answers and the best individuals of all stages, and returns the
-/// one whose lowest similarity over all checks (Verification) is highest. There is always an answer: the best
-/// so far or a start. Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search.
-/// Throws InputError on starts for a pipeline that begins with its own, NotConverged if no curve of the run
-/// could be computed.
+/// Runs a pipeline on a design. Verifies its answers and the best individuals of all stages. The result is
+/// the one of the highest rank: answers within the limits first, then verified ones, by lowest(). There is
+/// always an answer: the best so far or a start. Throws ga::UsageError on a pipeline that cannot work or a
+/// checkpoint of another search. Throws InputError on starts for a pipeline that begins with its own,
+/// NotConverged if no curve of the run could be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 
-/// Why no profile can meet a set-up's targets, and the highest similarity that one may have.
+/// Why no profile can meet a set-up's targets, and an upper bound on the similarity of any profile.
 struct Unreachable {
-    std::vector<OutOfReach> reasons; ///< empty if the bound is above the required similarity
+    std::vector<OutOfReach> reasons; ///< empty if the bound is at least the required similarity
     double bound = 1;                ///< no profile has a higher similarity
 };
 

@@ -11,7 +11,7 @@ namespace rough {
 
 /// The y of a target curve, and its x.
 enum class Quantity {
-    stiffness,            ///< K (MPa/mm) against mean pressure (MPa)
+    stiffness,            ///< secants of K between load steps (MPa/mm) against mean pressure (MPa)
     area_at_pressure,     ///< contact fraction against mean pressure (MPa)
     area_at_displacement, ///< contact fraction against displacement from the highest point (mm)
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
@@ -40,10 +40,10 @@ struct Target {
     std::string name;                            ///< its file or another origin
     Eigen::VectorXd x;                           ///< points in the quantity's units, > 0 and increasing
     Eigen::VectorXd y;                           ///< one value at each x, > 0
-    Eigen::VectorXd lower;                       ///< band about y, or empty
-    Eigen::VectorXd upper;                       ///< band about y, or empty
+    Eigen::VectorXd lower;                       ///< lower end of the band at each x, or empty
+    Eigen::VectorXd upper;                       ///< upper end of the band at each x, or empty
     double weight = 1;                           ///< (0, 1]: factor on each misfit
-    std::map<std::string, std::string> recorded; ///< the model by the file: "kernel", "datum_mm", ...
+    std::map<std::string, std::string> recorded; ///< the model in the file: "kernel", "datum_mm", ...
 
     Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
@@ -79,17 +79,19 @@ TargetTable read_target_table(const std::filesystem::path& file);
 
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
-    double nominal_area = 0;             ///< mm^2, for loads (N) and areas (mm^2); 0 refuses both (a line)
-    double conductance_to_stiffness = 0; ///< E* resistivities/2 (Barber 2003); 0 refuses a conductance
+    double nominal_area = 0; ///< mm^2, for loads (N) and areas (mm^2); 0 refuses both (a line)
+    double conductance_to_stiffness =
+        0; ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
 };
 
-/// Reads a target: CSV, header first, columns in any order. The columns are pressure_MPa, displacement_mm,
-/// contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, lower and upper, or have other
-/// units in their names. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the
+/// Reads a target: CSV, header first, columns in any order. It has one x column (pressure_MPa or
+/// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm,
+/// conductance, or the pressure against displacement) and optionally lower and upper. Names may have other
+/// units. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the
 /// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
 /// square, e.g. area_mm2. A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um. A
-/// conductance C is the interface stiffness C E* resistivities/2. Lines "# key: value" record the model.
-/// Throws InputError that names file and line or column.
+/// conductance C is read as the interface stiffness C E* (rho_1 + rho_2)/2. Lines "# key: value" record the
+/// model. Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
 /// The target as a file: the recorded lines, the header, and one row per point with 17 digits.

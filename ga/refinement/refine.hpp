@@ -15,7 +15,8 @@ class Search {
   public:
     using Genome = typename P::Genome; ///< the problem's
 
-    /// `moving` are the genes that move, `limit` the maximum number of requests. All must outlive the search.
+    /// `moving` are the genes that move, `limit` the maximum number of requests. The problem, the queue, the
+    /// watch and the individual must outlive the search.
     Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
            const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
@@ -158,7 +159,7 @@ class Search {
     Fitness seen_fitness_;       ///< there
 };
 
-/// The choice of every gene within the problem's bounds.
+/// The choice of all genes; each moves between the problem's bounds.
 struct EveryGene {
     std::string name = "all"; ///< as in a stage's text
 };
@@ -193,7 +194,7 @@ struct Refine : Operator {
         for (auto& individual : population)
             if (!individual.fitness.has_failed())
                 jobs.push_back(&individual);
-        // The remaining budget is divided first, after one evaluation for each result.
+        // One evaluation is reserved for each result. The rest of the budget is divided before any search.
         const auto count = static_cast<long>(jobs.size());
         if (context.ledger().spent(count)) {
             context.state.in_hand = population;
@@ -254,7 +255,7 @@ template <class M, class G>
 requires std::derived_from<M, Method> Refine<M, Variables<G>> refine(M method, Variables<G> variables) {
     return {std::move(method), std::move(variables)};
 }
-/// The stage `refine method`: every gene within the problem's bounds.
+/// The stage `refine method` for all genes; each moves between the problem's bounds.
 template <class M>
 requires std::derived_from<M, Method> Refine<M, EveryGene> refine(M method) {
     return {std::move(method), {}};

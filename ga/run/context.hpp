@@ -7,7 +7,8 @@
 namespace ga {
 
 /// The state that stages share while a pipeline runs: the current position, the queue of evaluations with the
-/// ledger behind it, and the run's state. There is one for each run and for each island.
+/// ledger behind it, and the run's state. There is one for the run, one for each
+/// island and one for each derived problem.
 template <Problem P>
 class Context {
   public:
@@ -27,8 +28,8 @@ class Context {
         for (const auto& objective : problem().objectives())
             names_.push_back(Name(objective.name));
     }
-    /// An island. Its evaluations go through `door`, its new identities form a separate sequence, and
-    /// observers see its events when the round is over.
+    /// The context of island `lane` of `lanes`. Its requests go to the queue `door`, its new identities form
+    /// a separate sequence, and observers see its events when the round is over.
     [[gnu::cold]] Context(Context& parent, EvaluationQueue<P>& door, std::size_t lane, std::size_t lanes)
         : position(parent.position), state(parent.state.next_identity + lane * parent.state.identity_step,
                                            parent.state.identity_step * lanes),
@@ -145,8 +146,9 @@ class Context {
         serve(population);
     }
 
-    /// Gives every individual the mean fitness of n more replicates of a noisy evaluation than before, up to
-    /// `limit`. Known replicates are not evaluated again. One failed replicate fails the individual.
+    /// Adds n replicates of a noisy evaluation to each individual that has not failed, up to max(n, limit) in
+    /// all, and sets its fitness to the mean of all its replicates. Known replicates are not evaluated again.
+    /// One failed replicate fails the individual.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -198,9 +200,9 @@ class Context {
     /// Adds a remark to the run's result, under the path of the current stage.
     void note(const std::string& text) { state.note(path() + ": " + text); }
 
-    /// Ends the run with its current population if one of `individuals` individuals would exceed the memory
-    /// for one. Stages call it before they make a population larger. `like` is a new genome, if new ones
-    /// differ in size.
+    /// Throws Stopped, with `in_hand` as the result, if a population of `individuals` individuals would need
+    /// more than its memory. Stages call it before they make a population larger. `like` is a genome to
+    /// measure, if new genomes differ in size.
     void need_room(std::size_t individuals, const Population<Genome>& in_hand, const Genome* like = nullptr) {
         if (in_hand.empty() && !like)
             return;
@@ -280,8 +282,8 @@ class Context {
         state.earlier_seconds = snapshot.seconds;
         ledger_.resume(state.best.has_value(), snapshot.heaviest);
     }
-    /// Writes a checkpoint of a run that stopped inside a stage: its state before the stage, which the
-    /// innermost block knows.
+    /// Writes the checkpoint of a stopping run, once: the given state before the interrupted stage or between
+    /// two stages, with the frames of the open blocks.
     [[gnu::cold]] void keep_stopped(Snapshot<Genome> before) {
         if (std::exchange(stop_kept_, true))
             return;
@@ -300,7 +302,8 @@ class Context {
         double seconds;
     };
 
-    /// Makes the requested evaluations. If the run has to stop, it returns with this population.
+    /// Makes the requested evaluations. If the run has to stop, stores this population as its result and
+    /// throws Stopped.
     void serve(const Population<Genome>& population) {
         try {
             door_.serve(request_);

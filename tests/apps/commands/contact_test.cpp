@@ -171,7 +171,7 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     CHECK(of["resolution"]["is_resolved"] == (of["resolution"]["spot_width_nodes"] >= 4));
     const std::string page = rough::read_whole(folder / "page.html");
     for (const std::string& part :
-         {words, std::string("Line contact: endless ridges"), std::string("Shaded: the band")})
+         {words, std::string("This is line contact"), std::string("Shaded: the band")})
         CHECK_THAT(page, Catch::Contains(part));
 
     const Ended off = done(folder, press + "--resolution off --report page.html");
