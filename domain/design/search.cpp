@@ -219,8 +219,8 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
         if (ranks[i] == 0)
             front.push_back(all[i]);
     std::ranges::stable_sort(front, {}, &Compromise::similarity);
-    const auto doubles = std::ranges::unique(front, {}, &Compromise::similarity);
-    front.erase(doubles.begin(), doubles.end());
+    const auto equal = [](const Compromise& a, const Compromise& b) { return a.similarity == b.similarity; };
+    front.erase(std::unique(front.begin(), front.end(), equal), front.end());
     if (front.size() > max_count) {
         std::vector<Compromise> spread;
         for (std::size_t i = 0; i < max_count; ++i)
