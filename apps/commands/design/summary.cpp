@@ -74,7 +74,7 @@ bool is_verified(const DesignRun& run) {
 std::string verdict_of(const DesignRun& run, double verified) {
     const double designed = run.found.best.similarity, required = run.setup.required_similarity;
     const bool is_enough = verified >= required;
-    const std::string wanted = "wanted is " + brief(required, 15);
+    const std::string wanted = brief(required, 15) + " is required";
     std::string conditions = "on finer grids and in finer load steps", line;
     if (run.trust)
         conditions += line_of(run.setup.errors.noise > 0 ? ", under noise" : "",
@@ -85,24 +85,23 @@ std::string verdict_of(const DesignRun& run, double verified) {
                ", the nearest found has " +
                (std::isnan(verified) ? readable(designed, 4) + " as designed" : readable(verified, 4));
     else if (std::isnan(verified))
-        line = "not verified: similarity " + readable(designed, 4) + " as designed, " + wanted +
-               " at worst; " +
+        line = "not verified: similarity " + readable(designed, 4) + " as designed, " + wanted + "; " +
                (run.interrupted ? "it was stopped before finer grids and load steps"
                                 : "the time did not suffice for finer grids and load steps");
     else if (run.morphed)
         line = (is_enough ? "brought back: similarity " + readable(verified, 5)
                           : "not brought back: similarity " + below(verified, required)) +
-               " after " + readable(run.morphed->before, 4) + " before, " + wanted + "; " +
-               readable(run.found.best.lowest(), 4) + " at worst, " + conditions;
+               " after " + readable(run.morphed->before, 4) + " before; " + wanted + "; lowest " +
+               readable(run.found.best.lowest(), 4) + ", " + conditions;
     else if (is_enough)
         line =
-            (is_verified(run) ? "found" : "not verified") + (": similarity " + readable(verified, 5)) +
-            " at worst, " + conditions +
+            (is_verified(run) ? "found" : "not verified") + (": lowest similarity " + readable(verified, 5)) +
+            ", " + conditions +
             (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
-        line = "not found within the budget: the nearest curve found has similarity " +
-               (std::isinf(verified) ? "none" : below(verified, required)) + " at worst, " + conditions +
-               ", " + wanted;
+        line = "not found within the budget: the nearest curve found has a lowest similarity of " +
+               (std::isinf(verified) ? "none" : below(verified, required)) + ", " + conditions + "; " +
+               wanted;
     return line + (run.found.best.within_limits ? "" : "; no answer holds every limit");
 }
 
