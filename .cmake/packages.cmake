@@ -1,4 +1,4 @@
-# cmake --build BUILD --target package: rugosa_VERSION_amd64.deb (program, libraries, headers, manual pages) 
+# cmake --build BUILD --target package: rugosa_VERSION_amd64.deb (program, libraries, headers, manual pages),
 # python3-rugosa_VERSION_amd64.deb (the Python module) and librugosa-ga-dev_VERSION_all.deb (the engine's headers
 # without the rest), by CPack.
 set(documents ${CMAKE_INSTALL_DATADIR}/doc)

@@ -158,9 +158,9 @@ std::string worst_case(const DesignRun& run) {
     std::string all =
         known(best.similarity) + " as designed, " + known(best.similarity_refined) +
         " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps, " +
-        (best.is_verified()
-             ? known(best.similarity_worst) + " at worst (the lowest of these and of both together)"
-             : "so the worst is not known");
+        (best.is_verified() ? known(best.similarity_worst) +
+                                  " the lowest (of these three and of finer grid and steps together)"
+                            : "so the lowest is not known");
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)
