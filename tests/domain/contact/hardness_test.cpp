@@ -128,6 +128,26 @@ TEST_CASE("a periodic profile carries every load below that of all nodes at the 
     }
 }
 
+TEST_CASE("a map with steps carries a load below its hardness", "[contact]") {
+    std::mt19937 random(43);
+    const auto uniform = [&](double from, double to) {
+        return std::uniform_real_distribution(from, to)(random);
+    };
+    for (int trial = 0; trial < 12; ++trial) {
+        const Index columns = 48, rows = trial % 3 == 0 ? 8 : 32;
+        Profile map{Eigen::VectorXd(columns * rows), 0.01, rows, 0.01};
+        for (double& height : map.heights)
+            height = 0.01 * std::round(4 * uniform(-1, 1)) / 4 + 1e-5 * uniform(-1, 1);
+        Body body{.kernel = trial % 2 ? Kernel::periodic : Kernel::free, .effective_modulus = 1};
+        const double pressure = std::pow(10, uniform(-5, -2));
+        body.hardness = pressure * std::pow(10, uniform(0.02, 2));
+        INFO("trial " << trial << ", pressure " << pressure << ", hardness " << body.hardness);
+        const LoadStep step = solve_contact_at_pressures(map, body, {pressure}).steps[0];
+        CHECK(step.pressure == Approx(pressure).epsilon(1e-8));
+        CHECK(step.kkt_residual < 1e-9);
+    }
+}
+
 TEST_CASE("full contact carries a range of loads until a node reaches the hardness", "[contact]") {
     const Index n = 64;
     const double amplitude = 0.01, full = std::numbers::pi * amplitude; // Westergaard's load, E* = 1, L = 1
