@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <memory>
+#include <mutex>
 #include <numeric>
 
 using namespace ga;
@@ -48,11 +50,14 @@ struct Counting : Operator {
     };
     using Seen = std::vector<std::pair<std::size_t, std::size_t>>;
     std::shared_ptr<Seen> seen = std::make_shared<Seen>();
+    /// Guards `seen`, because each island has a thread.
+    std::shared_ptr<std::mutex> guard = std::make_shared<std::mutex>();
 
     std::string text() const { return "counting"; }
     void check(CheckState&) const {}
     Population<Vector> operator()(Population<Vector> population, Context<Reals>& context,
                                   State& state) const {
+        const std::lock_guard lock(*guard);
         seen->emplace_back(state.calls++, context.position.generation());
         return population;
     }
