@@ -33,6 +33,7 @@ class CappedContact {
         double worst = std::numeric_limits<double>::infinity();
         for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
+            raise(enough);
             const double before = worst;
             worst = find_free(0.5 * enough);
             // Rounding may allow no better; the certificate verifies.
@@ -91,6 +92,20 @@ class CappedContact {
             }
         }
         return false;
+    }
+
+    /// Raises all pressures of a periodic body by one value until a node reaches the hardness, if the
+    /// approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the energy.
+    void raise(double negligible) {
+        if (!problem_.is_singular() || goal_.mean() <= negligible)
+            return;
+        Index highest = 0;
+        const double change = problem_.cap - load_.pressure.maxCoeff(&highest);
+        if (change <= 0)
+            return;
+        load_.pressure = (load_.pressure.array() + change).cwiseMin(problem_.cap);
+        load_.pressure[highest] = problem_.cap;
+        solver_.load(load_);
     }
 
     StepSolution solution(double approach) {

@@ -148,6 +148,23 @@ TEST_CASE("a map with steps carries a load below its hardness", "[contact]") {
     }
 }
 
+TEST_CASE("beyond the approach of full contact nodes sink in at the hardness", "[contact]") {
+    std::mt19937 random(44);
+    for (int trial = 0; trial < 4; ++trial) {
+        Scene scene = scenes::random_scene(random, trial, 16, 24, 1);
+        scene.body.kernel = Kernel::periodic;
+        const double full = scene.profile.heights.maxCoeff() - scene.profile.heights.mean();
+        scene.body.hardness = 1e3 * scene.body.effective_modulus;
+        const LoadStep step =
+            solve_contact(scene.profile, scene.body, {full * (1 + std::array{1e-6, 1e-3, 0.1, 1.0}[trial])})
+                .steps[0];
+        INFO("trial " << trial);
+        CHECK(step.contact_nodes == scene.profile.nodes());
+        CHECK(step.held_nodes > 0);
+        CHECK(step.kkt_residual < 1e-9);
+    }
+}
+
 TEST_CASE("full contact carries a range of loads until a node reaches the hardness", "[contact]") {
     const Index n = 64;
     const double amplitude = 0.01, full = std::numbers::pi * amplitude; // Westergaard's load, E* = 1, L = 1
