@@ -241,7 +241,7 @@ TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
     }
 }
 
-TEST_CASE("BIPOP spends as much on small runs as on large ones, which double; IPOP multiplies by four") {
+TEST_CASE("BIPOP spends as much on small runs as on large ones, which double, and IPOP multiplies by four") {
     Stream random(1);
     CmaPlan plan, ipop;
     plan.usual = ipop.usual = 10;

@@ -82,7 +82,7 @@ TEST_CASE("the load ends at a given pressure or has given steps") {
     CHECK(at[2][0] == Approx(to[4][0]).epsilon(1e-10));
 }
 
-TEST_CASE("a hardness caps pressures and is reported; friction adds a table of partial slip") {
+TEST_CASE("a hardness caps pressures and is reported, and friction adds a table of partial slip") {
     const Folder folder;
     folder.write("g.json", one_wave);
     const Ended rubbed = done(folder, "contact --genome g.json --friction 0.3 --out c.csv --verbose");
@@ -96,7 +96,7 @@ TEST_CASE("a hardness caps pressures and is reported; friction adds a table of p
     CHECK(slip[0][3] == 1);
 
     const Ended hard = done(folder, "contact --genome g.json --hardness 0.05 --out h.csv");
-    CHECK_THAT(hard.out, Catch::Contains("bear the hardness"));
+    CHECK_THAT(hard.out, Catch::Contains("is the hardness"));
     const auto held = rows_of(folder / "h.csv");
     CHECK(held[19][1] < normal[19][1]);
     const json account = json_in(folder / "h.json");

@@ -28,7 +28,8 @@ TEST_CASE("condition (10) holds always, Eq. 8 for half of all phases, and a lost
     }
 }
 
-TEST_CASE("a genome's curves change without half of its waves and at another datum; no node loses contact") {
+TEST_CASE(
+    "a genome's curves change without half of its waves and at another datum, and no node loses contact") {
     PaperRun run;
     run.model.grid.nodes = 64;
     run.model.loading.steps = 8;

@@ -68,7 +68,7 @@ TEST_CASE("only overlapping nodes touch a strip or a half-plane with datum from 
     CHECK(touched_apart > 0); // on the other bodies it does happen
 }
 
-TEST_CASE("pressure scales with heights and displacements; stiffness and contact stay", "[contact]") {
+TEST_CASE("pressure scales with heights and displacements, and stiffness and contact stay", "[contact]") {
     for (Scene scene : random_scenes(60)) {
         const ContactCurve curve = solved(scene);
         const double scale = 1e-3;
