@@ -454,7 +454,8 @@ TEST_CASE("a learning operator gives the same bits on any threads and after stop
             std::atomic<long> left = 97;
             Reals stopping = problem;
             stopping.f = [&](const Vector& x) {
-                stop = stop || --left == 0;
+                if (--left == 0)
+                    stop = true;
                 return problem.f(x);
             };
             Checkpoints<Reals> checkpoints(folder / "run", "", true);
