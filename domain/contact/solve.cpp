@@ -131,8 +131,9 @@ void check_options(const Body& body, const ContactOptions& options) {
 LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
-    // With a hardness the solver's gaps are exact to about 1e-11 of the approach, so P(Delta) is rough below.
-    constexpr double rough_width = 1e-10, rough_met = 1e-8;
+    // Narrowest bracket, over the displacement, in which the solver of a hardness (gaps to 1e-11) tells
+    // pressures apart, and the largest relative error of the pressure that is accepted there.
+    constexpr double narrowest = 1e-10, met_there = 1e-8;
     const double highest = largest_displacement(profile, body);
     double below = from.displacement, above = HUGE_VAL;
     if (from.pressure > pressure) // at most by the solver's tolerance
@@ -159,7 +160,7 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
         if (left <= (body.yields() ? 1e-12 : tolerance) * pressure)
             return from;
         (from.pressure < pressure ? below : above) = next;
-        if (body.yields() && above - below <= rough_width * above && left <= rough_met * pressure)
+        if (body.yields() && above - below <= narrowest * above && left <= met_there * pressure)
             return from;
         halve = from_above && from.pressure > pressure && left > little * missing;
     }

@@ -72,16 +72,16 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 
 /// Presses to each of the mean pressures (MPa, > 0, increasing). If a solver does not have load control
 /// (the table in solvers/solvers.hpp) or fails on a line, Newton's method finds the displacements.
-/// Without a hardness it converges, because P is convex in Delta. Throws InputError also for a pressure above
-/// that of full contact (periodic).
+/// Without a hardness it converges, because P is convex in Delta; with one the pressure agrees to 1e-8 or
+/// better. Throws InputError also for a pressure above that of full contact (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
 /// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. A direct solver
-/// finds it to 12 digits of pressure. An iterative solver on a line ends at most 3 tolerances above the
-/// pressure, so that a curve to this displacement does not end below it. Throws the same as
-/// solve_contact_at_pressures.
+/// finds it to 12 digits of pressure, with a hardness to 8 or more. An iterative solver on a line ends at
+/// most 3 tolerances above the pressure, so that a curve to this displacement does not end below it. Throws
+/// the same as solve_contact_at_pressures.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 

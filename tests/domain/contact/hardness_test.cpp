@@ -154,11 +154,14 @@ TEST_CASE("beyond the approach of full contact nodes sink in at the hardness", "
         Scene scene = scenes::random_scene(random, trial, 16, 24, 1);
         scene.body.kernel = Kernel::periodic;
         const double full = scene.profile.heights.maxCoeff() - scene.profile.heights.mean();
-        scene.body.hardness = 1e3 * scene.body.effective_modulus;
-        const LoadStep step =
-            solve_contact(scene.profile, scene.body, {full * (1 + std::array{1e-6, 1e-3, 0.1, 1.0}[trial])})
-                .steps[0];
+        scene.displacements = {0.99 * full};
+        scene.body.hardness = 3 * highest_pressure(scene);
+        const double beyond = std::array{1e-3, 0.01, 0.1, 1.0}[static_cast<std::size_t>(trial)];
+        const std::vector displacements{full * (1 + beyond)};
+        const LoadStep step = solve_contact(scene.profile, scene.body, displacements).steps[0];
         INFO("trial " << trial);
+        CHECK(step.pressure ==
+              Approx(consult_oracle(scene.profile, scene.body, displacements).pressure[0]).epsilon(1e-9));
         CHECK(step.contact_nodes == scene.profile.nodes());
         CHECK(step.held_nodes > 0);
         CHECK(step.kkt_residual < 1e-9);
