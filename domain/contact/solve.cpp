@@ -131,8 +131,8 @@ void check_options(const Body& body, const ContactOptions& options) {
 LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
-    // Narrowest bracket, over the displacement, in which the solver of a hardness (gaps to 1e-11) tells
-    // pressures apart, and the largest relative error of the pressure that is accepted there.
+    // With a hardness the solver finds gaps to 1e-11. A bracket narrower than this share of the displacement
+    // does not tell pressures apart, and a pressure with this relative error is accepted.
     constexpr double narrowest = 1e-10, met_there = 1e-8;
     const double highest = largest_displacement(profile, body);
     double below = from.displacement, above = HUGE_VAL;

@@ -80,8 +80,8 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 
 /// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. A direct solver
 /// finds it to 12 digits of pressure, with a hardness to 8 or more. An iterative solver on a line ends at
-/// most 3 tolerances above the pressure, so that a curve to this displacement does not end below it. Throws
-/// the same as solve_contact_at_pressures.
+/// most 3 tolerances above the pressure. Therefore a curve to this displacement does not end below the
+/// pressure. Throws the same as solve_contact_at_pressures.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
@@ -89,8 +89,8 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 /// included. Throws InputError for a body without a datum, or a datum up to (L + delta)/4.
 ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
 
-/// Predicted cost of a curve of `steps` steps on `nodes` nodes, of which `contact` touch at the last step, by
-/// the cheaper of the solvers nested and active_set. Only ratios of costs have a meaning.
+/// Predicted cost of a curve of `steps` steps on `nodes` nodes by the cheaper of the solvers nested and
+/// active_set. `contact` nodes touch at the last step. Only ratios of costs have a meaning.
 double predicted_cost(double nodes, double contact, double steps);
 
 } // namespace rough
