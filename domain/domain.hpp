@@ -6,6 +6,7 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
+#include "domain/asperities/caps.hpp"
 #include "domain/contact/exact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"

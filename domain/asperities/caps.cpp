@@ -1,0 +1,261 @@
+#include "domain/asperities/caps.hpp"
+
+#include "domain/errors.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace rough {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr int max_rounds = 100;
+constexpr double settled = 1e-14; ///< largest change of an indentation and of the load, relative
+
+/// The linearised contact of the caps that touch: dF = K (dh - G dF), K_i = dF_i/ddelta_i, on the set A.
+class Tangent {
+  public:
+    Tangent(std::vector<Index> touching, const Eigen::VectorXd& stiffness, const Eigen::MatrixXd* influence)
+        : touching_(std::move(touching)), root_(stiffness(touching_).cwiseSqrt()) {
+        if (!influence)
+            return;
+        Eigen::MatrixXd matrix = root_.asDiagonal() * (*influence)(touching_, touching_) * root_.asDiagonal();
+        matrix.diagonal().array() += 1;
+        factor_.emplace(matrix);
+        if (factor_->info() != Eigen::Success)
+            throw NotConverged("asperities: the spots are too near to each other to act as point loads; "
+                               "increase the pitch");
+    }
+    const std::vector<Index>& touching() const { return touching_; }
+    /// dF on A for changes of the heights on A: (1/K + G)^-1 v.
+    Eigen::VectorXd forces(const Eigen::VectorXd& v) const {
+        const Eigen::VectorXd scaled = root_.cwiseProduct(v);
+        return root_.cwiseProduct(factor_ ? Eigen::VectorXd(factor_->solve(scaled)) : scaled);
+    }
+
+  private:
+    std::vector<Index> touching_;
+    Eigen::VectorXd root_; ///< square roots of K on A
+    std::optional<Eigen::LLT<Eigen::MatrixXd>> factor_;
+};
+
+std::vector<Index> touching(const Eigen::VectorXd& indentation) {
+    std::vector<Index> all;
+    for (Index i = 0; i < indentation.size(); ++i)
+        if (indentation[i] > 0)
+            all.push_back(i);
+    return all;
+}
+
+/// dF_i/ddelta_i = 2 E* sqrt(R_i delta_i), N/mm.
+Eigen::VectorXd stiffnesses(const Caps& caps, const Eigen::VectorXd& indentation, double modulus) {
+    return 2 * modulus * (caps.radii.array() * indentation.array().max(0)).sqrt();
+}
+
+/// F_i = (4/3) E* sqrt(R_i) delta_i^(3/2), N.
+Eigen::VectorXd forces(const Caps& caps, const Eigen::VectorXd& indentation, double modulus) {
+    return stiffnesses(caps, indentation, modulus).cwiseProduct(indentation) * (2.0 / 3);
+}
+
+} // namespace
+
+CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel model)
+    : modulus_(effective_modulus) {
+    if (model == CapModel::independent)
+        return;
+    Eigen::MatrixXd influence = Eigen::MatrixXd::Zero(array.caps(), array.caps());
+    for (Index i = 0; i < array.caps(); ++i)
+        for (Index j = 0; j < i; ++j)
+            influence(i, j) = influence(j, i) =
+                1 / (pi * modulus_ * std::hypot(array.x(i) - array.x(j), array.y(i) - array.y(j)));
+    influence_ = std::make_shared<const Eigen::MatrixXd>(std::move(influence));
+}
+
+PressedCaps CapContact::at_load(const Caps& caps, double load, const PressedCaps* start) const {
+    if (start)
+        return solve(caps, load, start->plane, start);
+    if (influence_) { // of many caps, the plane of one cap alone would be far too deep
+        const PressedCaps alone = CapContact(caps.array, modulus_, CapModel::independent).at_load(caps, load);
+        return solve(caps, load, alone.plane, &alone);
+    }
+    const double deepest = std::pow(0.75 * load / (modulus_ * std::sqrt(caps.radii.minCoeff())), 2.0 / 3);
+    return solve(caps, load, caps.heights.maxCoeff() - deepest, nullptr);
+}
+
+PressedCaps CapContact::at_plane(const Caps& caps, double plane, const PressedCaps* start) const {
+    return solve(caps, 0, plane, start);
+}
+
+/// Newton's method on the indentations, and with a load also on the plane. The residual of each cap is
+/// delta_i + plane + sum_j G_ij F_j - h_i. A step that does not lower the largest residual is halved.
+PressedCaps CapContact::solve(const Caps& caps, double load, double plane, const PressedCaps* start) const {
+    const Eigen::MatrixXd* influence = influence_.get();
+    PressedCaps pressed;
+    Eigen::VectorXd depth = start && influence
+                                ? Eigen::VectorXd(start->indentation.array() + start->plane - plane)
+                                : Eigen::VectorXd(caps.heights.array() - plane);
+    const double scale = std::max(caps.heights.maxCoeff() - plane, 1e-300);
+    const auto residual = [&](const Eigen::VectorXd& at, double at_plane, const Eigen::VectorXd& force) {
+        Eigen::VectorXd r = at.array() + at_plane - caps.heights.array();
+        if (influence)
+            r.noalias() += *influence * force;
+        return r;
+    };
+    const auto error = [&](const Eigen::VectorXd& r, const Eigen::VectorXd& force) {
+        return std::max(r.cwiseAbs().maxCoeff() / scale, load > 0 ? std::abs(force.sum() / load - 1) : 0.0);
+    };
+    Eigen::VectorXd force = forces(caps, depth, modulus_), r = residual(depth, plane, force);
+    double now = error(r, force);
+    for (int round = 0;; ++round) {
+        const Tangent tangent(touching(depth), stiffnesses(caps, depth, modulus_), influence);
+        const auto& touching = tangent.touching();
+        const Eigen::VectorXd unit =
+            tangent.forces(Eigen::VectorXd::Ones(static_cast<Index>(touching.size())));
+        pressed.stiffness = unit.sum();
+        if (now <= settled || round == max_rounds)
+            break;
+        Eigen::VectorXd change = tangent.forces(-r(touching));
+        double rise = 0; // change of the plane
+        if (load > 0 && pressed.stiffness > 0) {
+            rise = (change.sum() - (load - force.sum())) / pressed.stiffness;
+            change -= rise * unit;
+        }
+        Eigen::VectorXd step = -r.array() - rise;
+        if (influence)
+            step.noalias() -= (*influence)(Eigen::all, touching) * change;
+        double share = 1, next = HUGE_VAL;
+        Eigen::VectorXd to, to_force, to_r;
+        for (int halved = 0; halved < 12; ++halved, share /= 2) {
+            to = depth + share * step;
+            to_force = forces(caps, to, modulus_);
+            to_r = residual(to, plane + share * rise, to_force);
+            next = error(to_r, to_force);
+            if (next < now)
+                break;
+        }
+        if (!(next < now)) {
+            if (now <= 1e-11) // as near as rounding allows
+                break;
+            throw NotConverged("asperities: Newton's method stops at a relative residual of " + line_of(now) +
+                               "; increase the pitch");
+        }
+        plane += share * rise;
+        std::tie(depth, force, r, now) = std::tie(to, to_force, to_r, next);
+    }
+    pressed.plane = plane;
+    pressed.indentation = depth;
+    pressed.force = force;
+    pressed.area = pi * caps.radii.array() * depth.array().max(0);
+    return pressed;
+}
+
+CapSlopes CapContact::slopes(const Caps& caps, const PressedCaps& pressed) const {
+    const Eigen::VectorXd& depth = pressed.indentation;
+    const Eigen::VectorXd k = stiffnesses(caps, depth, modulus_);
+    const Tangent tangent(touching(depth), k, influence_.get());
+    const auto& at = tangent.touching();
+    const Eigen::ArrayXd K = k(at), R = caps.radii(at), d = depth(at), F = pressed.force(at);
+    const Eigen::ArrayXd by_radius = F / (2 * R) / K; // (dF_i/dR_i)/K_i at a fixed indentation
+    const auto slope = [&](const Eigen::ArrayXd& by_forces, const Eigen::ArrayXd& direct) {
+        // A quantity q with dq = by_forces' dF + direct' dR, and dF = (1/K + G)^-1 (dh + by_radius dR).
+        const Eigen::VectorXd adjoint = tangent.forces(by_forces.matrix());
+        CapSlope all{Eigen::VectorXd::Zero(depth.size()), Eigen::VectorXd::Zero(depth.size())};
+        all.by_heights(at) = adjoint;
+        all.by_radii(at) = adjoint.array() * by_radius + direct;
+        return all;
+    };
+    const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(K.size());
+    const Eigen::ArrayXd unit = tangent.forces(Eigen::VectorXd::Ones(K.size()));
+    // ddelta = dF/K - by_radius dR. The stiffness 1' (1/K + G)^-1 1 changes by sum unit^2 dK/K^2, and
+    // dK/K = (ddelta/delta + dR/R)/2.
+    const Eigen::ArrayXd share = unit.square() / (2 * K);
+    return {slope(none + 1, none), slope(pi * R / K, pi * d - pi * R * by_radius),
+            slope(share / (d * K), share * (1 / R - by_radius / d))};
+}
+
+double hertz_area(double force, double radius, double effective_modulus) {
+    return pi * std::pow(0.75 * force * radius / effective_modulus, 2.0 / 3);
+}
+
+Profile map_of(const Caps& caps, double nodes, bool spheres, double depth) {
+    const CapArray& array = caps.array;
+    const auto half = static_cast<Index>(std::sqrt(nodes / static_cast<double>(array.caps())) / 2 - 0.5);
+    const Index each = 2 * std::max<Index>(half, 1) + 1; // per pitch, so that a node is at each summit
+    const double spacing = array.pitch / static_cast<double>(each), base = caps.heights.minCoeff() - depth;
+    Profile map{Eigen::VectorXd(array.caps() * each * each), spacing, array.rows * each, spacing};
+    const Index columns = array.columns * each;
+    for (Index j = 0; j < map.rows; ++j)
+        for (Index i = 0; i < columns; ++i) {
+            const Index cap = j / each * array.columns + i / each;
+            const double x = (static_cast<double>(i) + 0.5) * spacing - array.x(cap),
+                         y = (static_cast<double>(j) + 0.5) * spacing - array.y(cap), square = x * x + y * y,
+                         radius = caps.radii[cap];
+            const double below = !spheres ? square / (2 * radius)
+                                 : square < radius * radius
+                                     ? square / (radius + std::sqrt(radius * radius - square))
+                                     : HUGE_VAL;
+            map.heights[j * columns + i] = std::max(caps.heights[cap] - below, base);
+        }
+    return map;
+}
+
+std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modulus,
+                                        const std::vector<double>& at, bool loads, double nodes,
+                                        const ContactOptions& given) {
+    const Profile map = map_of(caps, nodes, false, HUGE_VAL);
+    const auto [columns, rows] = map.shape();
+    const double cell = map.spacing * map.spacing;
+    const Index each = columns / caps.array.columns;
+    const double nominal = caps.array.nominal_area();
+    const Body body{.kernel = Kernel::free, .effective_modulus = effective_modulus};
+    ContactOptions options = given;
+    options.states = true;
+    std::vector<double> pressures = at;
+    for (double& pressure : pressures)
+        pressure /= nominal;
+    const ContactCurve curve = loads ? solve_contact_at_pressures(map, body, pressures, options)
+                                     : solve_contact(map, body, at, options);
+    std::vector<MeshedCaps> all;
+    for (std::size_t s = 0; s < at.size(); ++s) {
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(caps.array.caps());
+        const LoadStep& step = curve.steps[s];
+        MeshedCaps one{step.pressure * nominal,
+                       zero,
+                       zero,
+                       zero,
+                       zero,
+                       step.displacement,
+                       step.tangent_stiffness * nominal,
+                       step.kkt_residual};
+        const ContactState& state = curve.states[s];
+        std::vector<char> touches(static_cast<std::size_t>(map.nodes()), 0);
+        for (const int node : state.nodes)
+            touches[static_cast<std::size_t>(node)] = 1;
+        const auto cap_of = [&](Index i, Index j) { return j / each * caps.array.columns + i / each; };
+        for (std::size_t n = 0; n < state.nodes.size(); ++n)
+            one.force[cap_of(state.nodes[n] % columns, state.nodes[n] / columns)] +=
+                state.pressure[static_cast<Index>(n)] * cell;
+        for (Index j = 0; j < rows; ++j)
+            for (Index i = 0; i < columns; ++i) {
+                int around = 0;
+                for (const auto& [a, b] : {std::pair(i - 1, j), {i + 1, j}, {i, j - 1}, {i, j + 1}})
+                    around += a >= 0 && b >= 0 && a < columns && b < rows &&
+                              touches[static_cast<std::size_t>(b * columns + a)];
+                const bool own = touches[static_cast<std::size_t>(j * columns + i)];
+                one.area_low[cap_of(i, j)] += own && around == 4 ? cell : 0;
+                one.area_high[cap_of(i, j)] += own || around > 0 ? cell : 0;
+            }
+        for (Index cap = 0; cap < one.force.size(); ++cap)
+            one.area[cap] = hertz_area(one.force[cap], caps.radii[cap], effective_modulus);
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+} // namespace rough
