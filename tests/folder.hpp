@@ -8,7 +8,8 @@
 
 namespace tests {
 
-/// A folder of its own that goes with the test: cases run beside each other, so no two may share a file.
+/// A temporary folder that is removed after the test. Tests run at the same time, so each needs a separate
+/// one.
 class Folder {
   public:
     Folder() {

@@ -2,7 +2,7 @@
 
 namespace tests {
 
-/// Whether this is a build whose memory is mostly a sanitizer's own.
+/// Whether this is a build in which a sanitizer uses most of the memory.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool sanitized = true;
 #elif defined(__has_feature)

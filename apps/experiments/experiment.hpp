@@ -26,7 +26,7 @@ struct Findings {
     std::map<std::string, std::string> files = {}; ///< other files by name, perhaps with a folder
     std::string summary = {};                      ///< one line, shown at the end
     int code = 0;                                  ///< exit code of the program
-    std::map<std::string, Csv> tables = {};        ///< by file name, perhaps with a folder
+    std::map<std::string, Csv> tables = {};        ///< tables with their file names, perhaps with a folder
 
     /// The table of a file; it is created by the first call.
     Csv& table(const std::string& name, const std::string& header, int digits = 17) {

@@ -105,7 +105,7 @@ class Settings {
     /// The existing files that the values name, except --out and --report: those that are read.
     std::vector<std::filesystem::path> files() const;
 
-    /// The setting as messages name it: "--nodes"; "nodes" in Python; "paper.ini:12: model.nodes", or
+    /// The name of the setting in messages: "--nodes", "nodes" in Python, "paper.ini:12: model.nodes", or
     /// "paper.ini: model.nodes" if no line of the file gives it.
     std::string place(const std::string& name) const;
     /// Throws rough::InputError that begins with the place of a setting.

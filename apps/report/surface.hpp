@@ -9,7 +9,7 @@
 namespace app {
 
 /// A note that a genome with a period (mm) has a step at its ends. It gives the step as a share of the height
-/// range (mm). "" if there is none.
+/// range (mm). "" if the ends agree.
 std::string jump_note(const rough::Genome& genome, double length, double range);
 
 /// A note that opposite ends of measured heights differ, rms, by over three times the rms step from node to

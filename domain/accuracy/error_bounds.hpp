@@ -54,8 +54,8 @@ Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy)
 /// resolved ones at the same displacements.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
 
-/// The range of the difference of gaps between the whole profile Z and a reduced profile Z' over the nodes:
-/// f_i = (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i.
+/// The range over the nodes of f_i, the gap of the whole profile Z minus that of a reduced profile Z'. f_i =
+/// (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i.
 struct Window {
     double lowest = 0;                                ///< mm, <= 0
     double highest = 0;                               ///< mm, >= 0
@@ -64,7 +64,7 @@ struct Window {
 /// The window of two profiles on the same nodes. Throws InputError if the nodes differ.
 Window window_between(const Profile& whole, const Profile& reduced);
 
-/// Pressures that the exact ones do not exceed on either side, one entry per load step, MPa.
+/// Bounds of the exact pressures, one entry per load step, MPa.
 struct Bounds {
     Eigen::VectorXd lower; ///< MPa
     Eigen::VectorXd upper; ///< MPa, at least `lower`; may be infinite

@@ -38,8 +38,8 @@ constexpr double estimate_order = 2, patience = 1.3;
 constexpr double max_cost_share = 0.8;
 
 /// The elements around a resolved grid's nodes make up a body. This is a grid of `elements` equal ones over
-/// the same body, nodes in their middle. A coarse grid of nodes from end to end would be a longer body, by
-/// half an element at either end, and would err to first order.
+/// the same body, nodes in their middle. Coarse nodes from end to end would make the body longer by half an
+/// element at each end, which is an error of first order.
 Grid cells(const Grid& resolved, Index elements) {
     if (resolved.periodic)
         return {elements, resolved.length, true, resolved.from};

@@ -44,10 +44,10 @@ double datum_sensitivity(double stiffness, double length, double effective_modul
 /// The body with the defaults of its kernel in place of zeros, for a profile of this length (mm).
 Body completed(Body body, double length);
 
-/// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart:
-/// a modulus or strip width that is not positive, or a datum up to (L + spacing)/4. Also for layers on
-/// another kernel than the periodic one, layers without a thickness or modulus, and a rigid base without
-/// layers.
+/// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart.
+/// The reasons are a modulus or strip width that is not positive, and a datum up to (L + spacing)/4. Others
+/// are layers on another kernel than the periodic one, layers without a thickness or modulus, and a rigid
+/// base without layers.
 void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

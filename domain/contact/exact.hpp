@@ -21,9 +21,9 @@ struct HalfPlane {
     double datum = 1;             ///< mm
 };
 
-/// The master integrals for any symmetric gap g(x), given its slope g'(x) for x >= 0, if F grows with a: F =
-/// E* int_0^a x g'/sqrt(a^2 - x^2) dx, Delta = 2/(pi E*) int_0^a ln(2d/b) F'(b) db. By quadrature to about
-/// 1e-12; 0 < a < 2d.
+/// The master integrals for any symmetric gap g(x), given its slope g'(x) for x >= 0. F = E* int_0^a x
+/// g'/sqrt(a^2 - x^2) dx, which must grow with a. Delta = 2/(pi E*) int_0^a ln(2d/b) F'(b) db. They are
+/// computed by quadrature to about 1e-12; 0 < a < 2d.
 Contact symmetric(const std::function<double(double)>& gap_slope, double a, const HalfPlane& body);
 
 /// Hertz: gap x^2/(2 R).

@@ -12,7 +12,7 @@ namespace rough {
 /// which the datum cancels. Found by conjugate gradients at d = L, moved to the body's datum exactly, and
 /// remembered for all threads. Throws InputError for a body without a solution, NotConverged if H w is not 1.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
-/// K_full on the grid of a line or an area; a free area has no datum.
+/// K_full on the grid of a line or a map; a free map has no datum.
 double full_contact_stiffness(const Profile& surface, const Body& body);
 
 /// The mean pressure (MPa) at which a periodic profile reaches full contact without tension at any node: -min

@@ -12,15 +12,15 @@ double profile_length(const Profile& profile, Kernel kernel);
 /// sum of the node pressures over it.
 double elements(const Profile& profile, Kernel kernel);
 
-/// (L + delta)/4 in mm: up to this datum distance the free half-plane's matrix may not be positive definite,
-/// because Flamant's displacement is negative beyond the datum.
+/// (L + delta)/4 in mm, the largest datum that is refused. Up to it the free half-plane's matrix may not be
+/// positive definite, because Flamant's displacement is negative beyond the datum.
 double datum_limit(const Profile& profile);
 
-/// A body without units, as influence matrices depend on it: lengths along the surface in units of the node
-/// spacing delta (for an area delta_x), pressures in units of E*.
+/// A body without units, which determines an influence matrix. Lengths along the surface are in units of the
+/// node spacing delta (for a map delta_x), and pressures in units of E*.
 struct UnitBody {
     Kernel kernel = Kernel::free; ///< which body
-    double row_spacing = 0;       ///< delta_y of an area; 0: a line
+    double row_spacing = 0;       ///< delta_y of a map; 0: a line
     double datum = 0;             ///< d, for lines on the free half-plane
     double strip_width = 0;       ///< W, strip only
     Layering layering = {};       ///< periodic only
@@ -34,7 +34,7 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 /// First column of the influence matrix H in units of delta/E*, N entries: u_i/delta = sum_j h p_j/E*. The
 /// entry h is that of the absolute offset of j from i along x and y.
 /// Lines: Flamant with constant pressure on each element, without cancellation (free), or Love's integral of
-/// 2 asinh(W/2|x|) over the element (strip). Areas: Love (1929), constant pressure on each cell (free). It
+/// 2 asinh(W/2|x|) over the element (strip). Maps: Love (1929), constant pressure on each cell (free). It
 /// has no datum, because displacements vanish at infinity. periodic: the circulant of periodic_spectrum.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape);
 

@@ -27,14 +27,15 @@ struct Layering {
 /// The layers in other units of length and pressure (both > 0), with every modulus given.
 Layering in_units(Layering layering, double length, double pressure);
 
-/// u_q/p_q of the layered body over that of the half-space, 2/(E* q), for waves of the wavenumber q > 0 (in
-/// the inverse of the layers' unit of length). On areas q is |wave vector|. A linear system gives it, with
-/// four constants per layer and two for the half-space (Airy's stress function, plane strain). The top has a
-/// given pressure and no friction; interfaces are bonded. `effective_modulus` is E*, MPa.
+/// u_q/p_q of the layered body over that of the half-space, 2/(E* q). The wavenumber q > 0 is in the inverse
+/// of the layers' unit of length; on a map it is |wave vector|. A linear system gives the ratio, with four
+/// constants per layer and two for the half-space (Airy's stress function, plane strain). The top has a given
+/// pressure and no friction; interfaces are bonded. `effective_modulus` is E*, MPa.
 double relative_compliance(const Layering& layering, double effective_modulus, double q);
 
-/// E* u/P of a uniform pressure P on a rigid base, in the layers' unit of length: the sum of t (1 + nu) (1 -
-/// 2 nu) E*/(E (1 - nu)) over the layers. 0 on a half-space, whose displacement is relative to the mean.
+/// E* u/P of a uniform pressure P, in the layers' unit of length. On a rigid base it is the sum over the
+/// layers of t (1 + nu) (1 - 2 nu) E*/(E (1 - nu)). It is 0 on a half-space, whose displacement is relative
+/// to the mean.
 double mean_compliance(const Layering& layering, double effective_modulus);
 
 } // namespace rough

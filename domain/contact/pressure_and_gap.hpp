@@ -25,12 +25,12 @@ void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
 /// If `periodic`, opposite ends of the grid are neighbours.
 std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic);
 
-/// Pressure and gap between a surface and the body at one load step, along a profile or at an area's nodes.
+/// Pressure and gap between a surface and the body at one load step, along a profile or at a map's nodes.
 struct Interface {
     Eigen::VectorXd pressure; ///< at every node, MPa; 0 off contact
     Eigen::VectorXd gap;      ///< between the deformed body and the surface, mm; about 0 in contact
     Index spots = 0;          ///< number of contact spots; periodic bodies join the ends
-    double widest = 0;        ///< largest spot, mm: its nodes times their spacing; for an area its size, mm^2
+    double widest = 0;        ///< largest spot, mm: its nodes times their spacing; for a map its size, mm^2
 };
 
 /// The interface at a load step of solve_contact, with its state, for the same profile and body. The gap is u

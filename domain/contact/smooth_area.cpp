@@ -39,7 +39,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
     const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
     const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
     SetSolver solver(problem);
-    // The four edges of an area's node count half each, so that the sum is continuous when a node enters.
+    // The four edges of a map's node count half each, so that the sum is continuous when a node enters.
     const double share = problem.shape.rows > 1 ? 0.5 : 1;
     Index highest = 0;
     profile.heights.maxCoeff(&highest);

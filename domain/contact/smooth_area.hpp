@@ -5,13 +5,12 @@
 
 namespace rough {
 
-/// A contact fraction that changes smoothly with the heights. It has a gradient, which a count of nodes has
-/// not.
+/// A contact fraction that changes smoothly with the heights. It has a gradient, unlike a count of nodes.
 ///
 /// Between a touching node i and its free neighbour k the edge of contact is taken at the fraction d/(d + e)
-/// of their distance. d = p_i/w_i is the approach since node i touched, e = gap_k/(1 - (H w)_k) that until
-/// node k will, both to first order at the current contact set. On average over the entry of a node it equals
-/// the count. On an area, edges along x and along y count half each.
+/// of their distance. d = p_i/w_i is the approach since node i touched. e = gap_k/(1 - (H w)_k) is the
+/// approach until node k will touch. Both hold to first order at the current contact set. On average over the
+/// entry of a node it equals the count. On a map, edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one a step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm

@@ -9,7 +9,8 @@
 
 namespace rough {
 
-/// How contact is solved; `automatic` decides by a fixed cost model (choose_solver), never by a clock.
+/// The method of a contact solution; `automatic` decides by a fixed cost model (choose_solver), never by a
+/// clock.
 enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
 /// How contact is to be solved.
@@ -56,17 +57,17 @@ struct ContactCurve {
 
 /// Presses a rigid profile on an elastic body to each of the displacements Delta (mm, >= 0, increasing).
 /// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0. The unknowns are the pressures
-/// p_i of the nodes and the displacements u_i of the body's surface. H is the influence matrix (kernel.hpp)
-/// and
-/// g0_i = max(Z) - Z_i the gap at first touch; Z_i are the heights. The certificate (kkt_residual) is the
+/// p_i of the nodes and the displacements u_i of the body's surface. H is the influence matrix (kernel.hpp).
+/// g0_i = max(Z) - Z_i is the gap at first touch; Z_i are the heights. The certificate (kkt_residual) is the
 /// largest relative violation of these conditions, with H p computed by another method than the solver's.
 ///
 /// At Delta = 0 the touching nodes count as contact without pressure, so that K is the stiffness of first
 /// loading. `automatic` continues with another solver if the chosen one does not settle, needs too much
-/// memory or far more work than predicted. With a hardness p_H, p <= p_H. Held nodes, p = p_H, may sink in: u
-/// <= Delta - g0 there, and K is that of the elastic nodes. Only `automatic` and `active_set` accept a
-/// hardness; a projected Newton method solves such steps to 1e-11. Throws InputError if a profile, body or
-/// displacement has no solution, NotConverged if the certificate of a step exceeds the solver's tolerance.
+/// memory or far more work than predicted. With a hardness p_H, pressures are at most p_H. Nodes at p_H (held
+/// nodes) may sink in, so that u <= Delta - g0 there. K is then that of the elastic nodes. Only `automatic`
+/// and `active_set` accept a hardness; a projected Newton method solves such steps to 1e-11. Throws
+/// InputError if a profile, body or displacement has no solution, NotConverged if the certificate of a step
+/// exceeds the solver's tolerance.
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
 

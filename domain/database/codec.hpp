@@ -20,7 +20,8 @@ std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 /// Genomes one after another as doubles: series, and for each A, H, gamma, lambda, chromosomes, and for each
 /// of those n, ridges and the phases. The scale is folded into the amplitudes.
 std::vector<double> numbers(const std::vector<Genome>& genomes);
-/// Undoes numbers(). Throws InputError if they end inside a genome, or a count among them is not possible.
+/// Inverse of numbers(). Throws InputError if the numbers end before a genome is complete, or contain an
+/// impossible count.
 std::vector<Genome> genomes_from(const std::vector<double>& numbers);
 
 } // namespace rough

@@ -34,9 +34,9 @@ Advance advance_for(const Target& target, Index nodes);
 /// if its gap is Delta - u_k then. Until then the gap closes, because a flat punch moves every other node
 /// less than itself. So there is exactly one profile for each order and advance.
 ///
-/// Only the nodes of `surface` are read, of a line or an area, not its heights. `order` holds each node once.
-/// Loading ends at `last_pressure` (MPa) or `last_displacement` (mm), whichever comes first; infinity: not
-/// given. Work O(N^3), memory N^2: for up to some hundred nodes.
+/// Only the nodes of `surface` are read, not its heights. `order` holds each node once. Loading ends at
+/// `last_pressure` (MPa) or `last_displacement` (mm), whichever comes first; infinity: not given. Work
+/// O(N^3), memory N^2: for up to some hundred nodes.
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement);
 

@@ -42,14 +42,16 @@ struct Morphed {
     long gradients = 0;               ///< computed curves with derivatives
 };
 
-/// The smallest change (sum of squares) of the phases of a few chromosomes that brings a genome back to the
-/// set-up's targets: minimise |x|^2 subject to |r_k| <= 1 - required for every misfit r_k. It uses sequential
-/// quadratic programming (Kraft 1988; NLopt's LD_SLSQP) with exact derivatives, from the given genome. If
-/// that fails, it starts again from the result of Levenberg-Marquardt. If the constraints cannot be met, the
-/// result has the smallest largest misfit. Limits on shape count as misfits.
-/// @param control         at least one; only their phases change, whatever the set-up's genes
-/// @param largest_change  of a phase, as a share of a turn, > 0 and <= 0.5
-/// @param required        similarity to reach on the set-up's grid
+/// The smallest change (sum of squares) of the phases of a few chromosomes after which a genome meets the
+/// set-up's targets again. It minimises |x|^2 subject to |r_k| <= 1 - required for every misfit r_k, by
+/// sequential quadratic programming (Kraft 1988; NLopt's LD_SLSQP) with exact derivatives. The search starts
+/// from the given genome. If it fails, it starts again from the result of Levenberg-Marquardt. If the
+/// constraints cannot be met, the result has the smallest largest misfit. Limits on shape count as misfits.
+///
+/// `control` has at least one chromosome. Only their phases change, whatever the set-up's genes.
+/// `largest_change` of a phase is a share of a turn, > 0 and <= 0.5. `required` is the similarity to reach on
+/// the set-up's grid.
+///
 /// Throws what DesignProblem throws, and InputError on a genome without a response.
 Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<ChromosomeName>& control,
               double largest_change, double required = default_required_similarity);

@@ -242,10 +242,10 @@ ga::Variants design_variants(double required) {
     // The paper's algorithms (Algorithms 3-5); a target without Eq. 11 gives each genome its amplitude.
     ga::Variants variants = paper_variants();
     const std::string until = "until fitness " + ga::number(required) + " generations ";
-    // Starts near the target. The best are refined by least squares, then for the smallest largest misfit,
-    // also with more load steps, which cause the larger part of the error. A change of the contact set makes
-    // a kink in the misfits, so the best are moved a little and refined again. The last stage includes the
-    // finer grid.
+    // Starts near the target. The best are refined by least squares, then for the lowest maximum of the
+    // misfits. More load steps are used later, because steps cause the larger part of the error. A change of
+    // the contact set makes a kink in the misfits, so the best are moved a little and refined again. The last
+    // stage includes the finer grid.
     const std::string pass =
         "shape 32 | score | best 10 | refine lm 15 | best 5 | score more_steps | refine lm 25 sharpen=8 | "
         "until fitness 0.9985 generations 3 { parents | mutate 0.2 gaussian 0.001 | score more_steps | "
@@ -257,7 +257,7 @@ ga::Variants design_variants(double required) {
     variants["made"] = "shape 96 | score | best 32 | refine lm 12 | coarser 1 { score made | best 10 | "
                        "refine lm 15 | best 4 | "
                        "refine lm 30 | best 2 } | score made | refine lm 12 | best 2";
-    // For areas: from coarser grids, whose curves cost less, to the search grid.
+    // For maps: from coarser grids, whose curves cost less, to the search grid.
     variants["maps"] =
         "coarser 2 { shape 24 | score | best 8 | refine lm 15 | best 4 | refine lm 30 sharpen=10 | "
         "best 2 } | coarser 1 { score | refine lm 15 sharpen=5 | best 2 } | score | "

@@ -11,9 +11,9 @@ ga::Variants design_variants(double required = default_required_similarity);
 /// The name of the variant for a set-up if no pipeline is given; `stored`: with starts from a database.
 std::string usual_variant(const DesignSetup& setup, bool stored = false);
 
-/// The operators of text pipelines for a design. To those of the engine and the paper it adds the starts
-/// `shape` and `own`, `fit`, the blocks `coarser`, `corrected` and `within-limits`, `reduce goal1` and on
-/// (one per target), and choices of phases by wavelength.
+/// The operators of text pipelines for a design. It has those of the engine and the paper. It adds the starts
+/// `shape` and `own`, and `fit`. The added blocks are `coarser`, `corrected` and `within-limits`. It also has
+/// `reduce goalK` for each target K, and choices of phases by wavelength.
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 
 /// The pipeline of a text of these operators and of named variants. If shapes are limited and the text has no

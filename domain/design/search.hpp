@@ -70,8 +70,8 @@ struct Answer {
 };
 
 /// Verifies a genome under a set-up from as_reported(). If the set-up's ContactOptions::stop ends this, the
-/// similarity on the set-up's grid and load steps is still computed; the others may be NaN. Throws what
-/// respond() throws.
+/// similarity on the set-up's grid and load steps is still computed; the other similarities may be NaN.
+/// Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
 /// The answer's response under the set-up; pass exactly(setup) for a response without approximations. For an
 /// answer that is not verified, the response in its verification.
@@ -108,11 +108,11 @@ struct SearchResult {
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.
 void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 
-/// Runs a pipeline on a design. Verifies its answers and the best individuals of all stages. The result is
-/// the one of the highest rank: answers within the limits first, then verified ones, by lowest(). There is
-/// always an answer: the best so far or a start. Throws ga::UsageError on a pipeline that cannot work or a
-/// checkpoint of another search. Throws InputError on starts for a pipeline that begins with its own,
-/// NotConverged if no curve of the run could be computed.
+/// Runs a pipeline on a design. Verifies its answers and the best individuals of all stages. The best answer
+/// has the highest rank: answers within the limits first, then verified ones, by lowest(). There is always an
+/// answer, if only a start. Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another
+/// search. Throws InputError on starts for a pipeline that makes its starts, NotConverged if no curve of the
+/// run could be computed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 

@@ -7,9 +7,9 @@
 namespace rough {
 
 /// A genome near the set-up's first target. The order in which nodes come into contact is drawn: one asperity
-/// or several of equal height. inverse_profile() gives the profile for it, on at most 256 nodes (an area: 24
+/// or several of equal height. inverse_profile() gives the profile for it, on at most 256 nodes (a map: 24
 /// x 24). shaped_as() fits waves to that. They are two drawn series within the set-up's bounds, on a periodic
-/// line the harmonics of the length, on an area two equal series. Such profiles do not look rough. They are
+/// line the harmonics of the length, on a map two equal series. Such profiles do not look rough. They are
 /// near the target and have few contacts that open and close, which makes them good starts for refinement.
 Genome shaped_start(const DesignSetup& setup, ga::Stream random);
 

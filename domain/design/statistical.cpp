@@ -14,8 +14,8 @@ namespace rough {
 
 namespace {
 
-/// The parameters as real genes: H, ln(long cut-off/L), ln(slope), and between the two the short cut-off as a
-/// logarithmic share (0 to 1) of its range.
+/// The parameters as real genes: H, ln(long cut-off/L), the short cut-off as a logarithmic share (0 to 1) of
+/// its range, and ln(slope).
 struct StatisticalProblem {
     using Genome = std::vector<double>;
     using Outcome = double; // similarity

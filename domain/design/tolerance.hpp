@@ -55,9 +55,9 @@ struct Tolerance {
 /// at least 40. Throws InputError if the design has no response.
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 
-/// The lowest similarity under DesignSetup::errors: that of 95 % of the draws of the noise, and those of
-/// tilts in both directions, on a map along x and y. `draws` is 0 for as many as in tolerance_of. NaN: not
-/// computed in time.
+/// The lowest similarity under DesignSetup::errors. For noise it is the similarity that 95 % of the draws
+/// reach. Tilts are in both directions, on a map along x and y. `draws` is 0 for as many as in tolerance_of.
+/// NaN: not computed in time.
 double similarity_when_made(const DesignSetup& setup, const Genome& genome,
                             const ToleranceOptions& options = {}, int draws = 0);
 

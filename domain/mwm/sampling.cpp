@@ -129,7 +129,8 @@ Profile sample_area(const Genome& genome, const Grid& grid) {
     return {sampled_from(offset, all, grid).reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
 }
 
-/// One functional's sums over a map: S = sum g exp(i(k_x x + k_y y)), T_x and T_y with g x and g y for g.
+/// Sums of one functional over a map. S = sum g exp(i(k_x x + k_y y)); T_x and T_y have g x and g y in place
+/// of g.
 struct PlaneSums {
     Eigen::VectorXcd S, Tx, Ty;
 };

@@ -16,11 +16,11 @@ struct Extent {
     bool operator==(const Extent&) const = default; ///< as many along x, and along y
 };
 
-/// The nodes at which a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. An area: `rows`
+/// The nodes at which a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. A map: `rows`
 /// such lines, y_j = j * row_spacing.
 struct Grid {
-    Index nodes = 512;       ///< N >= 2; for an area, N_x
-    double length = 0.84942; ///< L, mm; for an area, L_x
+    Index nodes = 512;       ///< N >= 2; for a map, N_x
+    double length = 0.84942; ///< L, mm; for a map, L_x
     bool periodic = false;   ///< periodic: spacing L/N in place of L/(N-1)
     double from = 0;         ///< x of the first node, mm
     Index rows = 1;          ///< N_y

@@ -70,7 +70,7 @@ const VectorLoops& vector_loops();
 /// The loops of that name, or nothing if this processor or build does not have them.
 const VectorLoops* vector_loops(const char* vectors);
 
-/// The build, which decides the last bits of a result apart from its input: the same build on the same kind
+/// The build, on which the last bits of a result depend, besides its input. The same build on the same kind
 /// of vectors gives the same bits.
 struct Build {
     std::string compiler; ///< name and version

@@ -53,7 +53,7 @@ struct Dominance {
 /// every reading. Safe to call from several threads.
 class DominanceRule {
   public:
-    /// The model's accuracy applies to whole genomes only. An area's grid is halved while a side has more
+    /// The model's accuracy applies to whole genomes only. A map's grid is halved while a side has more
     /// than 64 nodes, because curves are only correlated here.
     explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
                            double threshold = dominance_threshold);

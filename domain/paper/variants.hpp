@@ -27,7 +27,7 @@ enum class Form {
 };
 
 // The paper's Algorithms 3-5. Figure 7 of the paper counts stages: GCMMA (0) before the first `refine`, (1)
-// after it, (2) after the second. CCO does not have a second.
+// after it, (2) after the second. CCO has only one.
 
 /// Similarity-optimised genomes: the three best of the database, refined.
 Pipeline sog(const Vocabulary& words, Form form = Form::paper);

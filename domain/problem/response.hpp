@@ -13,8 +13,8 @@ struct Loadings {
 };
 /// The loadings of a set-up's targets, with the steps of `loading`.
 Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
-/// The load steps. If they pass full contact of an elastic periodic body, they are replaced by load steps up
-/// to 0.999 of its displacement, beyond which displacement is not defined.
+/// The load steps. They are replaced if they pass full contact of an elastic periodic body, beyond which
+/// displacement is not defined. The replacements end at 0.999 of its displacement.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
 /// Continues a curve that ends in full contact before its target, and its derivatives if given. The contact
 /// fraction stays. Stiffness and load have no value there. They rise by 100 times the last value over a
@@ -62,7 +62,7 @@ double similarity(const DesignSetup& setup, const DesignResponse& response);
 /// accuracy. Eq. 11 is applied to that grid's response.
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine = 1);
 
-/// The genome, under Eq. 11 with the scale for the set-up's grid, solved throughout.
+/// The genome, under Eq. 11 with the scale for the set-up's grid, without approximations.
 Genome in_final_form(const DesignSetup& setup, Genome genome);
 
 } // namespace rough

@@ -46,10 +46,10 @@ struct DesignSetup {
 /// The bounds with lambda's filled in if they are 0: a quarter of the length (mm) to four times it.
 GeneBounds completed(GeneBounds bounds, double length);
 
-/// The set-up with values left at 0 filled in: the model, the ridges and, unless only phases move, the bounds
-/// and the shortest wave (8 node spacings). Throws InputError on a model without a solution or fewer than 16
-/// nodes along an axis. The same on a shortest wave below a node spacing or above the longest, or on an
-/// accuracy or a strip with a map.
+/// The set-up with defaults for values that are 0. These are in the model, the ridges and, unless only phases
+/// move, the bounds and the shortest wave (8 node spacings). Throws InputError on a model without a solution
+/// and on fewer than 16 nodes along an axis. It is also thrown on a shortest wave below a node spacing or
+/// above the longest. A map with an accuracy or a strip is refused, too.
 DesignSetup completed(DesignSetup setup);
 
 /// Throws InputError if targets are missing, beyond max_pressure or cannot be loaded together. The same if no
@@ -59,11 +59,12 @@ void validate(const DesignSetup& setup);
 /// The points of the first target up to the threshold (MPa or mm), or those from it on.
 std::vector<Index> points_of_half(const DesignSetup& setup, bool high);
 
-/// The set-up, solved throughout, whatever accuracy its model allows.
+/// The set-up without approximations, whatever accuracy its model allows.
 DesignSetup exactly(DesignSetup setup);
 
-/// The set-up with which answers are reported: solved throughout. If the finer grid of a line has up to 16385
-/// nodes, every solver gives nine digits of a similarity. Larger grids and maps keep the solver's tolerance.
+/// The set-up with which answers are reported, without approximations. If the finer grid of a line has up to
+/// 16385 nodes, every solver gives nine digits of a similarity. Larger grids and maps keep the solver's
+/// tolerance.
 DesignSetup as_reported(DesignSetup searched);
 
 } // namespace rough

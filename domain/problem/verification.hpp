@@ -40,8 +40,8 @@ class Verifier {
     explicit Verifier(DesignSetup setup, int threads = 1) : setup_(std::move(setup)), threads_(threads) {}
 
     /// Two solutions in finer load steps give all four similarities, because every fourth step is one of the
-    /// set-up's. On a fine map, only every fourth step is solved, and the steps between are interpolated by
-    /// cubics through the pressures and tangents next to them. All steps are solved on the set-up's grid.
+    /// set-up's. On a fine map, only every fourth step is solved. The steps between are interpolated by
+    /// cubics through the neighbouring pressures and tangents. All steps are solved on the set-up's grid.
     /// Steps with an interpolation error above 2e-3 of a secant there are solved on the fine map, too. The
     /// effect of the interpolation on the set-up's grid is subtracted from `both`. If ContactOptions::stop
     /// ends the verification, the remaining similarities are NaN, and their misfits and responses empty.

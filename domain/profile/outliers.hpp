@@ -5,11 +5,11 @@
 namespace rough {
 
 /// Outlying nodes of a measured profile, in order. A node is an outlier if its height is outside the range
-/// that the seven nodes on each side predict. Each side predicts by its median (Hampel 1974) and by its
-/// line of median slope (Theil 1950, Sen 1968). The node must be outside by more than six times the median
-/// step between neighbours, of the whole profile and of the 24 steps around it. It must also be outside by
-/// three of the steps in which heights are resolved. A wedge, a saw tooth, a step and a smooth peak are
-/// predicted from at least one side.
+/// that the seven nodes on each side predict. Each side predicts by its median (Hampel 1974) and by its line
+/// of median slope (Theil 1950, Sen 1968). The distance from the range must be more than six times the median
+/// difference between neighbours. This holds for the median over the whole profile and for that over the 24
+/// differences around the node. The distance must also be more than three times the resolution of the
+/// heights. A wedge, a saw tooth, a step and a smooth peak are predicted from at least one side.
 ///
 /// Neighbours of an outlier are tested again without the outliers found so far. They belong to it if they
 /// stand out on the same side by half as much. So a particle is found whole, up to where its flanks return

@@ -43,9 +43,9 @@ struct SurfaceParameters {
     double operator[](std::string_view name) const { return row(name).value; }
 };
 
-/// Parameters of a sampled profile about its mean line: Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm, Rdq, Rmr,
-/// Rk, Rpk, Rvk, Rmrk1, Rmrk2. If the whole profile is one section, P replaces R, because no wavelengths over
-/// lambda_c were removed. Slopes and curvatures are by the seven-point formula.
+/// Parameters of a sampled profile about its mean line. They are Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm,
+/// Rdq, Rmr, Rk, Rpk, Rvk, Rmrk1, Rmrk2. If the whole profile is one section, P replaces R, because no
+/// wavelengths over lambda_c were removed. Slopes and curvatures are by the seven-point formula.
 ///
 /// Then follow the rms curvature and the spectral moments m0, m2 and m4 (mean squares of height, slope and
 /// second derivative; Nayak 1971). The last is the bandwidth alpha = m0 m4/m2^2, at least 1.
@@ -90,8 +90,8 @@ ProfileElements profile_elements(const Profile& profile);
 
 /// Directions of a map's waves (ISO 25178-2).
 struct Texture {
-    /// autocorrelation length, mm: the distance at which the autocorrelation has fallen to 0.2, in the
-    /// direction of fastest decay; NaN if it does not within half of the map
+    /// autocorrelation length, mm. It is the distance at which the autocorrelation has fallen to 0.2, in the
+    /// direction of fastest decay. NaN if it does not fall to 0.2 within half of the map
     double Sal = 0;
     /// aspect ratio, 0 to 1: Sal over that length in the direction of slowest decay. Near 0 the roughness has
     /// one direction, near 1 all directions are alike.
@@ -105,9 +105,9 @@ struct Texture {
 /// than four nodes along a side.
 Texture texture(const Profile& map, bool periodic = false);
 
-/// Parameters of a map about its mean plane: Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq and Sdr (by the seven-point
-/// formula), Sal, Str, Std, Smr (at the mean plane), Smc10 (the height that a tenth of the nodes exceed), Sk,
-/// Spk, Svk, Smrk1, Smrk2.
+/// Parameters of a map about its mean plane. They are Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq, Sdr, Sal, Str, Std,
+/// Smr, Smc10, Sk, Spk, Svk, Smrk1, Smrk2. Sdq and Sdr use the seven-point formula. Smr is taken at the mean
+/// plane. Smc10 is the height that a tenth of the nodes exceed.
 struct ArealParameters : SurfaceParameters {
     bool Str_is_bound = false; ///< as in Texture
 };

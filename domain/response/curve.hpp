@@ -66,8 +66,8 @@ ResponseJacobian in_genes(const ResponseGradient& gradient, Pull pull, const Are
 
 /// A curve with the derivatives of both its coordinates.
 struct CurveJacobian {
-    Eigen::MatrixXd x; ///< of x, points x genes
-    Eigen::MatrixXd y; ///< of y, points x genes
+    Eigen::MatrixXd x; ///< dx/dgene, points x genes
+    Eigen::MatrixXd y; ///< dy/dgene, points x genes
 };
 
 /// d(pi_j, K_j)/dgene of secant_stiffness(response).

@@ -11,7 +11,7 @@ namespace rough {
 
 /// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.
 struct Model {
-    Grid grid;              ///< of the profiles
+    Grid grid;              ///< nodes of the surface
     Body body;              ///< elastic body
     Loading loading;        ///< load steps
     ContactOptions contact; ///< solver

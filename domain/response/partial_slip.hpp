@@ -5,8 +5,8 @@
 namespace rough {
 
 /// Partial slip (Ciavarella 1998, Jaeger 1998). Under a constant normal load P and a growing tangential load
-/// Q, nodes slip from the edges of contact inwards. The nodes that stick would touch under a smaller normal
-/// load P*, and
+/// Q, nodes slip from the edges of contact inwards. The nodes that stick are those that touch under a smaller
+/// normal load P*.
 ///
 ///     Q = f [P - P*],   tangential displacement = f [Delta - Delta*]
 ///

@@ -46,9 +46,9 @@ bool is_binary_map(std::string_view head);
 /// that cannot be read.
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
 
-/// Reads text maps: ASCII surface data files (ISO 25178-71 SDF, BCR), softgauges (ISO 5436-2 SMD), Talysurf's
-/// PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Nothing for other lines. Throws
-/// InputError with file and line on a file that is not a profile or a map.
+/// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
+/// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Returns
+/// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
 std::optional<HeightMap> text_map(const std::vector<std::string_view>& lines, const std::string& file);
 
 /// Reads an X3P file (ISO 25178-72, ISO 5436-2): a zip archive of main.xml and usually binary heights, x and

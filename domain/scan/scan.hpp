@@ -33,7 +33,7 @@ struct Scan {
 };
 
 /// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or x and
-/// height, optionally with a running index before them or a validity column (0 or 1) after them. From an
+/// height. A running index before them and a validity column (0 or 1) after them are optional. From an
 /// instrument's format it takes a profile or a row of a map. Throws InputError with one line that names the
 /// file, the line and the fault.
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});

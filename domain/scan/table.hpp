@@ -29,14 +29,13 @@ struct Table {
     const Number& at(std::size_t row, std::size_t column) const { return cells[row * columns + column]; }
 };
 
-/// Finds the table in a file's lines, which must outlive it. Separators are semicolons, tabs,
-/// commas and blanks, decimals have points or commas. The pair that reads the most rows is taken. If every
-/// line is like "0,5", it is one column if `one_column` is set, else two.
+/// Finds the table in a file's lines, which must outlive it. Separators are semicolons, tabs, commas and
+/// blanks, decimals have points or commas. The combination that reads the most rows is used. If every line is
+/// like "0,5", it is one column if `one_column` is set, else two.
 ///
 /// Comments (# % ! // *) and blank lines are skipped, trailing separators ignored. In a table of up to three
-/// columns, a shorter row has missing values at its end. Throws InputError with file
-/// and line on a line that is not a row, a short row of a matrix, more than 1e7 rows, or more than 2e7
-/// numbers.
+/// columns, a shorter row has missing values at its end. Throws InputError with file and line on a line that
+/// is not a row and on a short row of a matrix. The limits are 1e7 rows and 2e7 numbers.
 Table read_table(const std::vector<std::string_view>& lines, const std::string& file, bool one_column);
 
 /// A length in a header; the unit may be missing.
@@ -49,11 +48,11 @@ struct HeaderLength {
 struct Header {
     std::vector<std::optional<LengthUnit>> units; ///< one per column, if named above it
     std::vector<std::string> unknown_units; ///< one per column: an unknown word in a unit's place, else ""
-    std::optional<LengthUnit> x_unit;       ///< by key: "x-unit: um"
-    std::optional<LengthUnit> height_unit;  ///< by key: "Value units: nm", "z-unit = nm", "Units: um"
-    std::optional<HeaderLength> spacing;    ///< by key: "pixel size = 0.5 um", "dx: 0.5"
-    std::optional<HeaderLength> width;      ///< by key: "Width: 10 um", all points: spacing x points
-    double height_factor = 1;               ///< by key: "height conversion factor (-> m) = 1e-9"
+    std::optional<LengthUnit> x_unit;       ///< a key such as "x-unit: um"
+    std::optional<LengthUnit> height_unit;  ///< a key such as "Value units: nm", "z-unit = nm", "Units: um"
+    std::optional<HeaderLength> spacing;    ///< a key such as "pixel size = 0.5 um", "dx: 0.5"
+    std::optional<HeaderLength> width;      ///< a key such as "Width: 10 um", all points: spacing x points
+    double height_factor = 1;               ///< a key such as "height conversion factor (-> m) = 1e-9"
     bool validity_column = false;           ///< a column "valid" of 0 and 1 follows the heights
 };
 

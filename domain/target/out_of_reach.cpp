@@ -69,9 +69,9 @@ struct Load {
     double last; ///< MPa
 };
 
-/// The lowest K or K_i that a curve can have at a pressure (MPa), MPa/mm. If the second secant is near full
-/// contact, the line that continues K_i below the first one is arbitrarily steep, and the limit there is 0.
-/// The first secant lies at P/(2 n) at most, because secants never fall.
+/// The lowest K or K_i that a curve can have at a pressure (MPa), MPa/mm. The limit below the first secant is
+/// 0. If the second secant is near full contact, the line that continues K_i there is arbitrarily steep. The
+/// first secant lies at P/(2 n) at most, because secants never fall.
 double lowest_at(double pressure, const Target& target, const Load& load) {
     const double share = pressure / load.last;
     if (target.quantity == Quantity::stiffness || std::isinf(load.secants.max)) // periodic: K_i = K
@@ -188,12 +188,12 @@ StiffnessLimits stiffness_limits(const Model& given) {
 //     2 (K_2 - K_1)/(d (K_1 + K_2)) and 2 (K_n - K_{n-1})/(d (K_{n-1} + K_n)).
 // Between pi_1 and pi_n the scored curve stays within [m, M], and so do the ends' lines between the points.
 //
-// Beyond pi_n, at p = (1 - t) P, with a = K_{n-1} and b = K_n:
+// The last segment, beyond pi_n, has at p = (1 - t) P, with a = K_{n-1} and b = K_n:
 //     y = 2 b^2/(a + b) - 2 t (b - a) sum K_j/(a + b).
 // It is highest if all other secants are lowest, sum K_j = a + b + (n - 2) m. It is then quasiconvex in a and
-// convex in b, so that each is best at an end of its range: the value is M, or a = m and b = M.
+// convex in b, so that each is best at an end of its range. The value is M, or a = m and b = M.
 //
-// Before pi_1, at p = t P, with a = K_1 and b = K_2:
+// The first segment, before pi_1, has at p = t P, with a = K_1 and b = K_2:
 //     y = 2 a^2/(a + b) + 2 t (b - a) sum K_j/(a + b).
 // It is lowest if all other secants are lowest, sum K_j = a + (n - 1) b. It is homogeneous in (a, b) and
 // above 0, so that a = m is best. It is then convex in b, of the form c1 (b + m) + c2 + c3/(b + m).

@@ -33,20 +33,20 @@ struct OutOfReach {
     std::string verdict() const;
 };
 
-/// Exact tests of each target by itself, without a search, for a model that is solved throughout:
-/// - Contact sets are nested, so K(P) and contact fractions never fall. If y_i > y_j with i < j, a curve that
-/// does
-///   not fall misses one of them by at least (y_i - y_j)/(y_i + y_j).
+/// Exact tests of each target, without a search, for a model that is solved without approximation:
+///
+/// - Contact sets are nested, so K(P) and contact fractions never fall. Let y_i > y_j with i < j. A curve
+///   that does not fall differs from one of them by at least the share (y_i - y_j)/(y_i + y_j).
 /// - Secants of K lie between a single node and full contact. So the scored curve, with its ends continued,
 ///   lies between scored_limits(). The lower limit falls as the grid is refined.
-/// - K_i never falls either, and its upper limit is infinite. From the middle of the first load step on,
-/// where
-///   every curve has its first secant, it is at least that of a single node. On a periodic body it is K.
-/// - P(Delta) is convex from (0, 0) on, for the same reason. It is no steeper than full contact and no
-/// flatter
-///   than a single node.
+/// - K_i never falls either, and its upper limit is infinite. Every curve has its first secant in the middle
+///   of the first load step. From there on K_i is at least that of a single node. On a periodic body it is K.
+/// - P(Delta) is convex from (0, 0) on, for the same reason. Its slope is at most that of full contact and at
+///   least that of a single node.
+///
 /// The load of K(P) ends at `max_pressure` (MPa, Eq. 11), or without it at the last pressure of all targets.
-/// Nothing is found if a band allows a curve of that kind. The worst violation of each kind is returned.
+/// A target passes a test if its band contains a curve that fulfils the condition. Returns the worst
+/// violation of each kind.
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure = {});
 

@@ -7,8 +7,8 @@
 
 namespace rough {
 
-/// The misfit of a value y at the target's point k, times the weight: y/y_k - 1, or with a band the distance
-/// to it over y_k.
+/// The misfit of a value y at the target's point k, times the weight. It is y/y_k - 1, or with a band the
+/// distance to the band divided by y_k.
 inline double misfit(const Target& target, Index k, double y) {
     const double wanted =
         target.has_band() ? std::clamp(y, target.lower[k], target.upper[k]) / target.y[k] : 1;

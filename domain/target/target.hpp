@@ -84,7 +84,7 @@ struct TargetScales {
         0; ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
 };
 
-/// Reads a target: CSV, header first, columns in any order. It has one x column (pressure_MPa or
+/// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
 /// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm,
 /// conductance, or the pressure against displacement) and optionally lower and upper. Names may have other
 /// units. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the

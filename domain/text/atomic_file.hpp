@@ -9,10 +9,9 @@
 namespace rough {
 
 /// Writes a file completely or not at all. A temporary file in the same folder is flushed to the disk and
-/// then renamed over `path`, so readers see the old or the new content. A symbolic link there is replaced,
-/// not followed, and the mode of a replaced file is kept. Devices and pipes are written to directly. The
-/// folder must exist. Throws InputError with one line if the file cannot be written; no temporary file is
-/// left.
+/// then renamed to `path`. So readers see the old or the new content. A symbolic link there is replaced, not
+/// followed, and the mode of a replaced file is kept. Devices and pipes are written to directly. The folder
+/// must exist. Throws InputError with one line if the file cannot be written; no temporary file is left.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The end of a chain of symbolic links, which need not exist. A file that the user named is written there.

@@ -17,12 +17,12 @@ struct RandomSurface {
 RandomSurface random_surface(const Profile& surface, bool periodic = false);
 
 /// A self-affine surface by its parameters. Between two cut-offs the power spectral density is ~ q^-(1 + 2 H)
-/// for a profile, ~ q^-2(1 + H) for an area.
+/// for a profile, ~ q^-2(1 + H) for a map.
 struct SelfAffine {
     double hurst = 0.8;      ///< H, between 0 and 1
     double longest = 0;      ///< wavelength at the long cut-off, mm
     double shortest = 0;     ///< at the short one, mm, less than `longest`
-    double rms_slope = 0;    ///< h', > 0: root mean square slope of a profile, gradient of an area
+    double rms_slope = 0;    ///< h', > 0: root mean square slope of a profile, gradient of a map
     bool is_area = true;     ///< waves of every direction alike
     Index wave_numbers = 96; ///< number of parts of the spectrum, even in log q, each with its exact share
 };
@@ -30,8 +30,8 @@ struct SelfAffine {
 RandomSurface random_surface(const SelfAffine& parameters);
 
 /// Mean squares of the height (m0, mm^2), slope (m2) and second derivative (m4, 1/mm^2) of a profile. Those
-/// of an area are means over its sections in all directions: m0, 1/2 of the mean square gradient and 3/8 of
-/// the mean square Laplacian. 1/2 and 3/8 are the means of cos^2 and cos^4 (Nayak 1971).
+/// of a map are means over its sections in all directions. They are m0, 1/2 of the mean square gradient and
+/// 3/8 of the mean square Laplacian. 1/2 and 3/8 are the means of cos^2 and cos^4 (Nayak 1971).
 struct SpectralMoments {
     double m0 = 0; ///< mm^2
     double m2 = 0; ///< mean square slope
@@ -42,7 +42,7 @@ struct SpectralMoments {
 /// The integrals of q^n over the spectrum.
 SpectralMoments spectral_moments(const RandomSurface& surface);
 
-/// h': root mean square slope of a profile, gradient of an area.
+/// h': root mean square slope of a profile, gradient of a map.
 double rms_slope(const RandomSurface& surface);
 
 /// A surface of these parameters on a periodic grid; a line if `parameters` are a profile's. It is the sum of

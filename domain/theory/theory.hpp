@@ -22,12 +22,12 @@ struct TheoryCurve {
     Eigen::VectorXd separation;       ///< u, mm, between the mean planes of the surface and the body
 };
 
-/// Whether a theory applies: to areas always, to profiles only Persson's. Asperity theories are of areas,
+/// Whether a theory applies: to maps always, to profiles only Persson's. Asperity theories are for maps,
 /// because ridges touch along lines.
 bool holds_for(Theory theory, bool is_area);
 
 /// The curve of a theory. `effective_modulus` is E*, MPa; pressures are > 0, in any order, MPa. Throws
-/// InputError for moments that no Gaussian surface has and for a profile with a theory of areas.
+/// InputError for moments that no Gaussian surface has and for a profile with a theory for maps only.
 TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                             const Eigen::VectorXd& pressures);
 
@@ -58,12 +58,12 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_
 
 /// Persson's theory (2001, J. Chem. Phys. 115, 3840; 2007, Phys. Rev. Lett. 99, 125502): the distribution of
 /// the pressure widens as shorter waves are included, and is cut off at zero. A/A0 = erf(sqrt 2 P/(E* h')) at
-/// every load, for profiles and areas, because the pressure of full contact varies by E* h'/2 in both.
-/// Stiffness follows from the elastic energy, with s = sqrt 2 P/(E* h'(q)) and h'(q) the slope of waves up to
-/// q: 1/K = 1/(sqrt(2 pi) P) int q/h'(q) [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0. gamma = 0.45 accounts
-/// for the parts that contact does not reach (Yang & Persson 2008, J. Phys.: Condens. Matter 20, 215214; 1 in
-/// 2007). Exact at full contact. K is best at middle loads, near P/u0; a finite surface is softer at light
-/// ones.
+/// every load, for profiles and maps, because the pressure of full contact varies by E* h'/2 in both.
+/// Stiffness follows from the elastic energy. Let h'(q) be the slope of waves up to q, and s = sqrt 2 P/(E*
+/// h'(q)). Then 1/K = 1/(sqrt(2 pi) P) int q/h'(q) [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0. gamma =
+/// 0.45 accounts for the parts that contact does not reach (Yang & Persson 2008, J. Phys.: Condens. Matter
+/// 20, 215214; 1 in 2007). Exact at full contact. K is best at middle loads, near P/u0; a finite surface is
+/// softer at light ones.
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures);
 
 /// u0 of P ~ exp(-u/u0), K = P/u0 as P -> 0, mm: gamma/sqrt(2 pi) int q/h'(q) dm0, about half the root mean

@@ -9,8 +9,8 @@ namespace ga {
 /// The epsilon-constrained method (Takahama and Sakai 2006), after `score`. Each constraint holds up to a
 /// level, both in the population and in the generation's start. So good individuals that are almost feasible
 /// stay in the search. In generation t the level is e (1 - t/generations)^power, later 0; the share `share`
-/// of the first population has a violation below e. Unlike the source, every constraint has its own level, so
-/// that units do not matter. The levels end with the block; they do not apply to the best of the run.
+/// of the first population has a violation below e. Unlike the source, every constraint has a separate level,
+/// so that units do not matter. The levels end with the block; they do not apply to the best of the run.
 struct Epsilon : Operator {
     std::size_t generations = 1; ///< generations until the levels are 0
     double share = 0.2;          ///< share of the first population within the levels, 0 to 1

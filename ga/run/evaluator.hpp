@@ -70,9 +70,9 @@ void differentiate(const P& problem, Slope<P>& slope) {
     }
 }
 
-/// Makes the paid calls. Derive from it to make them elsewhere: in processes, on other machines, by a
-/// surrogate. The engine manages memory, counts and budget in front of it. It is called from one thread at a
-/// time. Its answers must not depend on the order of its calls.
+/// Makes the calls that are not answered from memory. Derive from it to make them elsewhere: in processes, on
+/// other machines, by a surrogate. The engine manages memory, counts and budget before it calls this class.
+/// It is called from one thread at a time. Its answers must not depend on the order of its calls.
 template <Problem P>
 class Evaluator {
   public:

@@ -22,7 +22,8 @@ struct Progress {
 using Numbers = std::vector<double>;
 
 /// A stopping rule is a small struct that derives from this tag. It has words() and describe() like an
-/// operator, and
+/// operator, and this member:
+///
 /// @code
 ///     template <class G> bool operator()(const Progress<G>&, Numbers& memory) const;
 /// @endcode
@@ -55,9 +56,9 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 }
 
 /// Whether the population is better than in all earlier generations of the block. Under one objective its
-/// best individual counts, by Deb's rules. Under several the hypervolume of its front counts, above the first
-/// front's minimum minus a tenth of its range; for four objectives or more it is estimated (dominated_share).
-/// Stores in `memory` the violation, the worth and the last generation that improved.
+/// best individual counts, by Deb's rules. Under several the hypervolume of its front counts. Its reference
+/// is the first front's minimum minus a tenth of its range. For four objectives or more it is estimated
+/// (dominated_share). Stores in `memory` the violation, the worth and the last generation that improved.
 template <class G>
 bool improves(const Progress<G>& now, Numbers& memory) {
     if (memory.empty())

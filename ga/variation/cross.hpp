@@ -11,8 +11,9 @@
 
 namespace ga {
 
-/// A method to cross two genomes in place. It has words() and describe() like an operator and, constrained by
-/// the members of the problem that it uses, `void operator()(const P&, Genome& a, Genome& b, Stream&) const`.
+/// A method to cross two genomes in place. It has words() and describe() like an operator. It also has `void
+/// operator()(const P&, Genome& a, Genome& b, Stream&) const`, constrained by the members of the problem that
+/// it uses.
 template <class Way, class P>
 concept Crosses = Problem<P> &&
     requires(const Way& way, const P& problem, typename P::Genome& genome, Stream& stream) {

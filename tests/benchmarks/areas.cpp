@@ -11,7 +11,7 @@ using rough::testing::processor_seconds;
 
 namespace {
 
-/// Of the whole process so far, GB.
+/// Largest memory of the process so far, GB.
 double most_memory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -20,8 +20,8 @@ double most_memory() {
 
 } // namespace
 
-/// benchmark_areas [largest side [side up to which Polonsky-Keer runs]]: 10 load steps to 17 % contact on a
-/// periodic self-affine map (H = 0.8, waves from L/4 to 8 nodes), in products with H.
+/// benchmark_areas [largest side [side up to which Polonsky-Keer runs]]: prints the products with H of 10
+/// load steps to 17 % contact. The map is periodic and self-affine (H = 0.8, waves from L/4 to 8 nodes).
 int main(int count, char** words) {
     const Index largest = count > 1 ? std::atol(words[1]) : 1024,
                 rival = count > 2 ? std::atol(words[2]) : 512;

@@ -1,8 +1,8 @@
-// in_line [GENOMES.db [SECONDS]]: the paper's in-line control from stored responses. Where there is no such
-// file it is built first, with 100,000 genomes (genomes.db, where none is named). For 20 targets that no
-// stored genome was made for, prints the similarity on the grid and on one four times finer that is reached
-// within a second of wall time (opening the file, screening and refinement included), beside what the paper's
-// three variants reach.
+// in_line [GENOMES.db [SECONDS]]: the paper's in-line control from stored responses. A missing file is built
+// first, with 100,000 genomes; its default name is genomes.db. There are 20 targets that no stored genome was
+// made for. For each, prints the similarity that is reached within a second of wall time, which includes
+// opening the file, screening and refinement. It is given on the grid and on one four times finer, next to
+// the similarities of the paper's three variants.
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
@@ -30,8 +30,8 @@ Target answer_of(const Profile& profile, const Model& model, const std::string& 
     return target;
 }
 
-/// Twelve unseen genomes of two series, six fractal profiles that are no MWM series, and the paper's kind of
-/// curve.
+/// Responses of twelve unseen genomes of two series and of six fractal profiles, which are not MWM series,
+/// and a curve like the paper's.
 std::vector<Target> targets(const DatabaseSetup& setup) {
     std::vector<Target> targets;
     GenomeDistribution law = setup.law;
@@ -67,14 +67,14 @@ Reached in_line(const char* file, const Target& target, double seconds) {
     const auto pipeline = ga::score() | ga::refine(ga::lm(12)) | ga::best(4) | ga::refine(ga::lm(30, 8)) |
                           ga::best(2) | ga::refine(ga::lm(200, 5)) | ga::best(1);
     ga::RunOptions options;
-    options.budget.seconds = seconds - clock.seconds() - 0.03; // for the evaluations under way when it ends
+    options.budget.seconds = seconds - clock.seconds() - 0.03; // for evaluations that still run at the end
     const auto result = ga::run(pipeline, problem, ga::population(genomes), options);
     const double taken = clock.seconds();
     return {similarity(setup, genomes[0]), result.best->value(), similarity(setup, result.best->genome, 4),
             taken};
 }
 
-/// The best that a variant of the paper reaches from its own hundred genomes.
+/// The best similarity of a variant of the paper from its hundred genomes.
 double by_variant(const char* name, const Target& target, const Model& model) {
     const double highest = target.last();
     const DesignProblem problem(paper_setup(model, target, highest, 0.5 * highest));

@@ -1,7 +1,7 @@
-// morph [NODES [SEED]]: a process drifts 1,000 times and is brought back each time. Every phase and amplitude
-// of a surface of two series wanders about its own value; the phases of the four chromosomes that the target
-// feels most are then changed as little as brings its response back. Prints what one morph takes, and the
-// similarity before and after.
+// morph [NODES [SEED]]: a process drifts 1,000 times and is corrected each time. Every phase and amplitude of
+// a surface of two series drifts about its nominal value. Then the phases of four chromosomes are changed as
+// little as restores the response. They are those with the largest effect on the target. Prints the time of
+// one morph, and the similarity before and after.
 
 #include "domain/design/morph.hpp"
 
@@ -84,7 +84,7 @@ int main(int count, char** arguments) {
         for (const PhaseChange& one : back.changes)
             sum += (one.after - one.before) * (one.after - one.before);
         change.push_back(std::sqrt(sum));
-        for (const PhaseChange& one : back.changes) // the process goes on from the morphed surface
+        for (const PhaseChange& one : back.changes) // the process continues from the morphed surface
             for (std::size_t g = 0; g < places.size(); ++g)
                 if (places[g].kind == one.place.kind && places[g].series == one.place.series &&
                     places[g].chromosome == one.place.chromosome && places[g].ridge == one.place.ridge)

@@ -1,6 +1,6 @@
-// Prints what a genome's response costs at N = 512, medians over the paper's database on one core: the
-// 20-step curve with tangents, the same with its full Jacobian in every gene, and warm-started NNLS in the
-// same run.
+// Prints the cost of a genome's response at N = 512, medians over the paper's database on one core. It
+// measures the 20-step curve with tangents, the curve with its full Jacobian in every gene, and warm-started
+// NNLS.
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/mwm/sobol.hpp"
@@ -16,7 +16,7 @@ using rough::testing::median;
 
 namespace {
 
-/// The least of five, as other work on the machine only ever adds.
+/// The lowest of five times, because other work on the machine only adds to them.
 double milliseconds(const std::function<void()>& work) {
     double least = 1e300;
     for (int i = 0; i < 5; ++i) {

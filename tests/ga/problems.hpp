@@ -144,9 +144,9 @@ inline double rastrigin(const Vector& x) {
 
 } // namespace functions
 
-/// Residuals with derivatives: fits y(x) = a exp(-b x) + c to five points of the curve with a = 2, b = 1.5, c
-/// = 0.5. Outcome: relative residuals r. Objectives: `fit` = 1 - max|r|, `low` and `high` of the first and
-/// last two. Each member function calls its hook, which may count, alter or throw.
+/// Residuals with derivatives of a fit of y(x) = a exp(-b x) + c. The five points have a = 2, b = 1.5, c =
+/// 0.5. Outcome: relative residuals r. Objectives: `fit` = 1 - max|r|, `low` and `high` of the first and last
+/// two. Each member function calls its hook, which may count, alter or throw.
 struct CurveFit {
     using Genome = Vector;
     using Outcome = Eigen::VectorXd;

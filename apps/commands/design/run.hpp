@@ -62,7 +62,7 @@ struct DesignRun {
 
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
-    rough::DesignResponse response;  ///< of the answer
+    rough::DesignResponse response;  ///< response of the answer
     std::optional<Shares> not_asked; ///< see off_unasked(); nothing if the time did not suffice
     std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
@@ -104,7 +104,7 @@ nlohmann::json summary_json(const DesignRun& run);
 
 /// Writes result.json, and tolerance.csv if the tolerance is known.
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder);
-/// Writes answer.csv, the curve of the answer, genome.json, and a solid to print for an area.
+/// Writes answer.csv, the curve of the answer, genome.json, and a solid to print for a map.
 void write_design_tables(const DesignRun& run, const std::filesystem::path& folder);
 /// Writes the tables that the page's figures draw: curves.csv, points.csv, heights-drawn.csv or map.csv, and
 /// front.csv or made.csv.

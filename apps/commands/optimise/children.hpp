@@ -21,8 +21,8 @@ namespace app {
 /// rough::InputError on an open quote or no word.
 Words split_command(const std::string& command);
 
-/// A program that reads lines and writes lines while this one runs. It has its own process group, so
-/// that a Ctrl-C does not reach it and what it started ends with it. SIGPIPE must be ignored.
+/// A program that reads lines and writes lines while this one runs. It has a separate process group. So a
+/// Ctrl-C does not reach it, and the processes that it started end with it. SIGPIPE must be ignored.
 class Child {
   public:
     /// Starts it without a shell; its standard error goes to the descriptor `log`. Throws rough::InputError
@@ -51,8 +51,8 @@ class Child {
     std::string read_;
 };
 
-/// Copies of one program that evaluate genomes: each takes the next when it is free. They are started when
-/// they are needed, and are assumed to give the same answer for the same genome.
+/// Copies of one program that evaluate genomes. A free copy takes the next genome. Copies are started when
+/// they are needed. They are assumed to give the same answer for the same genome.
 class Children {
   public:
     /// @param command  the program, split by split_command
@@ -65,7 +65,7 @@ class Children {
 
     /// The answers for genomes, given as JSON arrays; none if the watch expired first or there was trouble.
     std::vector<std::optional<Answer>> ask(std::span<const std::string> genes, const ga::Watch& watch);
-    /// The first error, in one line; empty if there was none. Genomes are not sent after it.
+    /// The first error, in one line; empty without an error. Genomes are not sent after it.
     const std::string& trouble() const { return trouble_; }
     /// Number of objectives of each answer; 0 before the first one.
     std::size_t objectives() const { return first_.answer.objectives.size(); }

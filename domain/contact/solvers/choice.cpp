@@ -25,13 +25,13 @@ constexpr double regrowth = 1.5;      ///< eliminations over those of the final 
 
 /// Predictions err by a factor of four in cost at most, as contact sets do by 1.6.
 constexpr double patience = 4;
-/// If the highest node of a sample stands lower than the profile's by this part of the approach, the sample
-/// has missed the nodes that keep the surfaces apart.
+/// A sample has missed the nodes that keep the surfaces apart if its highest node is too low. The limit is
+/// this share of the approach below the profile's highest node.
 constexpr double missed = 0.1;
 
 double expected_contact(const ContactProblem& problem, ContactOptions options) {
-    // Every sixteenth node, and more of a small grid, so that summits of short waves stay apart; but at most
-    // as many as take a few milliseconds.
+    // Every sixteenth node, and more of a small grid, so that summits of short waves stay apart. The limit of
+    // 2048 nodes takes a few milliseconds.
     const Index sample =
         std::clamp<Index>(problem.nodes() / 16, std::min<Index>(problem.nodes() / 4, 512), 2048);
     const Index area_stride = static_cast<Index>(

@@ -8,9 +8,10 @@ namespace rough {
 
 /// E, which continues a field known at some nodes of a grid to all of them, and its transpose. The inverse of
 /// C^-1 restricted to those nodes is the lowest energy of C over all continuations (Schur's complement). E'CE
-/// is never below it, and near it if E is good. E blends means over ever wider squares, each with a weight by
-/// the number of nodes in its square (hierarchical extensions: Haase, Langer, Meyer & Nepomnyaschikh 1994;
-/// the pyramid: Gortler et al. 1996). The grid is taken to be periodic. E maps 1 to 1.
+/// is never below it, and near it if E is good. E blends means over wider and wider squares. The weight of a
+/// mean depends on the number of nodes in its square. Sources: Haase, Langer, Meyer & Nepomnyaschikh 1994
+/// (hierarchical extensions), Gortler et al. 1996 (the pyramid). The grid is taken to be periodic. E maps 1
+/// to 1.
 class Extension {
   public:
     /// From the known nodes, in increasing order.

@@ -69,7 +69,7 @@ class DirectOperator {
     }
 
     /// Whether direct sums over `loaded` nodes cost less than a Fourier operator's two transforms of M = 2 N
-    /// numbers, by a fixed rule: one of the M log2 M operations of the transforms costs as much as four
+    /// numbers. The rule is fixed: each of the M log2 M operations of a transform costs as much as four
     /// multiplications.
     bool pays(std::size_t loaded) const {
         return static_cast<double>(loaded) <=

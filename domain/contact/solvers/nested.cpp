@@ -90,7 +90,8 @@ class NestedContact {
     bool add_penetrating(double approach, const double* u, bool by_load) {
         depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
         std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, rounding * approach);
-        // Only the surest ones: far from the solution most of the others would be dropped again.
+        // Only the most certain ones, because most of the other nodes would be removed again far from the
+        // solution.
         added.resize(std::min(added.size(), std::max(min_batch, factor_.nodes().size() / 2)));
         refuse_factor(factor_.size() + static_cast<Index>(added.size()), options_);
         Index appended = factor_.append(added);

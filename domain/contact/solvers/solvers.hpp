@@ -21,15 +21,15 @@ void solve_nested(const ContactProblem& problem, const ContactOptions& options, 
 void solve_nnls(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Iterative: constrained conjugate gradients (Polonsky & Keer 1999, Wear 231, 206-219), H applied by FFT.
-/// Under load control as published. Under displacement control neither gap nor pressure is shifted towards a
-/// load. Ends if every residual is within the tolerance and the contact set is certain at that residual. At
-/// most 5,000 iterations per step: the method stalls on fine grids and near full contact.
+/// Load control is as published. In displacement control neither gap nor pressure is shifted to reach the
+/// required load. Ends if every residual is within the tolerance and the contact set is certain at that
+/// residual. At most 5,000 iterations per step: the method stalls on fine grids and near full contact.
 void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Iterative, for grids on which a dense factor does not fit: conjugate gradients by FFT on a contact set
-/// that is corrected as they go. Each load step starts from the one before, moved along its tangent. Ends if
-/// every residual is within the tolerance and the contact set is certain at that residual, or if rounding
-/// allows no better.
+/// that is corrected during the iteration. Each load step starts from the one before, moved along its
+/// tangent. Ends if every residual is within the tolerance and the contact set is certain at that residual,
+/// or if rounding allows no better.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Contact with 0 <= p <= p_H: minimises p'Hp/2 - p'(Delta - g0) within the box by Bertsekas' projected

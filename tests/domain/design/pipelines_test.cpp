@@ -23,7 +23,7 @@ TEST_CASE("every named variant finds the same genome by its name and by its text
         DesignSetup setup = drawn(area ? 16 : 64, area);
         setup.targets.push_back(setup.targets[0]); // for mcco and nsga2
         for (const auto& [name, text] : design_variants()) {
-            if (area != (name == "maps")) // on an area all others would solve the whole database
+            if (area != (name == "maps")) // on a map all others would solve the whole database
                 continue;
             INFO(name << (area ? " on an area" : ""));
             setup.like = name == "like"

@@ -27,7 +27,7 @@ inline DesignSetup like_itself(const Genome& genome, double part = 1, Kernel ker
     return setup;
 }
 
-/// The drawn target on a line with these nodes, or on an area with these along either side.
+/// The drawn target on a line with these nodes, or on a map with these along either side.
 inline DesignSetup drawn(Index nodes, bool area = false) {
     DesignSetup setup;
     setup.model.grid.nodes = nodes;

@@ -43,8 +43,8 @@ inline std::array<double, 4> separate_similarities(const DesignSetup& setup, con
     return {alone(1, 1), alone(4, 1), alone(1, 4), alone(4, 4)};
 }
 
-/// All values at which a misfit has a corner: contact sets, extreme nodes, the segment that serves a point,
-/// the band.
+/// All values at which a misfit has a corner: contact sets, extreme nodes, the segment of each point, the
+/// band.
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome, Index refine) {
     const Model model = refined(setup.model, refine);
     std::vector<double> marks;

@@ -8,8 +8,8 @@ using namespace ga;
 
 namespace {
 
-/// Strings of n bits. The fitness is a sum over blocks of k bits: k for a full block, otherwise k - 1 - ones;
-/// for k = 1 it is the number of ones.
+/// Strings of n bits. The fitness is a sum over blocks of k bits. A full block gives k, another block k - 1 -
+/// ones. For k = 1 the sum is the number of ones.
 struct Traps {
     using Genome = std::vector<bool>;
     using Outcome = int;
