@@ -21,7 +21,6 @@ struct Islands : Operator {
     Migration migration; ///< how they exchange individuals
     Body body;           ///< runs on each island
 
-    ///@{ What every block has (Block).
     static Words words() {
         return {
             "islands", "blocks",
@@ -53,7 +52,6 @@ struct Islands : Operator {
                     return evolve(std::move(population), *stages, n, migration, context);
                 }};
     }
-    ///@}
 
   private:
     template <Problem P, class G = typename P::Genome>

@@ -22,7 +22,6 @@ struct Pareto : Operator {
             if (std::find(objectives.begin(), each, *each) != each)
                 throw UsageError("pareto is given '" + *each + "' twice; expected different objectives");
     }
-    ///@{ What every operator has (Operator).
     static Words words() {
         return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
     }
@@ -67,7 +66,6 @@ struct Pareto : Operator {
         });
         return population;
     }
-    ///@}
 };
 
 /// The stage `pareto objective objective ...`.
@@ -77,7 +75,6 @@ inline Pareto pareto(std::vector<std::string> objectives) {
 
 /// Keeps the individuals that no other one dominates.
 struct Front : Operator {
-    ///@{ What every operator has (Operator).
     static Words words() {
         return {"front", "selection", "keeps the individuals that no other one dominates, after pareto"};
     }
@@ -95,7 +92,6 @@ struct Front : Operator {
                               " individuals failed; the first: " + population.front().fitness.reason());
         return front;
     }
-    ///@}
 };
 
 /// The stage `front`.

@@ -15,8 +15,7 @@ struct Transform : Operator {
     /// A stage of that name.
     Transform(std::string name_, Function function_)
         : name(std::move(name_)), function(std::move(function_)) {}
-    ///@{ What every operator has (Operator).
-    std::string text() const { return name; }
+    std::string text() const { return name; } ///< the stage's name
     void check(CheckState& known) const { known.scored.reset(); }
 
     template <Problem P>
@@ -38,7 +37,6 @@ struct Transform : Operator {
         });
         return population;
     }
-    ///@}
 };
 
 /// @param name  as in a text pipeline; more words may follow the first ("reduce dominant")

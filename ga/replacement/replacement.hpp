@@ -9,7 +9,6 @@ namespace ga {
 /// populations are ranked together first.
 struct Elite : Operator {
     std::size_t k = 1; ///< individuals that come back, >= 1
-    ///@{ What every operator has (Operator).
     static Words words() {
         return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
     }
@@ -36,7 +35,6 @@ struct Elite : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// The stage `elite k`.
@@ -46,7 +44,6 @@ inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
 /// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
 struct Plus : Operator {
     std::size_t mu = 0; ///< 0 for the size of the start
-    ///@{ What every operator has (Operator).
     static Words words() {
         return {"plus", "replacement", "the mu best of the generation's start and its children"};
     }
@@ -61,7 +58,6 @@ struct Plus : Operator {
         const auto& start = context.generation_start();
         return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
     }
-    ///@}
 };
 
 /// The stage `plus mu`.
@@ -69,7 +65,6 @@ inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
 
 /// Adds the generation's start to the population, so that the next stages choose among both.
 struct JoinParents : Operator {
-    ///@{ What every operator has (Operator).
     static Words words() {
         return {"parents", "replacement",
                 "adds the generation's start, so that the next stages choose among all"};
@@ -88,7 +83,6 @@ struct JoinParents : Operator {
         context.need_room(population.size() + start.size(), population);
         return joined_with(start, std::move(population));
     }
-    ///@}
 };
 
 /// The stage `parents`.
@@ -97,7 +91,6 @@ inline JoinParents parents() { return {}; }
 /// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
 /// the children, whatever their fitness. Put `tournament 2 size=2` before it for two children per generation.
 struct Steady : Operator {
-    ///@{ What every operator has (Operator).
     static Words words() {
         return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }
@@ -114,7 +107,6 @@ struct Steady : Operator {
             population[order[order.size() - 1 - i]] = std::move(children[i]);
         return population;
     }
-    ///@}
 };
 
 /// The stage `steady`.

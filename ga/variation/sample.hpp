@@ -6,9 +6,8 @@ namespace ga {
 
 /// Replaces the population by n new individuals, which the problem draws at random.
 struct Sample : Operator {
-    std::size_t n = 1; ///< number of individuals, >= 1
-    ///@{ What every operator has (Operator).
-    static constexpr bool begins = true;
+    std::size_t n = 1;                   ///< number of individuals, >= 1
+    static constexpr bool begins = true; ///< needs no population
     static Words words() {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
     }
@@ -28,7 +27,6 @@ struct Sample : Operator {
         }
         return fresh;
     }
-    ///@}
 };
 
 /// The stage `sample n`.
