@@ -40,13 +40,16 @@ struct PressedCaps {
 /// Derivatives of one quantity at a fixed plane. With respect to the plane the derivative is minus the sum of
 /// those with respect to the heights.
 struct CapSlope {
-    Eigen::VectorXd by_heights, by_radii;
+    Eigen::VectorXd by_heights; ///< per mm of each height
+    Eigen::VectorXd by_radii;   ///< per mm of each radius
 
     double by_plane() const { return -by_heights.sum(); } ///< with all summits fixed
 };
 /// The slopes of load, area and stiffness.
 struct CapSlopes {
-    CapSlope load, area, stiffness;
+    CapSlope load;      ///< of F, N
+    CapSlope area;      ///< of A, mm^2
+    CapSlope stiffness; ///< of dF/dDelta, N/mm
 };
 
 /// Contact of caps on a half-space by Hertz's theory, F_i = 4/3 E* sqrt(R_i) delta_i^(3/2). Caps that do not
