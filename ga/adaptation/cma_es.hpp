@@ -190,6 +190,7 @@ struct CmaEs : Operator {
     }
 };
 
+///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
     const auto numbers = [](const auto& m) { return std::vector<double>(m.data(), m.data() + m.size()); };
     std::vector<double> moving;
@@ -238,6 +239,7 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     j.at(8).get_to(s.mirrored);
     expect_fit(s.mirrored.size() == s.children.size());
 }
+///@}
 
 /// The stage `cma-es sigma=sigma population=children restarts=restarts`.
 inline CmaEs cma_es(double sigma = 0.3, std::string restarts = "bipop", std::size_t children = 0) {

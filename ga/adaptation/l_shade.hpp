@@ -221,6 +221,7 @@ struct LShade : Operator {
     }
 };
 
+///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const LShade::Trial& t) {
     j = {t.child, t.F, t.CR, t.violation, t.merit, t.parent};
 }
@@ -235,6 +236,7 @@ inline void from_json(const nlohmann::json& j, LShade::State& s) {
     const std::size_t entries = s.history.F.size(); // 0 before the first generation
     expect_fit(s.history.CR.size() == entries && s.history.next < entries + (s.initial == 0 ? 1 : 0));
 }
+///@}
 
 /// The stage `l-shade evaluations=evaluations`.
 inline LShade l_shade(long evaluations = 0) { return checked(LShade{{}, evaluations}); }
