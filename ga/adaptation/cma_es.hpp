@@ -34,6 +34,7 @@ struct CmaEs : Operator {
         bool ended = false;             ///< whether there is no further run
     };
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {
             "cma-es", "adaptation",
@@ -49,7 +50,6 @@ struct CmaEs : Operator {
         visit(self.restarts,
               word("restarts", "bipop", "restarts after a run has ended: bipop, ipop or none").keyed());
     }
-    /// Throws UsageError if a value is out of range.
     void validate() const {
         if (restarts != "bipop" && restarts != "ipop" && restarts != "none")
             throw UsageError("stage 'cma-es': restarts is '" + restarts + "'; expected bipop, ipop or none");
@@ -83,6 +83,7 @@ struct CmaEs : Operator {
             begin_again(state, random);
         return state.ended ? population : children(std::move(population), best.genome, context, state);
     }
+    ///@}
 
   private:
     void begin(const std::vector<double>& genes, std::vector<Variable> moving, State& state) const {

@@ -64,6 +64,7 @@ struct DifferentialEvolution : Operator {
     double CR = 0.9;              ///< cross-over rate, [0, 1]
     std::string crossing = "bin"; ///< bin or exp
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"de", "adaptation",
                 "a trial replaces each individual by differential evolution; duel follows the score"};
@@ -75,7 +76,6 @@ struct DifferentialEvolution : Operator {
         visit(self.crossing,
               word("crossing", "bin", "bin: each gene by itself, or exp: in a row").keyed().quiet());
     }
-    /// Throws UsageError if a value is out of range.
     void validate() const {
         if (base != "rand" && base != "best" && base != "current-to-best")
             throw UsageError("stage 'de': base is '" + base + "'; expected rand, best or current-to-best");
@@ -116,6 +116,7 @@ struct DifferentialEvolution : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// The stage `de base F=f CR=cr crossing=crossing`.
@@ -127,6 +128,7 @@ inline DifferentialEvolution differential_evolution(std::string base = "rand", d
 /// One-to-one replacement (Storn and Price 1997): a child's first parent, if it is in the generation's start
 /// and better, replaces the child. On a tie the child stays.
 struct Duel : Operator {
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }
@@ -146,6 +148,7 @@ struct Duel : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// The stage `duel`.

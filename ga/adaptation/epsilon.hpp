@@ -22,6 +22,7 @@ struct Epsilon : Operator {
         std::size_t generation = 0; ///< the next
     };
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"epsilon", "adaptation", "constraints hold up to a level that falls to 0"};
     }
@@ -48,6 +49,7 @@ struct Epsilon : Operator {
                     individual.fitness = individual.fitness.relaxed(levels);
         return population;
     }
+    ///@}
 
   private:
     template <class G>

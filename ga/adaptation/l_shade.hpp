@@ -83,6 +83,7 @@ struct LShade : Operator {
         long spent = 0;                          ///< evaluations
     };
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {
             "l-shade", "adaptation",
@@ -157,6 +158,7 @@ struct LShade : Operator {
         state.spent += static_cast<long>(n);
         return population;
     }
+    ///@}
 
   private:
     static std::size_t rounded(double x) { return static_cast<std::size_t>(std::max(0.0, std::round(x))); }

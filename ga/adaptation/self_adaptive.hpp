@@ -23,6 +23,7 @@ struct SelfAdaptive : Operator {
         std::map<Identity, std::vector<double>> sizes; ///< one, or one per gene
     };
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"self-adaptive", "adaptation",
                 "adds normal steps with sizes that are inherited and mutate too"};
@@ -32,7 +33,6 @@ struct SelfAdaptive : Operator {
               number("sigma", "0.1", above_zero, no_limit, "first step, in widths between bounds"));
         visit(self.steps, word("steps", "each", "a size for each gene, or one for all: each or one").keyed());
     }
-    /// Throws UsageError if a value is out of range.
     void validate() const {
         if (steps != "each" && steps != "one")
             throw UsageError("stage 'self-adaptive': steps is '" + steps + "'; expected each or one");
@@ -78,6 +78,7 @@ struct SelfAdaptive : Operator {
         state = std::move(next);
         return population;
     }
+    ///@}
 
   private:
     /// The step sizes of the individual, or the mean of its parents'; `sigma` if they are unknown.

@@ -21,6 +21,7 @@ struct Islands : Operator {
     Migration migration; ///< how they exchange individuals
     Body body;           ///< runs on each island
 
+    ///@{ What every block has (Block).
     static Words words() {
         return {
             "islands", "blocks",
@@ -52,6 +53,7 @@ struct Islands : Operator {
                     return evolve(std::move(population), *stages, n, migration, context);
                 }};
     }
+    ///@}
 
   private:
     template <Problem P, class G = typename P::Genome>

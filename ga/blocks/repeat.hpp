@@ -95,6 +95,7 @@ struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1
     Body body;         ///< runs in each generation
 
+    ///@{ What every block has (Block).
     static Words words() { return {"repeat", "blocks", "n generations of the pipeline in braces"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
@@ -103,6 +104,7 @@ struct Repeat : Operator {
         return generations_step<P>(text_of(*this), body,
                                    {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
     }
+    ///@}
 };
 /// The block `repeat n { body }`; n >= 1.
 template <class Body>
@@ -158,6 +160,7 @@ struct Restarts : Operator {
     std::size_t n = 1; ///< number of runs, >= 1
     Body body;         ///< runs each time
 
+    ///@{ What every block has (Block).
     static Words words() {
         return {"restarts", "blocks",
                 "runs the pipeline n times on the same population and joins the answers"};
@@ -174,6 +177,7 @@ struct Restarts : Operator {
                 },
                 stages->reads_of_start(), stages->begins()};
     }
+    ///@}
 
   private:
     template <Problem P, class G = typename P::Genome>

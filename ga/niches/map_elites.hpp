@@ -37,6 +37,7 @@ struct MapElites : Operator {
     std::vector<std::string> descriptors; ///< the problem's, one at least
     std::size_t cells = 10;               ///< per descriptor, >= 1
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"map-elites", "niches",
                 "the best in every cell of the descriptors' ranges, the start included"};
@@ -81,6 +82,7 @@ struct MapElites : Operator {
             throw NothingLeft(context.path() + ": no individual has descriptors that are numbers");
         return archive;
     }
+    ///@}
 };
 
 /// The stage `map-elites descriptors cells=cells`.
@@ -98,6 +100,7 @@ struct Emit : Operator {
     std::vector<std::string> descriptors; ///< the problem's, one at least
     double sigma = 0.1;                   ///< length of a step, > 0
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
     }
@@ -169,6 +172,7 @@ struct Emit : Operator {
         }
         return fresh;
     }
+    ///@}
 
   private:
     /// The direction in which each chosen individual improves; empty if it is unknown.

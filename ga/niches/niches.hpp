@@ -51,6 +51,7 @@ struct Clearing : Operator {
     double radius = 0.1;      ///< niche radius, above 0
     std::size_t capacity = 1; ///< individuals per niche, >= 1
 
+    ///@{ What every operator has (Operator).
     static Words words() { return {"clear", "niches", "keeps the best of every niche, best first"}; }
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
@@ -71,6 +72,7 @@ struct Clearing : Operator {
         }
         return left;
     }
+    ///@}
 };
 
 /// The stage `clear radius capacity=capacity`.
@@ -84,6 +86,7 @@ inline Clearing clear(double radius, std::size_t capacity = 1) {
 /// or without a sibling next to it, is matched with its nearer parent. Put `random | cross` before it to mate
 /// every individual once.
 struct Crowding : Operator {
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
     }
@@ -131,6 +134,7 @@ struct Crowding : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// The stage `crowding`.

@@ -22,6 +22,7 @@ struct Pareto : Operator {
             if (std::find(objectives.begin(), each, *each) != each)
                 throw UsageError("pareto is given '" + *each + "' twice; expected different objectives");
     }
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
     }
@@ -66,6 +67,7 @@ struct Pareto : Operator {
         });
         return population;
     }
+    ///@}
 };
 
 /// The stage `pareto objective objective ...`.
@@ -75,6 +77,7 @@ inline Pareto pareto(std::vector<std::string> objectives) {
 
 /// Keeps the individuals that no other one dominates.
 struct Front : Operator {
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"front", "selection", "keeps the individuals that no other one dominates, after pareto"};
     }
@@ -92,6 +95,7 @@ struct Front : Operator {
                               " individuals failed; the first: " + population.front().fitness.reason());
         return front;
     }
+    ///@}
 };
 
 /// The stage `front`.

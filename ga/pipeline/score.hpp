@@ -9,6 +9,7 @@ namespace ga {
 struct Score : Operator {
     std::string objective; ///< empty: the problem's first
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"score", "selection", "evaluates the individuals without a fitness under the objective"};
     }
@@ -22,6 +23,7 @@ struct Score : Operator {
         context.score(population, objective);
         return population;
     }
+    ///@}
 };
 
 /// The stage `score objective`; by default the problem's first.
@@ -40,6 +42,7 @@ struct Average : Operator {
     std::string objective; ///< empty: the problem's first
     std::size_t limit = 0; ///< maximum replicates of one individual; 0 for n
 
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
     }
@@ -58,6 +61,7 @@ struct Average : Operator {
         context.average(population, objective, n, limit);
         return population;
     }
+    ///@}
 };
 
 /// The stage `average n objective limit=limit`.

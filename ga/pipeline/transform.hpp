@@ -15,7 +15,8 @@ struct Transform : Operator {
     /// A stage of that name.
     Transform(std::string name_, Function function_)
         : name(std::move(name_)), function(std::move(function_)) {}
-    std::string text() const { return name; } ///< the stage's name
+    ///@{ What every operator has (Operator).
+    std::string text() const { return name; }
     void check(CheckState& known) const { known.scored.reset(); }
 
     template <Problem P>
@@ -37,6 +38,7 @@ struct Transform : Operator {
         });
         return population;
     }
+    ///@}
 };
 
 /// @param name  as in a text pipeline; more words may follow the first ("reduce dominant")

@@ -18,6 +18,7 @@ struct LevenbergMarquardt {
     /// accepted. 0 for never.
     int sharpen = 0;
 
+    ///@{ What every method has (method_of).
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));
@@ -74,6 +75,7 @@ struct LevenbergMarquardt {
         }
         return best.x;
     }
+    ///@}
 
   private:
     static constexpr int lawson_rounds = 20;

@@ -52,11 +52,13 @@ struct Mma {
 
     int evaluations = 1; ///< at most, after the start; >= 1
 
+    ///@{ What every method has (method_of).
     static Words words() { return {"mma", "refinement", "GCMMA on the largest |r|, one row at a time"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
     Eigen::VectorXd improve(const Landscape& land) const {
         return maximised_by_mma(land, evaluations, least_worst);
     }
+    ///@}
 };
 
 /// @param evaluations  at most, after the start; >= 1
@@ -70,6 +72,7 @@ struct Minimax {
 
     int evaluations = 1; ///< at most, after the start; >= 1. Inner iterations count.
 
+    ///@{ What every method has (method_of).
     static Words words() { return {"minimax", "refinement", "GCMMA on the smallest t with -t <= r <= t"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
 
@@ -125,6 +128,7 @@ struct Minimax {
         search.from(start);
         return best.x;
     }
+    ///@}
 };
 
 /// @param evaluations  at most, after the start; >= 1

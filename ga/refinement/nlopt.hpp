@@ -118,13 +118,14 @@ struct Nlopt {
     std::string algorithm = "LN_COBYLA"; ///< NLopt's name; LD_ and GD_ algorithms need a gradient
     int evaluations = 1;                 ///< at most, after the start; >= 1
 
+    ///@{ What every method has (method_of).
     static Words words() { return {"nlopt", "refinement", "any algorithm of NLopt on the fitness"}; }
     static void describe(auto& self, auto visit) {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
         visit(self.evaluations, evaluations_parameter());
     }
-    void validate() const { algorithm_number(algorithm); }      ///< see algorithm_number
-    bool needs_gradient() const { return algorithm[1] == 'D'; } ///< LD_ and GD_ algorithms do
+    void validate() const { algorithm_number(algorithm); }
+    bool needs_gradient() const { return algorithm[1] == 'D'; }
     /// Whether the algorithm gets the problem's constraints; to others a point that violates one has no
     /// fitness. Those of its algorithms with gradients would need gradients of the constraints.
     bool takes_constraints() const {
@@ -175,6 +176,7 @@ struct Nlopt {
         search.from(land.start);
         return best.x;
     }
+    ///@}
 };
 
 /// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.

@@ -174,7 +174,7 @@ struct Refine : Operator {
 
     /// `refine method genes=variables`.
     Refine(M m, Choice v) : method(std::move(m)), variables(std::move(v)) {}
-    /// "refine lm 30 genes=all".
+    ///@{ What every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
     void check(CheckState& known) const { known.need_one_objective(text()); }
 
@@ -247,6 +247,7 @@ struct Refine : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// The stage `refine method genes=NAME`.

@@ -9,6 +9,7 @@ namespace ga {
 /// populations are ranked together first.
 struct Elite : Operator {
     std::size_t k = 1; ///< individuals that come back, >= 1
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
     }
@@ -35,6 +36,7 @@ struct Elite : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// The stage `elite k`.
@@ -44,6 +46,7 @@ inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
 /// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
 struct Plus : Operator {
     std::size_t mu = 0; ///< 0 for the size of the start
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"plus", "replacement", "the mu best of the generation's start and its children"};
     }
@@ -58,6 +61,7 @@ struct Plus : Operator {
         const auto& start = context.generation_start();
         return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
     }
+    ///@}
 };
 
 /// The stage `plus mu`.
@@ -65,6 +69,7 @@ inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
 
 /// Adds the generation's start to the population, so that the next stages choose among both.
 struct JoinParents : Operator {
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"parents", "replacement",
                 "adds the generation's start, so that the next stages choose among all"};
@@ -83,6 +88,7 @@ struct JoinParents : Operator {
         context.need_room(population.size() + start.size(), population);
         return joined_with(start, std::move(population));
     }
+    ///@}
 };
 
 /// The stage `parents`.
@@ -91,6 +97,7 @@ inline JoinParents parents() { return {}; }
 /// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
 /// the children, whatever their fitness. Put `tournament 2 size=2` before it for two children per generation.
 struct Steady : Operator {
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }
@@ -107,6 +114,7 @@ struct Steady : Operator {
             population[order[order.size() - 1 - i]] = std::move(children[i]);
         return population;
     }
+    ///@}
 };
 
 /// The stage `steady`.

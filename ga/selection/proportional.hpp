@@ -88,6 +88,7 @@ struct ByRank {
 template <class Weights>
 struct Proportional : Operator {
     Weights weights; ///< Roulette, Universal, ByRank or Sharing
+    ///@{ What every operator has (Operator).
     static Words words() { return Weights::words(); }
     static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
     void check(CheckState& known) const { weights.check(known, text_of(*this)); }
@@ -117,6 +118,7 @@ struct Proportional : Operator {
             std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
     }
+    ///@}
 };
 
 /// The stage `roulette`.

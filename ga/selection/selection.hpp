@@ -7,6 +7,7 @@ namespace ga {
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
     std::size_t n = 1; ///< number that stays, >= 1
+    ///@{ What every operator has (Operator).
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(CheckState& known) const { known.need_score(text_of(*this)); }
@@ -15,6 +16,7 @@ struct Best : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {
         return best_of(population, n);
     }
+    ///@}
 };
 
 /// The stage `best n`.
@@ -23,6 +25,7 @@ inline Best best(std::size_t n) { return checked(Best{{}, n}); }
 /// Keeps n different individuals at random, in random order. If there are fewer, all stay, in random order.
 struct Random : Operator {
     std::size_t n = 0; ///< 0 for all
+    ///@{ What every operator has (Operator).
     static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
@@ -38,6 +41,7 @@ struct Random : Operator {
             population.resize(n);
         return population;
     }
+    ///@}
 };
 
 /// The stage `random n`; 0 for all, in random order.
@@ -48,6 +52,7 @@ inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 struct Tournament : Operator {
     std::size_t k = 2;    ///< individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
+    ///@{ What every operator has (Operator).
     static Words words() {
         return {"tournament", "selection", "each place goes to the best of k drawn at random"};
     }
@@ -76,6 +81,7 @@ struct Tournament : Operator {
         }
         return context.gather(std::move(population), winners);
     }
+    ///@}
 };
 
 /// The stage `tournament k size=size`.
@@ -134,6 +140,7 @@ template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< a fitness, not included
     AtLeast least;        ///< number that stays in any case
+    ///@{ What every operator has (Operator).
     static Words words() {
         if (upwards)
             return {"above", "selection", "keeps those whose fitness is above the threshold"};
@@ -152,6 +159,7 @@ struct Threshold : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         return passing(population, threshold, least, upwards, context);
     }
+    ///@}
 };
 
 /// The stage `above threshold at_least=...`.

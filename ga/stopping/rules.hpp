@@ -10,7 +10,8 @@ namespace ga {
 struct AfterGenerations : StoppingRule {
     std::size_t n = 1; ///< >= 1
 
-    static constexpr bool sure = true; ///< see StoppingRule
+    ///@{ What every rule has (StoppingRule).
+    static constexpr bool sure = true;
     static Words words() { return {"generations", "stopping", "this number of generations is completed"}; }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("generations", "", 1, words().meaning));
@@ -20,12 +21,14 @@ struct AfterGenerations : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return now.generation >= n;
     }
+    ///@}
 };
 
 /// Ends after n requested evaluations since the block began, paid or remembered.
 struct AfterEvaluations : StoppingRule {
     long n = 1; ///< >= 1
 
+    ///@{ What every rule has (StoppingRule).
     static Words words() { return {"evaluations", "stopping", "this number of evaluations was requested"}; }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("evaluations", "", 1, words().meaning));
@@ -35,13 +38,15 @@ struct AfterEvaluations : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return now.asked >= n;
     }
+    ///@}
 };
 
 /// Ends after a time since the block began. Such a run cannot be repeated bit for bit.
 struct AfterSeconds : StoppingRule {
     double limit = 0; ///< s
 
-    static constexpr bool sure = true; ///< see StoppingRule
+    ///@{ What every rule has (StoppingRule).
+    static constexpr bool sure = true;
     static Words words() {
         return {"seconds", "stopping", "this time has passed; such a run cannot be repeated bit for bit"};
     }
@@ -53,12 +58,14 @@ struct AfterSeconds : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return now.seconds >= limit;
     }
+    ///@}
 };
 
 /// Ends when a feasible individual reaches a fitness, in the direction of its objective.
 struct AtFitness : StoppingRule {
     double value = 0; ///< in the objective's units
 
+    ///@{ What every rule has (StoppingRule).
     static Words words() { return {"fitness", "stopping", "the best fitness reaches this value"}; }
     static void describe(auto& self, auto visit) {
         visit(self.value, number("fitness", "", -no_limit, no_limit, words().meaning));
@@ -73,13 +80,15 @@ struct AtFitness : StoppingRule {
                    (f.minimises() ? f.value() <= value : f.value() >= value);
         });
     }
+    ///@}
 };
 
 /// Ends after n generations without an improvement (`improves`).
 struct AtStagnation : StoppingRule {
     std::size_t n = 1; ///< >= 1
 
-    static constexpr bool sure = true; ///< see StoppingRule
+    ///@{ What every rule has (StoppingRule).
+    static constexpr bool sure = true;
     static Words words() {
         return {"stagnation", "stopping", "this number of generations brought no improvement"};
     }
@@ -93,6 +102,7 @@ struct AtStagnation : StoppingRule {
         improves(now, memory);
         return static_cast<double>(now.generation) - memory[2] >= static_cast<double>(n);
     }
+    ///@}
 };
 
 /// Ends when the population has converged: all individuals are feasible, and the values of every objective
@@ -100,6 +110,7 @@ struct AtStagnation : StoppingRule {
 struct AtConvergence : StoppingRule {
     double most = 0; ///< in the objective's units, >= 0
 
+    ///@{ What every rule has (StoppingRule).
     static Words words() { return {"converged", "stopping", "best and worst differ by at most this"}; }
     static void describe(auto& self, auto visit) {
         visit(self.most, number("converged", "", 0, no_limit, words().meaning));
@@ -125,6 +136,7 @@ struct AtConvergence : StoppingRule {
         }
         return true;
     }
+    ///@}
 };
 
 /// The end of a block of generations: the first of these rules that holds, checked before every generation.

@@ -27,6 +27,7 @@ template <class Way>
 struct Cross : Operator {
     Way way;         ///< crosses two genomes (Crosses)
     double rate = 1; ///< probability for each pair, [0, 1]
+    ///@{ What every operator has (Operator).
     static Words words() {
         const Words of_way = Way::words();
         return {"cross " + of_way.name, "cross-over", of_way.meaning};
@@ -53,6 +54,7 @@ struct Cross : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// @param rate  probability that a pair is crossed, 0 to 1
@@ -150,6 +152,7 @@ void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream)
 struct Points {
     std::size_t n = 2; ///< cuts, >= 1
 
+    ///@{ What every cross-over has (Crosses).
     static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
 
@@ -161,10 +164,12 @@ struct Points {
         else
             exchange_at_points(a, b, n, stream);
     }
+    ///@}
 };
 
 /// Cross-over with one cut.
 struct OnePoint {
+    ///@{ What every cross-over has (Crosses).
     static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
     static void describe(auto&, auto) {}
 
@@ -173,6 +178,7 @@ struct OnePoint {
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
         Points{1}(problem, a, b, stream);
     }
+    ///@}
 };
 
 /// `one_point` of cross.
@@ -183,6 +189,7 @@ inline Points n_points(std::size_t n) { return {n}; }
 /// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
 /// genome.
 struct Uniform {
+    ///@{ What every cross-over has (Crosses).
     static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
     static void describe(auto&, auto) {}
 
@@ -205,6 +212,7 @@ struct Uniform {
             }
         }
     }
+    ///@}
 };
 
 /// `uniform` of cross.
@@ -214,6 +222,7 @@ inline Uniform uniform() { return {}; }
 /// from the end of that piece, in the order of the other parent. Permutations of unequal length stay as they
 /// are.
 struct Order {
+    ///@{ What every cross-over has (Crosses).
     static Words words() {
         return {"order", "cross-over",
                 "keeps a piece of one permutation in place and the other's order elsewhere"};
@@ -233,6 +242,7 @@ struct Order {
         b = child(b, a, from, to + 1);
         a = first;
     }
+    ///@}
 
   private:
     static Permutation child(const Permutation& keeper, const Permutation& other, std::size_t from,
@@ -262,6 +272,7 @@ inline Order order() { return {}; }
 struct Blend {
     double alpha = 0.5; ///< relative to the parents' distance, >= 0
 
+    ///@{ What every cross-over has (Crosses).
     static Words words() {
         return {"blend", "cross-over", "draws each gene uniformly around the parents' (BLX-alpha)"};
     }
@@ -278,6 +289,7 @@ struct Blend {
                     std::clamp(stream.uniform(low - reach, high + reach), variable.lower, variable.upper);
         });
     }
+    ///@}
 };
 
 /// @param alpha  relative to the parents' distance, >= 0
@@ -289,6 +301,7 @@ inline Blend blend(double alpha = 0.5) { return {alpha}; }
 struct SimulatedBinary {
     double eta = 15; ///< greater values put children nearer to their parents
 
+    ///@{ What every cross-over has (Crosses).
     static Words words() {
         return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
     }
@@ -303,6 +316,7 @@ struct SimulatedBinary {
                 cross(x, y, variable, stream);
         });
     }
+    ///@}
 
   private:
     void cross(double& x, double& y, const Variable& variable, Stream& stream) const {

@@ -22,6 +22,7 @@ template <class Way>
 struct Mutate : Operator {
     double rate = 0; ///< probability for each gene, [0, 1]
     Way way;         ///< changes a genome (Mutates)
+    ///@{ What every operator has (Operator).
     static Words words() {
         const Words of_way = Way::words();
         return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
@@ -30,7 +31,6 @@ struct Mutate : Operator {
         visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));
         Way::describe(self.way, visit);
     }
-    /// "mutate 0.1 gaussian 0.2": the rate comes before the method.
     std::string text() const {
         std::string text = "mutate " + number(rate);
         Way copy = way;
@@ -55,6 +55,7 @@ struct Mutate : Operator {
         }
         return population;
     }
+    ///@}
 };
 
 /// Replaces the real genes that `chance` picks by change(gene, variable); true if one has changed.
@@ -96,6 +97,7 @@ inline double width(const Variable& variable) {
 template <bool normal>
 struct GeneStep {
     double size = 0.1; ///< in widths between the bounds, > 0
+    ///@{ What every mutation has (Mutates).
     static Words words() {
         return {normal ? "gaussian" : "uniform", "mutation",
                 normal ? "adds a normal step" : "adds a uniform step"};
@@ -114,6 +116,7 @@ struct GeneStep {
             return reflected(gene + size * width(variable) * draw, variable);
         });
     }
+    ///@}
 };
 using Gaussian = GeneStep<true>;     ///< `mutate RATE gaussian`
 using UniformStep = GeneStep<false>; ///< `mutate RATE uniform`
@@ -123,6 +126,7 @@ using UniformStep = GeneStep<false>; ///< `mutate RATE uniform`
 /// is infinite, the width is 1; the other bound is never passed.
 struct Polynomial {
     double eta = 20; ///< a greater eta gives smaller steps
+    ///@{ What every mutation has (Mutates).
     static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
     static void describe(auto& self, auto visit) {
         visit(self.eta, number("eta", "20", above_zero, no_limit, "greater values give smaller steps"));
@@ -146,6 +150,7 @@ struct Polynomial {
             return std::clamp(gene + step * width, variable.lower, variable.upper);
         });
     }
+    ///@}
 };
 
 /// Genes that are whole numbers or bits.
@@ -160,6 +165,7 @@ concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, b
 /// Replaces a gene at random: a real one uniformly between its bounds, a whole number by another value. A bit
 /// is flipped. A real gene with an infinite bound stays as it is.
 struct Reset {
+    ///@{ What every mutation has (Mutates).
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
     static void describe(auto&, auto) {}
 
@@ -196,6 +202,7 @@ struct Reset {
         }
         return changed;
     }
+    ///@}
 };
 
 /// The genes of a genome that may change places.
@@ -224,6 +231,7 @@ bool with_another(const Genes& genes, const Chance& chance, Stream& stream, Chan
 
 /// Exchanges the gene with another one.
 struct Swap {
+    ///@{ What every mutation has (Mutates).
     static Words words() { return {"swap", "mutation", "exchanges the gene with another of the genome"}; }
     static void describe(auto&, auto) {}
 
@@ -237,10 +245,12 @@ struct Swap {
             genes[j] = kept;
         });
     }
+    ///@}
 };
 
 /// Reverses the piece between the gene and another one. For a tour this exchanges two edges.
 struct Reverse {
+    ///@{ What every mutation has (Mutates).
     static Words words() {
         return {"reverse", "mutation", "reverses the piece between the gene and another"};
     }
@@ -255,11 +265,13 @@ struct Reverse {
             std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
         });
     }
+    ///@}
 };
 
 /// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise permutations get a
 /// swap, real genes a gaussian step of a tenth of the width, bits and whole numbers a reset.
 struct Natural {
+    ///@{ What every mutation has (Mutates).
     static Words words() {
         return {"", "mutation", "the genome's natural mutation: the problem's, swap, reset or gaussian 0.1"};
     }
@@ -277,6 +289,7 @@ struct Natural {
         else
             return Reset()(problem, genome, chance, stream);
     }
+    ///@}
 };
 
 /// `gaussian sigma` of mutate.

@@ -6,8 +6,9 @@ namespace ga {
 
 /// Replaces the population by n new individuals, which the problem draws at random.
 struct Sample : Operator {
-    std::size_t n = 1;                   ///< number of individuals, >= 1
-    static constexpr bool begins = true; ///< needs no population
+    std::size_t n = 1; ///< number of individuals, >= 1
+    ///@{ What every operator has (Operator).
+    static constexpr bool begins = true;
     static Words words() {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
     }
@@ -27,6 +28,7 @@ struct Sample : Operator {
         }
         return fresh;
     }
+    ///@}
 };
 
 /// The stage `sample n`.
