@@ -47,9 +47,9 @@ struct CapSlope {
 };
 /// The slopes of load, area and stiffness.
 struct CapSlopes {
-    CapSlope load;      ///< of F, N
-    CapSlope area;      ///< of A, mm^2
-    CapSlope stiffness; ///< of dF/dDelta, N/mm
+    CapSlope load;      ///< derivatives of F, N
+    CapSlope area;      ///< derivatives of A, mm^2
+    CapSlope stiffness; ///< derivatives of dF/dDelta, N/mm
 };
 
 /// Contact of caps on a half-space by Hertz's theory, F_i = 4/3 E* sqrt(R_i) delta_i^(3/2). Caps that do not
@@ -81,11 +81,6 @@ class CapContact {
 
 /// Area of one cap under a force: pi (3 F R/(4 E*))^(2/3), mm^2.
 double hertz_area(double force, double radius, double effective_modulus);
-
-/// The caps as a map of about `nodes` nodes, mm: paraboloids as Hertz's theory assumes, or spheres. Nodes are
-/// the centres of square cells, an odd number of them along each pitch. `depth` is that of the base below the
-/// lowest summit, mm.
-Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
 
 /// Caps pressed by boundary elements.
 struct MeshedCaps {
