@@ -52,9 +52,9 @@ struct CmaEs : Operator {
     }
     void validate() const {
         if (restarts != "bipop" && restarts != "ipop" && restarts != "none")
-            throw UsageError("stage 'cma-es': restarts is '" + restarts + "'; expected bipop, ipop or none");
+            throw UsageError("stage 'cma-es': restarts is '" + restarts + "'; use bipop, ipop or none");
         if (population == 1)
-            throw UsageError("stage 'cma-es': population is '1'; expected 0, or 2 at least");
+            throw UsageError("stage 'cma-es': population is '1'; give 0, or 2 or more");
         check_values(*this, words().name);
     }
     void check(CheckState& known) const {
@@ -90,7 +90,7 @@ struct CmaEs : Operator {
         std::erase_if(moving,
                       [&](const Variable& v) { return !(v.lower < v.upper) || v.gene >= genes.size(); });
         if (moving.empty())
-            throw UsageError("cma-es: the genome has no gene that may move");
+            throw UsageError("cma-es: the genome has no gene that may move; give bounds that differ");
         state.moving = std::move(moving);
         state.first = coordinates(genes, state.moving);
         state.run.lambda = state.plan.usual =

@@ -78,9 +78,9 @@ struct DifferentialEvolution : Operator {
     }
     void validate() const {
         if (base != "rand" && base != "best" && base != "current-to-best")
-            throw UsageError("stage 'de': base is '" + base + "'; expected rand, best or current-to-best");
+            throw UsageError("stage 'de': base is '" + base + "'; use rand, best or current-to-best");
         if (crossing != "bin" && crossing != "exp")
-            throw UsageError("stage 'de': crossing is '" + crossing + "'; expected bin or exp");
+            throw UsageError("stage 'de': crossing is '" + crossing + "'; use bin or exp");
         check_values(*this, words().name);
     }
     void check(CheckState& known) const {
@@ -92,8 +92,7 @@ struct DifferentialEvolution : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
         if (n < 4)
-            throw NothingLeft(context.path() + ": " + std::to_string(n) +
-                              " individuals; expected 4 at least");
+            throw NothingLeft(context.path() + ": " + std::to_string(n) + " individuals; give 4 or more");
         const auto genes = all_genes(context.problem(), population);
         const std::size_t best = ranking(population, 1).front();
         for (std::size_t i = 0; i < n; ++i) {

@@ -111,7 +111,7 @@ struct LShade : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
         if (population.size() < 4)
             throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
-                              " individuals; expected 4 at least");
+                              " individuals; give 4 or more");
         Stream random = context.stream(everyone);
         if (state.initial == 0) {
             state.initial = population.size();

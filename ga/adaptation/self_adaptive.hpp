@@ -35,7 +35,7 @@ struct SelfAdaptive : Operator {
     }
     void validate() const {
         if (steps != "each" && steps != "one")
-            throw UsageError("stage 'self-adaptive': steps is '" + steps + "'; expected each or one");
+            throw UsageError("stage 'self-adaptive': steps is '" + steps + "'; use each or one");
         check_values(*this, words().name);
     }
     void check(CheckState& known) const {

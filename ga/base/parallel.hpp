@@ -42,8 +42,8 @@ void parallel_for(std::size_t n, int threads, Job job) {
 inline int thread_count(int asked) {
     constexpr int most = 1024;
     if (asked > most)
-        throw UsageError("threads: " + std::to_string(asked) + " given, expected at most " +
-                         std::to_string(most));
+        throw UsageError("threads: " + std::to_string(asked) + " is out of range (0 to " +
+                         std::to_string(most) + ")");
     return asked > 0 ? asked : omp_get_max_threads();
 }
 

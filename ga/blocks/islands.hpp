@@ -64,7 +64,7 @@ struct Islands : Operator {
             if (population.size() < n)
                 throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
                                   " individuals for " + std::to_string(n) +
-                                  " islands; expected one each at least");
+                                  " islands; give at least one for each");
             frame->kept.resize(n);
             for (std::size_t i = 0; i < population.size(); ++i)
                 frame->kept[i % n].push_back(std::move(population[i]));

@@ -79,7 +79,7 @@ struct Pair : Operator {
         if (children.empty())
             throw NothingLeft(context.path() + ": " + std::to_string(lefts.size()) + " and " +
                               std::to_string(rights.size()) + " individuals gave no child by " +
-                              combine.name);
+                              combine.name + "; pair other individuals");
         return children;
     }
 };

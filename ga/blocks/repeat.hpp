@@ -113,8 +113,8 @@ Repeat<Body> repeat(std::size_t n, Body body) {
 }
 
 /// Runs its body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block
-/// also ends after 10,000 generations without an improvement; if it ends on evaluations, also without a
-/// requested one.
+/// also ends after 10,000 generations without an improvement. A block that ends on evaluations also ends
+/// after 10,000 generations without a request.
 template <class Body, class Ends>
 struct Generations : Operator {
     Body body; ///< runs in each generation

@@ -40,7 +40,7 @@ inline std::string opened(const std::filesystem::path& file) {
     if (!stream.is_open() || all.size() < head ||
         all.compare(0, head, seal_of(std::string_view(all).substr(head))) != 0)
         throw UsageError("checkpoint '" + file.string() +
-                         "' is damaged or none; expected a file as this version wrote it");
+                         "' is damaged or not a checkpoint; give a file that this version wrote");
     return all.substr(head);
 }
 
@@ -103,7 +103,7 @@ inline nlohmann::json read_cbor(const std::string& bytes, const std::filesystem:
     nlohmann::json j;
     Bounded reader(j, true);
     if (!nlohmann::json::sax_parse(bytes, &reader, nlohmann::json::input_format_t::cbor))
-        throw UsageError("checkpoint '" + file.string() + "' nests too deep; expected one that a run wrote");
+        throw UsageError("checkpoint '" + file.string() + "' nests too deep; give one that a run wrote");
     return j;
 }
 
@@ -276,7 +276,8 @@ class Checkpoints : public Checkpointer<P> {
                 answer_ = j.at("answer").get<Population<Genome>>();
             return snapshot;
         } catch (const json::exception& error) {
-            throw UsageError("checkpoint '" + file_.string() + "' cannot be read: " + error.what());
+            throw UsageError("checkpoint '" + file_.string() + "' is malformed (" + error.what() +
+                             "); give one that a run wrote");
         }
     }
     std::optional<Population<Genome>> answer() const override { return answer_; }

@@ -23,15 +23,14 @@ descriptors_of(const P& problem, const std::vector<std::string>& names, const st
             list += (list.empty() ? "" : ", ") + each.name;
         }
         if (found.empty() || found.back()->name != name)
-            throw UsageError("stage '" + stage + "': unknown descriptor '" + name + "'; expected one of " +
-                             list);
+            throw UsageError("stage '" + stage + "': unknown descriptor '" + name + "'; use one of " + list);
     }
     return found;
 }
 
 /// MAP-Elites (Mouret and Clune 2015, Illuminating search spaces by mapping elites). The range of each
-/// descriptor is divided into `cells`. Of the generation's start and the population together, the best of
-/// every cell stays. A descriptor beyond its range counts for the outermost cell. The population is the
+/// descriptor is divided into `cells`. The best of every cell stays, of the generation's start and the
+/// population together. A descriptor beyond its range counts for the outermost cell. The population is the
 /// archive: the stages before it choose elites and vary them.
 struct MapElites : Operator {
     std::vector<std::string> descriptors; ///< the problem's, one at least
@@ -79,7 +78,8 @@ struct MapElites : Operator {
         for (const auto& [place, i] : elites)
             archive.push_back(std::move(all[i]));
         if (archive.empty())
-            throw NothingLeft(context.path() + ": no individual has descriptors that are numbers");
+            throw NothingLeft(context.path() +
+                              ": no individual has descriptors that are numbers; return finite descriptors");
         return archive;
     }
     ///@}

@@ -58,7 +58,7 @@ class Log {
 
   private:
     std::string cannot_be_written() const {
-        return "log '" + file_.string() + "' cannot be written; the run went on without it";
+        return "log '" + file_.string() + "' cannot be written; the run continued without it";
     }
     void append(const std::string& text) {
         if (!trouble.empty())

@@ -17,10 +17,10 @@ struct Pareto : Operator {
     [[gnu::cold]] void validate() const {
         if (objectives.size() < 2)
             throw UsageError("pareto compares " + std::to_string(objectives.size()) +
-                             " objectives; expected the names of 2 at least");
+                             " objectives; give the names of 2 or more");
         for (auto each = objectives.begin(); each != objectives.end(); ++each)
             if (std::find(objectives.begin(), each, *each) != each)
-                throw UsageError("pareto is given '" + *each + "' twice; expected different objectives");
+                throw UsageError("pareto is given '" + *each + "' twice; give different objectives");
     }
     ///@{ What every operator has (Operator).
     static Words words() {
@@ -84,7 +84,7 @@ struct Front : Operator {
     static void describe(auto&, auto) {}
     void check(CheckState& known) const {
         if (!known.several_objectives())
-            throw UsageError("stage 'front' needs a population ranked by pareto; expected pareto before it");
+            throw UsageError("stage 'front' needs a population ranked by pareto; put pareto before it");
     }
 
     template <Problem P>

@@ -116,7 +116,7 @@ class AskTell : Evaluator<P> {
             return;
         if (id < first_ || id - first_ >= calls_.size() ||
             !std::holds_alternative<Pending>(*calls_[id - first_].answer))
-            throw UsageError("question " + std::to_string(id) + " is not open; expected one that ask gave");
+            throw UsageError("question " + std::to_string(id) + " is not open; answer one that ask returned");
         *calls_[id - first_].answer = std::move(evaluation);
         if (--open_ == 0)
             changed_.notify_all();

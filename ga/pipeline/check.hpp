@@ -25,7 +25,7 @@ struct CheckState {
     /// Throws UsageError, with the stage's name, if individuals may be unscored.
     [[gnu::cold]] void need_score(const std::string& stage) const {
         if (!scored)
-            throw UsageError("stage '" + stage + "' needs a scored population; expected score before it");
+            throw UsageError("stage '" + stage + "' needs a scored population; put score before it");
     }
     /// Throws UsageError, with the stage's name, if the fitness has several objectives.
     [[gnu::cold]] void need_one_objective(const std::string& stage) const {
@@ -33,20 +33,20 @@ struct CheckState {
         if (several_objectives())
             throw UsageError("stage '" + stage +
                              "' needs one objective's fitness, the population is ranked by '" + *scored +
-                             "'; expected score before it");
+                             "'; put score before it");
     }
     /// Throws UsageError, with the stage's name and purpose, if it is not in a block of generations.
     [[gnu::cold]] void need_generation(const std::string& stage,
                                        const std::string& does = "reads the start of a generation") const {
         if (!in_generation)
-            throw UsageError("stage '" + stage + "' " + does + "; expected it inside repeat or until");
+            throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");
     }
     /// Throws UsageError if a stage that learns is not in a block of generations.
     [[gnu::cold]] void need_repetition(const std::string& stage) const {
         need_generation(stage, "learns from one generation to the next");
     }
-    /// Throws UsageError, with the stage's name, if it is not in a block of generations, or if the start was
-    /// scored by another policy than the population.
+    /// Throws UsageError, with the stage's name, if it is not in a block of generations. It also throws if
+    /// the start and the population were scored by different policies.
     [[gnu::cold]] void need_comparable_start(const std::string& stage) const {
         need_generation(stage);
         need_score(stage);
@@ -54,7 +54,7 @@ struct CheckState {
             throw UsageError("stage '" + stage + "' compares the population, scored by '" + *scored +
                              "', with the generation's start, " +
                              (start_scored ? "scored by '" + *start_scored + "'" : "unscored") +
-                             "; expected the same for both");
+                             "; score both by the same objective");
     }
     /// The name of an objective; an empty one is the problem's first. Throws UsageError if it is unknown.
     [[gnu::cold]] std::string objective(const std::string& stage, const std::string& name) const {
@@ -65,7 +65,7 @@ struct CheckState {
         std::string list;
         for (const auto& each : objectives)
             list += (list.empty() ? "" : ", ") + each;
-        throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; expected one of " + list);
+        throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " + list);
     }
 };
 

@@ -58,7 +58,7 @@ struct Parameter {
         return std::isfinite(value) && value >= lower && value <= upper &&
                (kind == Kind::number || value == std::floor(value));
     }
-    /// The expected value in words; `in_full` includes the largest whole number, which few users need.
+    /// The permitted values in words; `in_full` includes the largest whole number, which few users need.
     [[gnu::cold]] std::string expected(bool in_full = false) const {
         if (is_text())
             return kind == Kind::word ? "a name" : "names";
@@ -194,7 +194,7 @@ template <class T>
     for (const Field& field : fields)
         if (const auto given = field.as_number(); given && !field.parameter.allows(*given))
             throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
-                             "'; expected " + field.parameter.expected(*given > field.parameter.upper));
+                             "'; give " + field.parameter.expected(*given > field.parameter.upper));
 }
 /// Throws UsageError if a value of an object that describes itself is out of range.
 template <class T>

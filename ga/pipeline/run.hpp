@@ -39,7 +39,7 @@ template <Problem P>
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
     if (known.objectives.empty())
-        throw UsageError("the problem has no objective; expected one at least");
+        throw UsageError("the problem has no objective; define at least one");
     return known;
 }
 /// Throws UsageError if the pipeline cannot work on this problem and population.
@@ -48,7 +48,7 @@ template <Problem P>
     CheckState known = known_of(problem);
     known.nobody = population.empty();
     if (known.nobody && !pipeline.begins())
-        throw UsageError("the population is empty; expected one individual at least, or sample before all");
+        throw UsageError("the population is empty; give at least one individual, or begin with sample");
     if (!known.nobody && comparable(population))
         known.scored = population.front().fitness.objective();
     pipeline.check(known);
@@ -89,7 +89,7 @@ template <class G>
     for (const auto number : permutation.order)
         if (number >= seen.size() || std::exchange(seen[number], char{1}))
             throw UsageError("a start of " + std::to_string(seen.size()) + " numbers has " +
-                             std::to_string(number) + " where it cannot be; expected each from 0 to " +
+                             std::to_string(number) + " twice or out of range; give each from 0 to " +
                              std::to_string(seen.size() - 1) + " once");
 }
 

@@ -110,7 +110,7 @@ class Stage {
             place.located([&] {
                 if (known.nobody && !place.step.begins)
                     throw UsageError("stage '" + place.step.text +
-                                     "' needs a population; expected one to start with, or sample before it");
+                                     "' needs a population; give one at the start, or put sample before it");
                 place.step.check(known);
                 known.nobody = false;
             });
@@ -120,7 +120,7 @@ class Stage {
         if (!known.scored && !places_.empty())
             places_.back().located([&] {
                 throw UsageError("stage '" + places_.back().step.text +
-                                 "' leaves the population unscored at the end; expected score after it");
+                                 "' leaves the population unscored at the end; put score after it");
             });
     }
 

@@ -99,7 +99,7 @@ class SteadyState {
                 auto question = ask();
                 if (!question || question->id != event.id)
                     throw UsageError("the log asks question " + std::to_string(event.id) +
-                                     ", which this search does not; expected the log of the same search");
+                                     ", which this search does not; give the log of the same search");
                 asked.emplace(event.id, std::move(question->genome));
             } else if (event.failure) {
                 fail(event.id, *event.failure);
@@ -131,7 +131,7 @@ class SteadyState {
             if (population_.empty())
                 return false;
             if (vain == max_vain)
-                throw NothingLeft("breeding made no new individual; expected cross or mutate in it");
+                throw NothingLeft("breeding made no new individual; add cross or mutate to it");
             const typename Context<P>::Round round(context_.position, bred_++, &population_);
             for (auto& child : breed_(population_, context_))
                 if (!child.fitness.known())
@@ -143,7 +143,7 @@ class SteadyState {
         const auto asked = open_.find(event.id);
         if (asked == open_.end())
             throw UsageError("question " + std::to_string(event.id) +
-                             " is not open; expected one that ask gave");
+                             " is not open; answer one that ask returned");
         ledger_.prepay(identify(problem_, asked->second.genome), std::move(evaluation));
         Individual<Genome> individual = std::move(asked->second);
         open_.erase(asked);

@@ -72,7 +72,7 @@ inline std::vector<double> merits(std::span<const Fitness* const> all) {
         const Fitness& each = *all[i];
         if (!each.known() || each.objective_name() != all[0]->objective_name())
             throw UsageError("fitness under '" + all[0]->objective() + "' was compared with '" +
-                             each.objective() + "'; expected score before, by one objective for all");
+                             each.objective() + "'; score all by one objective first");
         several |= each.several();
         ruled |= !each.feasible();
         merits[i] = several ? 0 : each.merit();
@@ -160,7 +160,8 @@ inline bool better_by_rules(const Fitness& a, const Fitness& b) {
         return worth[0] > worth[1];
     }
     if (a.objective_name() != b.objective_name())
-        throw UsageError("fitness under '" + a.objective() + "' was compared with '" + b.objective() + "'");
+        throw UsageError("fitness under '" + a.objective() + "' was compared with '" + b.objective() +
+                         "'; score both by one objective first");
     return dominates(a.values(), b.values());
 }
 /// Whether a is better than b, independent of others: by Deb's rules, under several objectives by dominance.

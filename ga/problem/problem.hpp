@@ -157,7 +157,7 @@ decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome
             throw UsageError("the problem's bounds: number " + std::to_string(i + 1) + " is of gene " +
                              std::to_string(all[i].gene) + ", " + std::to_string(all[i].lower) + " to " +
                              std::to_string(all[i].upper) +
-                             "; expected genes in ascending order and no lower "
+                             "; give genes in ascending order and no lower "
                              "bound above the upper");
     return all;
 }

@@ -24,7 +24,8 @@ class Search {
         for (const Variable& variable : moving_)
             if (variable.gene >= genes_.size())
                 throw UsageError("refine: gene " + std::to_string(variable.gene) +
-                                 " is to move, the genome has " + std::to_string(genes_.size()));
+                                 " may move but does not exist; name one below " +
+                                 std::to_string(genes_.size()));
         const auto& objectives = problem.objectives();
         for (std::size_t i = 0; i < objectives.size(); ++i)
             if (objectives[i].name == individual.fitness.objective())
@@ -183,7 +184,7 @@ struct Refine : Operator {
         if (method.needs_gradient && !Differentiable<P>)
             throw UsageError(
                 "stage '" + text() +
-                "' needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
+                "' needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
     }
 
     template <class P>

@@ -99,7 +99,7 @@ class Context {
         for (std::size_t i = 0; i < objectives.size(); ++i)
             if (name.empty() || objectives[i].name == name)
                 return i;
-        throw UsageError("unknown objective '" + name + "'");
+        throw UsageError("unknown objective '" + name + "'; use one of the problem");
     }
     /// Gives every individual its fitness under an objective (empty: the problem's first), with an evaluation
     /// if needed.
@@ -147,8 +147,8 @@ class Context {
     }
 
     /// Adds n replicates of a noisy evaluation to each individual that has not failed, up to max(n, limit) in
-    /// all, and sets its fitness to the mean of all its replicates. Known replicates are not evaluated again.
-    /// One failed replicate fails the individual.
+    /// all. Sets its fitness to the mean of all its replicates. Known replicates are not evaluated again. One
+    /// failed replicate fails the individual.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -282,8 +282,8 @@ class Context {
         state.earlier_seconds = snapshot.seconds;
         ledger_.resume(state.best.has_value(), snapshot.heaviest);
     }
-    /// Writes the checkpoint of a stopping run, once: the given state before the interrupted stage or between
-    /// two stages, with the frames of the open blocks.
+    /// Writes the checkpoint of a stopping run, once. It holds the given state before the interrupted stage
+    /// or between two stages, with the frames of the open blocks.
     [[gnu::cold]] void keep_stopped(Snapshot<Genome> before) {
         if (std::exchange(stop_kept_, true))
             return;

@@ -13,10 +13,10 @@ namespace ga {
 /// Runs job(i, queue) for i = 0 .. n-1, each on a separate thread, and answers their requests in rounds. When
 /// every unfinished job waits for an answer, their requests go to `through` together. They go in the jobs'
 /// order and from the caller's thread. So jobs with one request at a time use all threads of the evaluator,
-/// equal requests are paid once, and the result does not depend on which job is faster. `after` is called
+/// and equal requests are paid once. The result does not depend on which job is faster. `after` is called
 /// after every round. An exception does not stop the other jobs; that of the smallest i is thrown at the end.
-/// At most `room` jobs run at the same time, and as many again in all rounds inside them, so that nested
-/// islands do not exhaust the system's threads.
+/// At most `room` jobs run at the same time, and at most as many in all rounds inside them. So nested islands
+/// do not exhaust the system's threads.
 template <Problem P>
 class Rounds {
   public:
@@ -98,8 +98,8 @@ class Rounds {
                 threads.emplace_back(work(i));
             } catch (const std::system_error&) {
                 seats_[i].error = std::make_exception_ptr(
-                    UsageError("the system gives no thread for search " + std::to_string(from + i + 1) +
-                               " of those that run in parallel; use fewer islands or more memory"));
+                    UsageError("search " + std::to_string(from + i + 1) +
+                               ": the system refuses another thread; use fewer islands or more memory"));
                 seats_[i].done = true;
                 wait();
             }

@@ -24,12 +24,13 @@ class Arguments {
                 argument.key.empty() ? next_free(parameters) : named(parameters, argument.key);
             if (parameter == parameters.end())
                 throw TextError(where_, argument.column,
-                                argument.key.empty()
-                                    ? "stage '" + stage + "' has no place for '" + argument.value + "'"
-                                    : "stage '" + stage + "' has no '" + argument.key + "'" +
-                                          suggestion(argument.key, names(parameters)));
+                                argument.key.empty() ? "stage '" + stage + "' has no place for '" +
+                                                           argument.value + "'; remove it"
+                                                     : "stage '" + stage + "' has no '" + argument.key + "'" +
+                                                           suggestion(argument.key, names(parameters)));
             if (values_.count(parameter->name) && parameter->kind != Parameter::Kind::words)
-                throw TextError(where_, argument.column, "'" + parameter->name + "' is given twice");
+                throw TextError(where_, argument.column,
+                                "'" + parameter->name + "' is given twice; give it once");
             check(*parameter, argument, stage);
             values_[parameter->name].push_back(argument);
         }
@@ -38,7 +39,7 @@ class Arguments {
                 continue;
             if (!parameter.standard)
                 throw TextError(where_, column,
-                                "stage '" + stage + "' lacks '" + parameter.name + "'; expected " +
+                                "stage '" + stage + "' lacks '" + parameter.name + "'; give " +
                                     parameter.expected());
             if (!parameter.standard->empty())
                 values_[parameter.name] = {{"", *parameter.standard, column}};
@@ -124,7 +125,7 @@ class Arguments {
         if (!fits)
             throw TextError(where_, argument.column,
                             "stage '" + stage + "': " + parameter.name + " is '" + argument.value +
-                                "'; expected " + parameter.expected(value && *value > parameter.upper));
+                                "'; give " + parameter.expected(value && *value > parameter.upper));
     }
 
     std::string where_;

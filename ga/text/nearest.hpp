@@ -40,8 +40,8 @@ namespace ga {
         return "; did you mean '" + *nearest + "'?";
     std::string list;
     for (const auto& name : names)
-        list += (list.empty() ? "; expected one of " : ", ") + name;
-    return names.empty() ? "; there are none" : list;
+        list += (list.empty() ? "; use one of " : ", ") + name;
+    return names.empty() ? "; define one first" : list;
 }
 
 } // namespace ga

@@ -70,11 +70,12 @@ class Parser {
         const std::string name = entry.name;
         if (!entry.lacks.empty())
             throw TextError(where, text.column,
-                            "stage '" + name + "' cannot work here: it needs " + entry.lacks);
+                            "stage '" + name + "' cannot work here; it needs " + entry.lacks);
         if (stage.bodies.size() != entry.bodies)
-            throw TextError(where, text.column,
-                            "stage '" + name +
-                                (entry.bodies == 0 ? "' takes no { ... }" : "' lacks its { ... }"));
+            throw TextError(
+                where, text.column,
+                "stage '" + name +
+                    (entry.bodies == 0 ? "' takes no { ... }; remove it" : "' lacks its { ... }; add it"));
         std::vector<Stage<P>> bodies;
         for (const auto& body : stage.bodies)
             bodies.push_back(made(body, where));
@@ -142,7 +143,7 @@ class Parser {
                     if (parameter.name == argument.value)
                         throw TextError(where, argument.column,
                                         "stage '" + entry.name + "': '" + parameter.name +
-                                            "' lacks its value; expected " + parameter.expected());
+                                            "' lacks its value; give " + parameter.expected());
                 argument.key = argument.value; // Arguments will refuse it
             }
     }
@@ -161,12 +162,14 @@ class Parser {
 
     [[gnu::cold]] Stage<P> expanded(const StageText& text, const std::string& where) {
         if (!text.arguments.empty() || !text.bodies.empty())
-            throw TextError(where, text.column, "variant '" + text.name + "' takes no arguments");
+            throw TextError(where, text.column,
+                            "variant '" + text.name + "' takes no arguments; remove them");
         if (std::find(open_.begin(), open_.end(), text.name) != open_.end()) {
             std::string cycle;
             for (const auto& name : open_)
                 cycle += name + " -> ";
-            throw TextError(where, text.column, "variants contain each other: " + cycle + text.name);
+            throw TextError(where, text.column,
+                            "variants contain each other: " + cycle + text.name + "; remove one");
         }
         return named(text.name);
     }
@@ -174,7 +177,7 @@ class Parser {
     /// Returns the stage with its column.
     [[gnu::cold]] Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
         if (++stages_ > most_stages)
-            throw TextError(where, text.column, "more than 10000 stages, with those of variants");
+            throw TextError(where, text.column, "more than 10000 stages, with those of variants; use fewer");
         stage.locate(where, text.column);
         return stage;
     }

@@ -34,7 +34,7 @@ class Registry {
     /// is taken.
     [[gnu::cold]] void add(Entry entry, Make make) {
         if (find(entry.name))
-            throw UsageError("operator '" + entry.name + "' is registered twice");
+            throw UsageError("operator '" + entry.name + "' is registered twice; choose another name");
         entry.make = std::move(make);
         entries_.push_back(std::move(entry));
     }

@@ -36,7 +36,7 @@ class Syntax {
     /// @param where  name of the text in errors
     Syntax(std::string_view text, std::string where) : text_(text), where_(std::move(where)) {
         if (text.size() > longest)
-            throw TextError(where_, longest, "the text is longer than 1000000 characters");
+            throw TextError(where_, longest, "the text is longer than 1000000 characters; shorten it");
         next();
     }
 
@@ -44,7 +44,7 @@ class Syntax {
     [[gnu::cold]] PipelineText read() {
         PipelineText pipeline = read_pipeline();
         if (!token_.empty())
-            fail("unexpected " + quoted() + "; expected | or the end");
+            fail("unexpected " + quoted() + "; write | or end the text");
         return pipeline;
     }
 
@@ -53,7 +53,7 @@ class Syntax {
 
     [[gnu::cold]] PipelineText read_pipeline() {
         if (++depth_ > 100)
-            fail("more than 100 pipelines inside each other");
+            fail("more than 100 pipelines inside each other; nest fewer");
         PipelineText pipeline = {read_stage()};
         while (token_ == "|") {
             next();
@@ -110,14 +110,14 @@ class Syntax {
 
     [[gnu::cold]] std::string word(const std::string& what) {
         if (!is_word())
-            fail("unexpected " + quoted() + "; expected " + what);
+            fail("unexpected " + quoted() + "; give " + what);
         std::string word = token_;
         next();
         return word;
     }
     [[gnu::cold]] void take(const std::string& symbol) {
         if (token_ != symbol)
-            fail("unexpected " + quoted() + "; expected " + symbol);
+            fail("unexpected " + quoted() + "; write " + symbol);
         next();
     }
     /// Reads the next symbol or word; an empty token is the end.

@@ -288,7 +288,7 @@ TEST_CASE("a learning operator without a gene to move keeps genomes or refuses")
     for (std::size_t i = 0; i < 4; ++i)
         CHECK(after[i].genome == start[i].genome);
     CHECK_THROWS_WITH(run("score | repeat 2 { cma-es | score }", minimum(2, functions::sphere, 1, 1), start),
-                      "cma-es: the genome has no gene that may move");
+                      "cma-es: the genome has no gene that may move; give bounds that differ");
 }
 
 TEST_CASE("a trial of differential evolution crosses the mutant, halfway to a passed bound") {
@@ -490,11 +490,10 @@ TEST_CASE("a learning operator is refused when nothing repeats or scores it") {
         refused("sample 9 | repeat 2 { " + name + " | score }", "needs a scored population");
     for (const std::string name : {"cma-es", "l-shade"})
         refused("sample 9 | pareto f f2 | repeat 2 { " + name + " | pareto f f2 }", "objective");
-    refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }", "expected bipop, ipop or none");
-    refused("sample 9 | score | repeat 2 { de worst | score }", "expected rand, best or current-to-best");
-    refused("sample 9 | score | repeat 2 { de crossing=Exp | score }",
-            "crossing is 'Exp'; expected bin or exp");
-    refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }", "expected each or one");
+    refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }", "; use bipop, ipop or none");
+    refused("sample 9 | score | repeat 2 { de worst | score }", "; use rand, best or current-to-best");
+    refused("sample 9 | score | repeat 2 { de crossing=Exp | score }", "crossing is 'Exp'; use bin or exp");
+    refused("sample 9 | score | repeat 2 { self-adaptive steps=two | score }", "; use each or one");
     refused("sample 9 | score | repeat 2 { cma-es population=1 | score }",
-            "population is '1'; expected 0, or 2 at least");
+            "population is '1'; give 0, or 2 or more");
 }

@@ -69,5 +69,5 @@ TEST_CASE("parallel work finishes, then throws its first exception in order") {
                           "3");
         CHECK(done == 20);
     }
-    CHECK_THROWS_WITH(thread_count(100000), Catch::Contains("at most 1024"));
+    CHECK_THROWS_WITH(thread_count(100000), Catch::Contains("out of range (0 to 1024)"));
 }

@@ -20,7 +20,7 @@ Vector values_of(const Population<Vector>& population) {
 
 } // namespace
 
-TEST_CASE("until ends at the first condition that holds") {
+TEST_CASE("a block `until` ends at the first condition that holds") {
     const auto start = run("sample 20 | score", Reals{}).population;
     const auto generations = [&](const std::string& end) {
         std::size_t count = 0;
@@ -134,7 +134,7 @@ TEST_CASE("restarts join the answers of different runs") {
         CHECK(result.population[i].genome != result.population[0].genome);
 }
 
-TEST_CASE("a pair takes each child once and skips parents without a child") {
+TEST_CASE("a pair takes each child once and skips parents that have none") {
     const auto result = run("score | pair(score, score, mean) | score", CurveFit{}, CurveFit::start(3));
     CHECK(result.population.size() == 3); // three of nine pairs have one parent and three are repeated
     CHECK(result.population[0].parents == Parents(0, 1));
@@ -147,10 +147,11 @@ TEST_CASE("a stage with too few individuals ends the run and says how many") {
         CHECK_THROWS_WITH(run("sample 3 | score | " + stage + " | score", problem), "pipeline/" + message);
         CHECK_THROWS_AS(run("sample 3 | score | " + stage + " | score", problem), NothingLeft);
     };
-    ends("islands 4 { score }", "islands.1: 3 individuals for 4 islands; expected one each at least");
-    ends("repeat 2 { l-shade | score }", "repeat.1/l-shade.1: 3 individuals; expected 4 at least");
-    ends("de", "de.1: 3 individuals; expected 4 at least");
-    ends("pair(score | best 2, score, none)", "pair.1: 2 and 3 individuals gave no child by none");
+    ends("islands 4 { score }", "islands.1: 3 individuals for 4 islands; give at least one for each");
+    ends("repeat 2 { l-shade | score }", "repeat.1/l-shade.1: 3 individuals; give 4 or more");
+    ends("de", "de.1: 3 individuals; give 4 or more");
+    ends("pair(score | best 2, score, none)",
+         "pair.1: 2 and 3 individuals gave no child by none; pair other individuals");
     ends("repeat 2 { map-elites none | score }",
-         "repeat.1/map-elites.1: no individual has descriptors that are numbers");
+         "repeat.1/map-elites.1: no individual has descriptors that are numbers; return finite descriptors");
 }

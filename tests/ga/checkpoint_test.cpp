@@ -227,7 +227,7 @@ TEST_CASE("a damaged checkpoint is refused, and the one before it used") {
     const auto whole = run(evolving, Reals{}, {}, {}, {}, &kept);
     const std::string good = contents(file),
                       damaged = "checkpoint '" + file.string() +
-                                "' is damaged or none; expected a file as this version wrote it";
+                                "' is damaged or not a checkpoint; give a file that this version wrote";
     Stream random(1);
     for (int i = 0; i < 60; ++i) {
         std::string bad = good;
@@ -269,7 +269,7 @@ TEST_CASE("a forged checkpoint that nests too deep or does not fit is refused") 
     seal(file, std::string(200000, '\x81') + '\x01'); // arrays of one array of one array ...
     Checkpoints<Reals> deep(file, "", true);
     CHECK_THROWS_WITH(run(evolving, Reals{}, {}, {}, {}, &deep),
-                      "checkpoint '" + file.string() + "' nests too deep; expected one that a run wrote");
+                      "checkpoint '" + file.string() + "' nests too deep; give one that a run wrote");
     CHECK(read_cbor(std::string(63, '\x81') + '\x80', file).size() == 1); // 64 arrays
     CHECK_THROWS_AS(read_cbor(std::string(64, '\x81') + '\x80', file), UsageError);
     const json good = stopped(file, evolving);

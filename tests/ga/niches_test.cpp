@@ -191,7 +191,7 @@ TEST_CASE("emitted children move along a descriptor's gradient by normal lengths
     CHECK(run("emit 1 plane sigma=0.01 | score", f, start).population[0].genome[0] == 1);
     CHECK_THROWS_WITH(
         run("emit 1 plain | score", f, start),
-        Catch::Contains("stage 'emit 1 plain sigma=0.1': unknown descriptor 'plain'; expected one of plane"));
+        Catch::Contains("stage 'emit 1 plain sigma=0.1': unknown descriptor 'plain'; use one of plane"));
 }
 
 TEST_CASE("emitted children climb the fitness by lengths of half a normal distribution") {

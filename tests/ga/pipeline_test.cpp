@@ -65,9 +65,9 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
     CurveFit problem;
     problem.on_evaluation = [&](const Vector&) { ++calls; };
     for (const auto& [pipeline, message] : std::map<std::string, std::string>{
-             {"best 1 | score", "stage 'best 1' needs a scored population; expected score before it"},
+             {"best 1 | score", "stage 'best 1' needs a scored population; put score before it"},
              {"score | score middle",
-              "stage 'score middle': unknown objective 'middle'; expected one of fit, low, high"},
+              "stage 'score middle': unknown objective 'middle'; use one of fit, low, high"},
              {"score | elite 1", "stage 'elite 1' reads the start of a generation"},
              {"score | front", "stage 'front' needs a population ranked by pareto"},
              {"refine lm 3", "stage 'refine lm 3 genes=all' needs a scored population"},
@@ -77,7 +77,7 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
               "scored "
               "by 'low'"},
              {"pareto fit low | repeat 2 { mutate 1 | score | plus }",
-              "scored by 'pareto fit low'; expected the same for both"},
+              "scored by 'pareto fit low'; score both by the same objective"},
              {"pareto fit low | above 1", "stage 'above 1' needs one objective's fitness, the population is "
                                           "ranked by 'pareto fit low'"},
              {"pareto fit low | until fitness 1 { mutate 1 | pareto fit low }",
@@ -85,11 +85,10 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
         CHECK_THROWS_WITH(run(pipeline, problem, CurveFit::start(5)), Catch::Contains(message));
     CHECK(calls == 0);
     CHECK_THROWS_WITH(run("score", CurveFit{}, {}),
-                      "the population is empty; expected one individual at least, or sample before all");
+                      "the population is empty; give at least one individual, or begin with sample");
     Reals aimless;
     aimless.list.clear();
-    CHECK_THROWS_WITH(run("sample 1 | score", aimless),
-                      "the problem has no objective; expected one at least");
+    CHECK_THROWS_WITH(run("sample 1 | score", aimless), "the problem has no objective; define at least one");
 }
 
 TEST_CASE("grouping by | changes neither text nor random numbers") {
@@ -193,7 +192,7 @@ TEST_CASE("ask and tell give the bits of a run, whatever the order of answers") 
     for (auto questions = search.ask(); !questions.empty(); questions = search.ask()) {
         CHECK(questions.front().id == told);
         std::reverse(questions.begin(), questions.end());
-        if (questions.size() > 1) { // answers one question; the others are returned again
+        if (questions.size() > 1) { // answers one question; all other questions are returned again
             const auto [id, genome] = questions.back();
             questions.pop_back();
             search.tell(id, genome);
@@ -235,7 +234,7 @@ TEST_CASE("ask and tell return what is known when the caller ends early") {
 
 TEST_CASE("ask and tell throw the run's errors to the caller") {
     CHECK_THROWS_WITH(AskTell<Reals>(reals("score | best 1"), outside()),
-                      "the population is empty; expected one individual at least, or sample before all");
+                      "the population is empty; give at least one individual, or begin with sample");
     AskTell<Reals> failing(reals(searching), outside());
     for (const auto& question : failing.ask())
         failing.fail(question.id, "broke");
@@ -250,6 +249,6 @@ TEST_CASE("ask and tell throw the run's errors to the caller") {
     const auto questions = search.ask();
     search.tell(0, questions[0].genome);
     CHECK_THROWS_WITH(search.tell(0, questions[0].genome),
-                      "question 0 is not open; expected one that ask gave");
+                      "question 0 is not open; answer one that ask returned");
     CHECK_THROWS_AS(search.tell(12, {}), UsageError);
 }

@@ -42,8 +42,8 @@ Landscape noisy_curve() {
 }
 
 /// Levenberg-Marquardt as published, with another linear solver. Each step h is the least-squares solution of
-/// J h = -r and sqrt(mu) D h = 0, where D has the lengths of J's columns (Marquardt 1963). mu follows the
-/// gain (Nielsen 1999, Eq. 2.21).
+/// J h = -r and sqrt(mu) D h = 0. D has the lengths of J's columns (Marquardt 1963). mu follows the gain
+/// (Nielsen 1999, Eq. 2.21).
 VectorXd by_the_book(const Landscape& land, int evaluations) {
     VectorXd x = land.start;
     Sensitivity at = *land.sensitivity(x);
@@ -326,7 +326,7 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
     refused("LN_COBYLE", "refine nlopt: unknown algorithm 'LN_COBYLE'; use one of NLopt's, e.g. LN_COBYLA");
     refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; use one that "
                          "works alone, e.g. LN_COBYLA");
-    refused("LD_LBFGS", "needs the problem's gradient; expected a method without, e.g. nlopt LN_COBYLA");
+    refused("LD_LBFGS", "needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
 }
 
 TEST_CASE("a choice of genes that does not fit is refused") {
@@ -336,7 +336,7 @@ TEST_CASE("a choice of genes that does not fit is refused") {
         problem.box = [box](const Vector&) { return box; };
         CHECK_THROWS_WITH(run("sample 1 | score | refine " + method, problem), message);
     };
-    refused({{7, 0, 1}}, "nlopt LN_COBYLA 3", "refine: gene 7 is to move, the genome has 6");
+    refused({{7, 0, 1}}, "nlopt LN_COBYLA 3", "refine: gene 7 may move but does not exist; name one below 6");
     refused({{0, -HUGE_VAL, HUGE_VAL}}, "nlopt GN_CRS2_LM 8",
             "refine nlopt GN_CRS2_LM: finite domain required for global algorithm");
 }

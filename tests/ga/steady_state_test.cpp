@@ -72,7 +72,7 @@ TEST_CASE("a steady-state search asks on while its slowest evaluation is open") 
     search->tell(slowest.id, slowest.genome);
     CHECK(search->result().counters.asked == 200);
     CHECK_THROWS_WITH(search->tell(slowest.id, slowest.genome),
-                      "question 0 is not open; expected one that ask gave");
+                      "question 0 is not open; answer one that ask returned");
     CHECK(!search->ask());
 }
 

@@ -136,14 +136,14 @@ TEST_CASE("an operator's text is read as the same operator") {
 }
 
 TEST_CASE("unreadable text is refused at its column with the expected word") {
-    refused("", "pipeline, column 1: unexpected end; expected the name of a stage");
-    refused("score | | best 1", "pipeline, column 9: unexpected '|'; expected the name of a stage");
-    refused("score | repeat 3 { best 1", "pipeline, column 26: unexpected end; expected }");
-    refused("pair(score, score)", "pipeline, column 18: unexpected ')'; expected ,");
-    refused("best n=", "pipeline, column 8: unexpected end; expected a value for n");
-    refused("score > best 3", "pipeline, column 7: unexpected '>'; expected | or the end");
-    refused("best 1 { score }", "pipeline, column 1: stage 'best' takes no { ... }");
-    refused("repeat 3", "pipeline, column 1: stage 'repeat' lacks its { ... }");
+    refused("", "pipeline, column 1: unexpected end; give the name of a stage");
+    refused("score | | best 1", "pipeline, column 9: unexpected '|'; give the name of a stage");
+    refused("score | repeat 3 { best 1", "pipeline, column 26: unexpected end; write }");
+    refused("pair(score, score)", "pipeline, column 18: unexpected ')'; write ,");
+    refused("best n=", "pipeline, column 8: unexpected end; give a value for n");
+    refused("score > best 3", "pipeline, column 7: unexpected '>'; write | or end the text");
+    refused("best 1 { score }", "pipeline, column 1: stage 'best' takes no { ... }; remove it");
+    refused("repeat 3", "pipeline, column 1: stage 'repeat' lacks its { ... }; add it");
 }
 
 TEST_CASE("an unknown word is refused with the nearest known one") {
@@ -159,9 +159,9 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
     refused("score | above 0.5 atleast=3",
             "pipeline, column 19: stage 'above' has no 'atleast'; did you mean 'at_least'?");
     refused("refine 3",
-            "pipeline, column 1: stage 'refine' lacks its kind; expected one of minimax, mma, lm, nlopt");
+            "pipeline, column 1: stage 'refine' lacks its kind; use one of minimax, mma, lm, nlopt");
     refused("cross order",
-            "pipeline, column 1: stage 'cross order' cannot work here: it needs a permutation for a genome");
+            "pipeline, column 1: stage 'cross order' cannot work here; it needs a permutation for a genome");
     CHECK(edits("csore", "score") == 1); // two letters that changed places
     CHECK(edits("scoer", "score") == 1);
     CHECK(edits("abc", "cab") == 2);
@@ -171,7 +171,8 @@ TEST_CASE("variants that grow exponentially are refused") {
     Variants variants{{"v0", "score"}};
     for (int i = 1; i < 40; ++i)
         variants["v" + std::to_string(i)] = "v" + std::to_string(i - 1) + " | v" + std::to_string(i - 1);
-    refused("v39", "variant 'v0', column 1: more than 10000 stages, with those of variants", variants);
+    refused("v39", "variant 'v0', column 1: more than 10000 stages, with those of variants; use fewer",
+            variants);
 }
 
 TEST_CASE("more than 100 nested pipelines or 10,000 stages are refused") {
@@ -198,23 +199,22 @@ TEST_CASE("more than 100 nested pipelines or 10,000 stages are refused") {
 }
 
 TEST_CASE("a value out of range is refused with the range") {
-    refused("best", "pipeline, column 1: stage 'best' lacks 'n'; expected a whole number from 1");
+    refused("best", "pipeline, column 1: stage 'best' lacks 'n'; give a whole number from 1");
     for (const std::string value : {"0", "1.5"})
         refused("best " + value,
-                "pipeline, column 6: stage 'best': n is '" + value + "'; expected a whole number from 1");
-    refused("best 1000000000000", "pipeline, column 6: stage 'best': n is '1000000000000'; expected a whole "
+                "pipeline, column 6: stage 'best': n is '" + value + "'; give a whole number from 1");
+    refused("best 1000000000000", "pipeline, column 6: stage 'best': n is '1000000000000'; give a whole "
                                   "number from 1 to 1000000000");
-    refused("best 1 2", "pipeline, column 8: stage 'best' has no place for '2'");
-    refused("best 1 n=2", "pipeline, column 8: 'n' is given twice");
+    refused("best 1 2", "pipeline, column 8: stage 'best' has no place for '2'; remove it");
+    refused("best 1 n=2", "pipeline, column 8: 'n' is given twice; give it once");
     for (const std::string value : {"1.5", "nan"})
         refused("mutate " + value,
-                "pipeline, column 8: stage 'mutate': rate is '" + value + "'; expected a number from 0 to 1");
-    refused("above inf", "pipeline, column 7: stage 'above': threshold is 'inf'; expected a number");
+                "pipeline, column 8: stage 'mutate': rate is '" + value + "'; give a number from 0 to 1");
+    refused("above inf", "pipeline, column 7: stage 'above': threshold is 'inf'; give a number");
     refused("islands 10001 { score }",
-            "pipeline, column 9: stage 'islands': n is '10001'; expected a whole number from 2 to 10000");
-    refused(
-        "until generations { score }",
-        "pipeline, column 7: stage 'until': 'generations' lacks its value; expected a whole number from 1");
+            "pipeline, column 9: stage 'islands': n is '10001'; give a whole number from 2 to 10000");
+    refused("until generations { score }",
+            "pipeline, column 7: stage 'until': 'generations' lacks its value; give a whole number from 1");
     refused("until { score }",
             "pipeline, column 1: until has no end; give one of generations, evaluations, seconds, fitness, "
             "stagnation, converged");
@@ -222,11 +222,10 @@ TEST_CASE("a value out of range is refused with the range") {
 
 TEST_CASE("a pipeline that cannot work is refused at its stage's column") {
     refused("score | repeat 2 { mutate 0.1 | best 1 }",
-            "pipeline, column 33: stage 'best 1' needs a scored population; expected score before it");
+            "pipeline, column 33: stage 'best 1' needs a scored population; put score before it");
     refused("score | cross uniform", "pipeline, column 9: stage 'cross uniform' leaves the population "
-                                     "unscored at the end; expected score after it");
-    refused("pareto low low",
-            "pipeline, column 1: pareto is given 'low' twice; expected different objectives");
+                                     "unscored at the end; put score after it");
+    refused("pareto low low", "pipeline, column 1: pareto is given 'low' twice; give different objectives");
 }
 
 TEST_CASE("a named pipeline is expanded in place") {
@@ -235,11 +234,11 @@ TEST_CASE("a named pipeline is expanded in place") {
     CHECK(parser.variant("all").text() == "score | best 3 | refine lm 3 genes=all | score | best 3");
     CHECK(trace(parser.variant("all")).back().starts_with("v/best.2 "));
     CHECK_THROWS_WITH(parser.variant("al"), "unknown variant 'al'; did you mean 'all'?");
-    refused("a", "variant 'b', column 9: variants contain each other: a -> b -> a",
+    refused("a", "variant 'b', column 9: variants contain each other: a -> b -> a; remove one",
             {{"a", "b"}, {"b", "score | a"}});
-    refused("a 3", "pipeline, column 1: variant 'a' takes no arguments", {{"a", "score"}});
+    refused("a 3", "pipeline, column 1: variant 'a' takes no arguments; remove them", {{"a", "score"}});
     refused("score", "variant 'best' has an operator's name; choose another", {{"best", "score"}});
-    refused("a", "variant 'a', column 6: stage 'best': n is '0'; expected a whole number from 1",
+    refused("a", "variant 'a', column 6: stage 'best': n is '0'; give a whole number from 1",
             {{"a", "best 0"}});
 }
 
@@ -266,5 +265,5 @@ TEST_CASE("the listing names every operator under its group, with its unmet need
 TEST_CASE("text of more than a million characters is refused") {
     CHECK_NOTHROW(Syntax(std::string(999995, ' ') + "score", "it").read());
     CHECK_THROWS_WITH(Syntax(std::string(999996, ' ') + "score", "it"),
-                      "it, column 1000000: the text is longer than 1000000 characters");
+                      "it, column 1000000: the text is longer than 1000000 characters; shorten it");
 }

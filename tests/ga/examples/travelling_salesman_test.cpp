@@ -94,5 +94,5 @@ TEST_CASE("a start that is not a permutation is refused") {
     for (const Permutation& wrong : {Permutation{{0, 1, 5}}, Permutation{{1, 1, 2}}})
         CHECK_THROWS_WITH(
             run(score() | best(1), Salesman{{{0, 0}, {1, 0}, {2, 0}}}, population<Permutation>({wrong})),
-            Catch::Contains("expected each from 0 to 2 once"));
+            Catch::Contains("give each from 0 to 2 once"));
 }
