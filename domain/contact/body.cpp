@@ -31,15 +31,15 @@ Body completed(Body body, double length) {
 void validate(const Body& body, Index nodes, double spacing) {
     const auto expect_positive = [](const char* what, double value, const char* unit, const char* quantity) {
         if (!(value > 0 && std::isfinite(value)))
-            refuse_value(what, value, unit, " is not a positive finite ", quantity);
+            refuse_value(what, value, unit, " is out of range (a positive finite ", quantity, ")");
     };
     expect_positive("modulus", body.effective_modulus, " MPa", "effective modulus");
     if (!(body.hardness > 0))
-        refuse_value("hardness", body.hardness, " MPa is not a positive pressure");
+        refuse_value("hardness", body.hardness, " MPa is out of range (above 0)");
     const double limit = spacing * static_cast<double>(nodes) / 4;
     if (body.kernel == Kernel::free && !(body.datum > limit && std::isfinite(body.datum)))
-        refuse_value("datum", body.datum, " mm is not above ", limit,
-                     " mm, (L + spacing)/4; nearer, the free half-plane has no unique solution");
+        refuse_value("datum", body.datum, " mm is out of range (above ", limit,
+                     " mm, (L + spacing)/4, for a unique solution of the free half-plane)");
     if (body.kernel == Kernel::strip)
         expect_positive("strip width", body.strip_width, " mm", "length");
     const Layering& layering = body.layering;

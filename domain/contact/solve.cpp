@@ -121,7 +121,7 @@ void check_options(const Body& body, const ContactOptions& options) {
 }
 
 [[noreturn]] void refuse_beyond_full_contact(double pressure, double full) {
-    refuse("mean pressure: ", pressure, " MPa is above that of full contact, ", full, " MPa");
+    refuse("mean pressure: ", pressure, " MPa is above that of full contact; give at most ", full, " MPa");
 }
 
 /// The step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
@@ -265,8 +265,8 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
             refuse("mean pressure: ", pressure, " MPa after ", previous,
                    " MPa is not a larger finite value; sort the pressures");
         if (!(pressure < largest))
-            refuse("mean pressure: ", pressure, " MPa is not below that of all nodes at the hardness, ",
-                   largest, " MPa");
+            refuse("mean pressure: ", pressure,
+                   " MPa is not below that of all nodes at the hardness; give less than ", largest, " MPa");
         previous = pressure;
     }
     if (pressures.empty())
@@ -292,7 +292,7 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
     options.states = false;
     const bool direct =
         options.solver == Solver::automatic ? profile.nodes() <= always_nested : is_direct(options.solver);
-    // On an area, and with a hardness, the load is met exactly.
+    // On a map, and with a hardness, the load is met exactly.
     const double slack = direct || profile.is_2d() || body.yields() ? 0 : 2 * options.tolerance;
     return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
         .steps.front()

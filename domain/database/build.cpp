@@ -139,7 +139,8 @@ std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::
         all.push_back(GenomeStore::open(file));
         const GenomeStore &first = all.front(), &last = all.back();
         if (const std::string other = difference(fields(last.setup()), fields(first.setup())); !other.empty())
-            refuse(file.string(), ": its ", other, " as that of ", files.front().string());
+            refuse(file.string(), ": its ", other, " as that of ", files.front().string(),
+                   "; merge databases of one set-up");
         if (last.version() != first.version())
             refuse(file.string(), ": made by version ", last.version(), ", but ", files.front().string(),
                    " by ", first.version(), "; build one of them again");

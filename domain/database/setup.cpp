@@ -42,14 +42,14 @@ void visit_law(Law& law, const Visit& visit) {
 } // namespace
 
 void validate(const GenomeDistribution& law) {
-    expect(law.series >= 1 && law.series <= 16, "series ", law.series, ", expected 1 to 16");
-    expect(law.ridges >= 1 && law.ridges <= 1000, "ridges ", law.ridges, ", expected 1 to 1000");
+    expect(law.series >= 1 && law.series <= 16, "series ", law.series, " is out of range (1 to 16)");
+    expect(law.ridges >= 1 && law.ridges <= 1000, "ridges ", law.ridges, " is out of range (1 to 1000)");
     expect(law.H_from > 0 && law.H_from <= law.H_to && std::isfinite(law.H_to), "H from ", law.H_from, " to ",
-           law.H_to, ", expected a range above 0");
+           law.H_to, " is not a range above 0; give ascending bounds above 0");
     expect(law.gamma_from > 1 && law.gamma_from <= law.gamma_to && std::isfinite(law.gamma_to), "gamma from ",
-           law.gamma_from, " to ", law.gamma_to, ", expected a range above 1");
+           law.gamma_from, " to ", law.gamma_to, " is not a range above 1; give ascending bounds above 1");
     expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",
-           law.shortest, " to ", law.lambda, " mm, expected a range above 0");
+           law.shortest, " to ", law.lambda, " mm is not a range above 0; give ascending bounds above 0");
     expect(most_phases(law) <= 1e6, "up to ", most_phases(law),
            " phases per genome are more than 1e6; give fewer series or ridges, or longer waves");
 }
@@ -95,7 +95,8 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
         const std::string& word = text(name);
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (error != std::errc{} || end != word.data() + word.size())
-            throw InputError(where + ": " + name + ": '" + word + "' is not a number");
+            throw InputError(where + ": " + name + ": '" + word +
+                             "' is not a number; give a genome database");
     };
     DatabaseSetup setup;
     Model& model = setup.model;

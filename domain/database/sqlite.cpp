@@ -16,7 +16,8 @@ Sqlite::Sqlite(std::filesystem::path file, Access access) : file_(std::move(file
     const int flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
     if (const std::string name = file_.string();
         name.empty() || name == ":memory:" || name.starts_with("file:"))
-        throw InputError((name.empty() ? "database" : name) + ": names no file; give a database file");
+        throw InputError((name.empty() ? "database" : name) +
+                         ": is not the name of a file; give a database file");
     sqlite3* handle = nullptr;
     const int result = sqlite3_open_v2(file_.c_str(), &handle, flags, nullptr);
     handle_.reset(handle);

@@ -53,7 +53,8 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
     own.body.strip_width = settled(own.body.strip_width * length, wanted.body.strip_width);
     const std::string differs = difference(fields(own), fields(wanted));
     if (!differs.empty())
-        throw InputError(store.file().string() + ": a database of another set-up: its " + differs);
+        throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
+                         "; use another");
     return scale;
 }
 

@@ -40,7 +40,7 @@ void expect_ours(Sqlite& sqlite) {
         refuse(sqlite.file().string(),
                ": is not a genome database; give one made by 'rugosa database build'");
     if (const auto version = sqlite.number("PRAGMA user_version"); version != form)
-        refuse(sqlite.file().string(), ": a genome database of form ", version, ", expected form ", form,
+        refuse(sqlite.file().string(), ": a genome database of form ", version, ", not ", form,
                "; build it again");
     std::vector<std::string> there;
     Statement rows(sqlite,
@@ -137,13 +137,13 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
     }
     const std::string differs = difference(stored_fields(sqlite), wanted);
     if (!differs.empty())
-        throw InputError(file.string() + ": a database of another set-up: its " + differs);
+        throw InputError(file.string() + ": a database of another set-up: its " + differs + "; use another");
     return GenomeStore(std::move(sqlite));
 }
 
 GenomeStore GenomeStore::open(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file))
-        throw InputError(file.string() + ": there is no such file; give a genome database");
+        throw InputError(file.string() + ": does not exist; give a genome database");
     return GenomeStore(Sqlite(file, Sqlite::Access::existing));
 }
 
@@ -243,7 +243,8 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
                   index);
     if (row.step() && index < row.number(0) + row.number(1))
         return {row.number(0), row.number(1)};
-    throw InputError(file().string() + ": genome " + std::to_string(index) + " is not stored");
+    throw InputError(file().string() + ": genome " + std::to_string(index) +
+                     " is not stored; give a smaller number");
 }
 
 /// A batch's row in a table; `per_genome` numbers for each of its genomes, or any number if it is 0.

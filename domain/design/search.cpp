@@ -24,11 +24,11 @@ constexpr std::size_t max_compromises = 24;
 constexpr std::size_t max_verified_on_area = 2; ///< answers of the pipeline
 constexpr int compared_draws = 200;             ///< draws of noise under which answers are compared
 
-/// Whether answers are compared by their similarity under the set-up's errors. On an area that takes too
+/// Whether answers are compared by their similarity under the set-up's errors. On a map that takes too
 /// long.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
-/// An area's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.
+/// A map's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.
 /// A line's set-up is returned as it is.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
     if (setup.model.grid.is_2d())
@@ -254,7 +254,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     result.pipeline = pipeline.text();
     if (!options.starts.empty() && pipeline.begins())
         throw InputError("design: the pipeline '" + result.pipeline +
-                         "' makes its own starts; use one that begins with the given ones (score | ...)");
+                         "' makes its starts itself; use one that begins with the given ones (score | ...)");
     const VerificationPlan plan = plan_verification(setup, options);
     const int threads = ga::thread_count(options.threads);
     const double left = options.seconds - clock.seconds();
@@ -359,7 +359,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
         result.alternatives[i + 1].difference = others[i].second;
     });
     if (!result.best.is_verified() && !(options.stop && options.stop->load()))
-        result.notes.push_back("there was no time to verify the answer on this grid and the finer one");
+        result.notes.push_back(
+            "the answer was not verified on this grid and the finer one, for lack of time");
     if (const double error = result.best.verification.reading_error; error > 0 && result.best.is_verified())
         result.notes.push_back(
             line_of("some load steps on the finer grid are interpolated; the error that this "

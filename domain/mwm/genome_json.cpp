@@ -24,24 +24,24 @@ std::string shown(const json& value) {
 
 void expect_object(const json& value, const std::string& where, std::initializer_list<const char*> keys) {
     if (!value.is_object())
-        refuse(where, ": ", shown(value), " is not an object");
+        refuse(where, ": ", shown(value), " is not an object; write { ... }");
     for (const auto& [key, item] : value.items())
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            refuse(where, ": unknown key \"", key, "\"");
+            refuse(where, ": unknown key \"", key, "\"; remove it");
     for (const char* key : keys)
         if (!value.contains(key))
-            refuse(where, ": key \"", key, "\" is missing");
+            refuse(where, ": key \"", key, "\" is missing; add it");
 }
 
 void expect_number(const json& value, const char* name, const std::string& where) {
     if (!value.is_number())
-        refuse(where, ": ", name, " is ", shown(value), ", which is not a number");
+        refuse(where, ": ", name, " is ", shown(value), ", which is not a number; give one");
 }
 
 const json& array(const json& object, const char* key, const std::string& where) {
     const json& value = object.at(key);
     if (!value.is_array())
-        refuse(where, ": ", key, " is ", shown(value), ", which is not an array");
+        refuse(where, ": ", key, " is ", shown(value), ", which is not an array; write [ ... ]");
     return value;
 }
 
@@ -49,7 +49,7 @@ void expect_chromosome(const json& value, const std::string& where) {
     expect_object(value, where, {"n", "phases"});
     const json& n = value.at("n");
     if (!n.is_number_integer() || n.get<double>() < 1 || n.get<double>() > 1e6)
-        refuse(where, ": n is ", shown(n), ", which is not a whole number from 1 to 1e6");
+        refuse(where, ": n is ", shown(n), ", which is out of range (a whole number from 1 to 1e6)");
     for (const json& phase : array(value, "phases", where))
         expect_number(phase, "a phase (rad)", where);
 }

@@ -61,7 +61,7 @@ double shortest_wave(const Genome& genome) {
 int last_chromosome(double lambda, double gamma, double shortest) {
     if (!(shortest > 0 && gamma > 1))
         refuse("shortest wave ", shortest, " mm, gamma ", gamma,
-               ": use a length above 0 and a gamma above 1");
+               "; use a length above 0 and a gamma above 1");
     int n = 0; // counted, as a floor of log_gamma loses the last chromosome of an exact power
     while (lambda * std::pow(gamma, -n) >= shortest * (1 - 1e-12))
         ++n;

@@ -36,9 +36,9 @@ DesignSetup completed(DesignSetup setup) {
     if (!setup.phases && fewest < 16)
         refuse_value("nodes", fewest, " are too few for a design; give at least 16");
     if (grid.is_2d() && setup.model.accuracy > 0)
-        refuse_value("accuracy", setup.model.accuracy, " does not apply to an area; omit it");
+        refuse_value("accuracy", setup.model.accuracy, " does not apply to a map; omit it");
     if (grid.is_2d() && setup.model.body.kernel == Kernel::strip)
-        refuse_value("kernel", "strip does not apply to an area; give free or periodic");
+        refuse_value("kernel", "strip does not apply to a map; give free or periodic");
     validate(setup.model);
     if (setup.errors.noise_length == 0)
         setup.errors.noise_length = grid.length / 60;

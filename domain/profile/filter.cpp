@@ -88,7 +88,7 @@ class LineFilter {
 
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
     if (!(cut_off > 0))
-        refuse("filter: the cut-off ", cut_off, " mm is not above 0");
+        refuse("filter: the cut-off ", cut_off, " mm is out of range (above 0)");
     const auto [columns, rows] = profile.shape();
     Eigen::MatrixXd z = profile.heights.reshaped(columns, rows);
     const LineFilter along_x(columns, profile.spacing, cut_off);

@@ -37,8 +37,8 @@ Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
     r.section_length = section_length > 0 ? section_length : length;
     const double sections = std::floor(length / r.section_length * (1 + 1e-9));
     if (!(sections >= 1))
-        refuse("roughness: a profile of ", length, " mm is shorter than the section length, ", section_length,
-               " mm");
+        refuse("roughness: a profile of ", length, " mm is shorter than a section of ", section_length,
+               " mm; use shorter sections");
     if (!(2 * sections <= static_cast<double>(profile.nodes())))
         refuse("roughness: sections of ", section_length,
                " mm have fewer than two nodes each; use longer sections");

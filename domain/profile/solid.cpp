@@ -39,15 +39,15 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const double m = extrusion.magnify;
     for (const auto& [name, value] : {std::pair("magnification", m), {"width", width}, {"base", base}})
         if (!(value > 0) || !std::isfinite(value))
-            refuse("solid: ", name, " ", value, " is not a number above 0");
+            refuse("solid: ", name, " ", value, " is out of range (above 0, finite)");
     for (const auto& [name, value] :
          {std::pair("length", m * length), {"width", m * width}, {"height", m * (base + range)}})
         if (!std::isnormal(static_cast<float>(value)))
             refuse("solid: a ", name, " of ", value,
                    " mm is beyond single precision; use 1.2e-38 to 3.4e38 mm");
     if (base > thickest)
-        refuse("solid: base ", base, " mm is above ", thickest,
-               " mm, where single precision loses the heights of ", range, " mm");
+        refuse("solid: base ", base, " mm is out of range (at most ", thickest,
+               " mm: single precision loses heights of ", range, " mm in a thicker one)");
 
     Mesh mesh;
     mesh.vertices.reserve(static_cast<std::size_t>(2 * columns * rows));
@@ -64,7 +64,8 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
                        top = static_cast<float>(m * (base + height - lowest));
             if ((j > 0 && !(y > mesh.vertices.back().y())) ||
                 (j == 0 && i > 0 && !(x > mesh.vertices.back().x())))
-                refuse("solid: ", surface.nodes(), " nodes are more than single precision resolves");
+                refuse("solid: ", surface.nodes(),
+                       " nodes are more than single precision resolves; use fewer nodes");
             mesh.vertices.emplace_back(x, y, 0);
             mesh.vertices.emplace_back(x, y, top);
         }

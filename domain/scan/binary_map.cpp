@@ -45,7 +45,7 @@ void take_heights(HeightMap& map, std::string_view bytes, std::size_t at, std::i
 
 void expect_spacing(double spacing, const std::string& what, const std::string& file) {
     if (!(spacing > 0) || !std::isfinite(spacing))
-        refuse(file, ": ", what, " ", spacing, " is not a number above 0");
+        refuse(file, ": ", what, " ", spacing, " is out of range (above 0, finite)");
 }
 
 void expect_header(const std::string& bytes, std::size_t size, const std::string& file) {
@@ -141,7 +141,8 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
             if (key == name) {
                 const auto read = number(value, Dialect{});
                 if (!read || !(read->value > 0))
-                    refuse(file, ": ", key, " '", value.substr(0, 60), "' is not a number above 0");
+                    refuse(file, ": ", key, " '", value.substr(0, 60),
+                           "' is not a number above 0; export it again");
                 *target = read->value;
             }
         if (key == "xyunits")

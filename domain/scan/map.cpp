@@ -16,8 +16,8 @@ namespace {
 /// Refuses a given spacing that differs from the file's by more than a thousandth.
 void agree(double of_file, double given, const char* axis, const std::string& file) {
     if (given > 0 && std::abs(given - of_file) > 1e-3 * of_file)
-        refuse(file, ": its own spacing along ", axis, " is ", of_file, " mm, but the given one is ", given,
-               " mm; omit it");
+        refuse(file, ": the file gives a spacing along ", axis, " of ", of_file, " mm, but the given one is ",
+               given, " mm; omit it");
 }
 
 void expect_size(Extent shape, const std::string& file) {

@@ -195,8 +195,9 @@ void take_row(Table& table, Index requested, const std::string& file, Account& a
     if (requested > 0) {
         const std::string size = line_of(table.rows(), " rows of ", table.columns, " heights");
         if (table.columns < 3 || row >= table.rows())
-            throw InputError(
-                line_of(file, ": row ", requested, " of ", size, " is not a row of an areal matrix"), "row");
+            throw InputError(line_of(file, ": row ", requested, " of ", size,
+                                     " is not a row of an areal matrix; give another row or file"),
+                             "row");
         account.say("row ", requested, " of ", size);
     }
     const auto first = table.cells.begin() + static_cast<std::ptrdiff_t>(row * table.columns);
@@ -405,10 +406,10 @@ void check(const ScanOptions& options) {
          {std::pair(options.spacing, "spacing"), std::pair(options.lambda_s, "lambda-s"),
           std::pair(options.lambda_c, "lambda-c")})
         if (!(length >= 0) || !std::isfinite(length))
-            refuse_value(name, length, " is not a length above 0");
+            refuse_value(name, length, " is out of range (a length above 0)");
     if (options.lambda_c > 0 && options.lambda_s >= options.lambda_c)
-        refuse_value("lambda-s", options.lambda_s, " mm is not less than lambda-c, ", options.lambda_c,
-                     " mm");
+        refuse_value("lambda-s", options.lambda_s, " mm is out of range (less than lambda-c, ",
+                     options.lambda_c, " mm)");
     if (options.row < 0)
         refuse("row: ", options.row, " is out of range (1 or more)");
     if (options.nodes != 0 && (options.nodes < 2 || options.nodes > 10'000'000))

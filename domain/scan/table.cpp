@@ -203,7 +203,7 @@ void take(Header& header, const Entry& entry, const std::string& where) {
     } else if (const double in_mm = conversion_unit(entry.key, where); in_mm > 0) {
         const auto factor = number(entry.value, Dialect{});
         if (!factor || !(factor->value > 0))
-            refuse(where, ": ", entry.key, " '", entry.value, "' is not a number above 0");
+            refuse(where, ": ", entry.key, " '", entry.value, "' is not a number above 0; correct it");
         header.height_factor = factor->value;
         header.height_unit = LengthUnit{"m", in_mm};
     } else if (is_in(width_keys, entry.key)) {
@@ -307,7 +307,7 @@ Table read_table(const std::vector<std::string_view>& lines, const std::string& 
             table.header.push_back({line, lines[i]});
         } else {
             refuse(at(file, line), ": '", trim(lines[i]).substr(0, 60), "' is not a row of ", table.columns,
-                   table.columns == 1 ? " number" : " numbers");
+                   table.columns == 1 ? " number" : " numbers", "; correct this row");
         }
     }
     return table;

@@ -26,7 +26,8 @@ class Reader {
     [[noreturn]] void refuse(const std::string& expected) const {
         if (done())
             rough::refuse(file_, ": ends early, before ", expected, "; export it again");
-        rough::refuse(at(file_, line()), ": found '", text_.substr(0, 60), "' instead of ", expected);
+        rough::refuse(at(file_, line()), ": found '", text_.substr(0, 60), "' instead of ", expected,
+                      "; correct it");
     }
     double positive(std::string_view word, const std::string& what) const {
         const auto value = number(word, Dialect{});

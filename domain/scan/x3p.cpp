@@ -40,7 +40,7 @@ double value(const pugi::xml_node& of, std::string_view name, double fallback, c
         return fallback;
     const auto read = number(word, Dialect{});
     if (!read || std::isnan(read->value))
-        refuse(file, ": main.xml: ", name, " '", word.substr(0, 60), "' is not a number");
+        refuse(file, ": main.xml: ", name, " '", word.substr(0, 60), "' is not a number; export it again");
     return read->value;
 }
 
@@ -48,7 +48,8 @@ std::int64_t size(const pugi::xml_node& of, std::string_view name, double fallba
     constexpr double max_size = 20'000'000;
     const double count = value(of, name, fallback, file);
     if (!(count >= 1 && count <= max_size) || count != std::floor(count))
-        refuse(file, ": main.xml: ", name, " ", count, " is not a whole number from 1 to ", max_size);
+        refuse(file, ": main.xml: ", name, " ", count, " is out of range (a whole number from 1 to ",
+               max_size, ")");
     return static_cast<std::int64_t>(count);
 }
 
@@ -78,7 +79,7 @@ Eigen::VectorXd listed(const pugi::xml_node& list, Index count, const std::strin
         word = trim(word.substr(word.rfind(';') + 1)); // npos + 1 is 0
         const auto height = number(word, Dialect{});
         if (!height)
-            refuse(file, ": main.xml: height '", word.substr(0, 60), "' is not a number");
+            refuse(file, ": main.xml: height '", word.substr(0, 60), "' is not a number; export it again");
         if (found++ < count)
             heights[found - 1] = height->value;
     }
@@ -146,7 +147,7 @@ HeightMap read_x3p(const std::string& bytes, const std::string& file) {
         map.row_spacing = 1e3 * increment(axes, "CY", file);
     map.height_factor = value(heights, "Increment", 1, file);
     if (!(map.height_factor > 0))
-        refuse(file, ": main.xml: the heights' increment ", map.height_factor, " is not above 0");
+        refuse(file, ": main.xml: the heights' increment ", map.height_factor, " is out of range (above 0)");
 
     const std::int64_t count = columns * map.rows;
     if (!link) {

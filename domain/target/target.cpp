@@ -47,7 +47,7 @@ double number_in(std::string_view cell, Separator separator, const std::string& 
         value = number(cell, {separator, true});
     if (value && std::isfinite(value->value))
         return value->value;
-    throw InputError(where + ": \"" + std::string(cell) + "\" is not a finite number");
+    throw InputError(where + ": \"" + std::string(cell) + "\" is not a finite number; correct it");
 }
 
 /// A column as the quantities name it, and the factor to its unit.
@@ -144,7 +144,7 @@ Quantity quantity_named(const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
         refuse_value("quantity", "'", name,
-                     "' is not one of stiffness, area, area-displacement, load and interface_stiffness");
+                     "' is unknown; use stiffness, area, area-displacement, load or interface_stiffness");
     return static_cast<Quantity>(found - names.begin());
 }
 
@@ -152,8 +152,8 @@ Columns columns_of(Quantity quantity) { return row_of(quantity).columns; }
 
 void validate(const Target& target) {
     const Columns columns = columns_of(target.quantity);
-    const auto fail = [&](Index k, const std::string& column, double value, const std::string& expected) {
-        refuse(target.name, ": point ", k + 1, ": ", column, " is ", value, ", expected ", expected);
+    const auto fail = [&](Index k, const std::string& column, double value, const std::string& permitted) {
+        refuse(target.name, ": point ", k + 1, ": ", column, " is ", value, "; give ", permitted);
     };
     const bool of_area = is_contact_fraction(target.quantity);
     if (target.points() == 0)

@@ -14,7 +14,8 @@ namespace rough {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* what, int error) {
-    throw InputError(path.string() + ": cannot be " + what + " (" + std::strerror(error) + ")");
+    throw InputError(path.string() + ": cannot be " + what + " (" + std::strerror(error) +
+                     "); check the path");
 }
 
 /// An open file, closed at the end of its scope.

@@ -26,8 +26,8 @@ nlohmann::json parsed_json(std::string_view text, const std::string& where) {
     } catch (const nlohmann::json::exception& error) {
         std::string detail = error.what(); // "[json.exception.parse_error.101] parse error at line 1, …"
         std::replace(detail.begin(), detail.end(), '\n', ' ');
-        throw InputError(where +
-                         ": not JSON: " + detail.substr(std::min(detail.find(']') + 2, detail.size())));
+        throw InputError(where + ": not JSON (" +
+                         detail.substr(std::min(detail.find(']') + 2, detail.size())) + "); correct it");
     }
 }
 

@@ -66,7 +66,7 @@ double number_from(const std::string& word, const std::string& where) {
     const char* end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || stop != end || !std::isfinite(value))
-        throw InputError(where + ": \"" + word + "\" is not a finite number");
+        throw InputError(where + ": \"" + word + "\" is not a finite number; give one");
     return value;
 }
 

@@ -67,14 +67,15 @@ TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean,
 
 void expect_gaussian(const SpectralMoments& m) {
     if (!(m.m0 > 0 && m.m2 > 0 && m.m4 > 0))
-        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4, " must be above 0");
+        refuse("theory: moments ", m.m0, ", ", m.m2, ", ", m.m4,
+               " are not all above 0; give a rough surface");
     if (!(m.bandwidth() > 1.5))
         refuse("theory: bandwidth ", m.bandwidth(),
-               " is not above 1.5, as that of every isotropic Gaussian surface is");
+               " is out of range (above 1.5, as for every isotropic Gaussian surface)");
 }
 
-/// Area and load of an elliptic Hertz contact over those of the sphere of the same mean curvature sqrt(k1 k2)
-/// at the same approach; k1/k2 = (1 + kappa)/(1 - kappa) (Johnson 1985, eq. 4.26-4.28).
+/// Area and load of an elliptic Hertz contact, divided by those of a sphere at the same approach. The sphere
+/// has the mean curvature sqrt(k1 k2), and k1/k2 = (1 + kappa)/(1 - kappa) (Johnson 1985, eq. 4.26-4.28).
 struct Ellipse {
     double area, load;
 };
@@ -200,9 +201,9 @@ bool holds_for(Theory theory, bool is_area) { return is_area || theory == Theory
 TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                             const Eigen::VectorXd& pressures) {
     if (!holds_for(theory, surface.is_area))
-        refuse(name_of(theory), ": this theory is for areas only; choose persson for a profile");
+        refuse(name_of(theory), ": this theory is for maps only; choose persson for a profile");
     if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
-        refuse(name_of(theory), ": modulus and mean pressures must be above 0");
+        refuse(name_of(theory), ": modulus or a mean pressure is not above 0; give positive ones");
     switch (theory) {
     case Theory::greenwood_williamson:
         return greenwood_williamson(spectral_moments(surface), effective_modulus, pressures);

@@ -36,16 +36,16 @@ RandomSurface random_surface(const SelfAffine& of) {
         refuse("hurst: ", of.hurst, " is out of range (0 to 1, both excluded)");
     if (!(of.shortest > 0 && of.longest > of.shortest && std::isfinite(of.longest)))
         refuse("cut-offs: ", of.longest, " and ", of.shortest,
-               " mm are not positive lengths, the longer one first");
+               " mm are not positive lengths in descending order; give the longer one first");
     if (!(of.rms_slope > 0) || !std::isfinite(of.rms_slope) || of.wave_numbers < 1)
-        refuse("rms slope: ", of.rms_slope, " is not a positive finite number");
+        refuse("rms slope: ", of.rms_slope, " is out of range (above 0, finite)");
     RandomSurface random{{Eigen::VectorXd(of.wave_numbers), {}, Eigen::VectorXd(of.wave_numbers)},
                          of.is_area};
     const double lowest = 2 * std::numbers::pi / of.longest,
                  step = std::log(of.longest / of.shortest) / static_cast<double>(of.wave_numbers);
     for (Index k = 0; k < of.wave_numbers; ++k) {
         const double from = lowest * std::exp(step * static_cast<double>(k)), to = from * std::exp(step);
-        // Around the circle an area's q^-2(1 + H) is a profile's q^-(1 + 2 H).
+        // Around the circle a map's q^-2(1 + H) is a profile's q^-(1 + 2 H).
         const double heights = power_integral(-1 - 2 * of.hurst, from, to),
                      slopes = power_integral(1 - 2 * of.hurst, from, to);
         random.spectrum.power[k] = heights;
@@ -66,8 +66,8 @@ double rms_slope(const RandomSurface& surface) { return std::sqrt(moment(surface
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed) {
     random_surface(parameters); // refuses what is out of range
     if (!grid.periodic || grid.is_2d() != parameters.is_area)
-        refuse("self-affine surface: the grid does not fit; give a periodic one, a line for a profile, an "
-               "area for an area");
+        refuse("self-affine surface: the grid does not fit; give a periodic one, a line for a profile, a "
+               "map for a map");
     const Extent shape = grid.shape();
     const double dx = 1 / grid.length, dy = grid.is_2d() ? 1 / grid.width : 0;
     const double lowest = (1 - 1e-12) / parameters.longest, largest = (1 + 1e-12) / parameters.shortest;
@@ -92,7 +92,7 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
         }
     if (!(slopes > 0))
         refuse("self-affine surface: no wave of ", parameters.longest, " to ", parameters.shortest,
-               " mm fits a surface of ", grid.length, " mm");
+               " mm fits a surface of ", grid.length, " mm; give longer or shorter cut-offs");
     fftw_execute_dft(complex_fourier_plan(shape).backward, waves.data(), waves.data());
     Profile surface{Eigen::VectorXd(shape.nodes()), grid.spacing(), shape.rows, grid.row_spacing()};
     const double scale = parameters.rms_slope / std::sqrt(slopes);

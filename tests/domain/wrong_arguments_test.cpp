@@ -71,7 +71,7 @@ TEST_CASE("a function refuses a wrong argument by its name and value") {
         {pressing(line_of({-huge, huge}), body), "beyond double precision"},
         {pressing(line_of({0, nan}), body), "node 1"},
         {pressing(good, body, {0.2, 0.1}), "0.1 mm after 0.2"},
-        {pressing(good, periodic, {0.9}), "full contact, 0.575"},
+        {pressing(good, periodic, {0.9}), "0.575 mm: beyond full contact"},
         {pressing(good, soft), "modulus: 0 MPa"},
         {pressing(good, near), "datum: 0.01 mm"},
         {pressing(good, {Kernel::strip, 1, 1, -1}), "strip width: -1 mm"},

@@ -12,7 +12,7 @@ namespace {
 void check_profile(const Profile& profile) {
     if (profile.is_2d()) {
         if (!std::isfinite(profile.row_spacing))
-            refuse("row spacing: ", profile.row_spacing, " mm is not a positive finite length");
+            refuse("row spacing: ", profile.row_spacing, " mm is out of range (above 0, finite)");
         if (profile.rows < 1 || profile.nodes() % profile.rows != 0 || profile.shape().columns < 2)
             refuse("map: ", profile.nodes(), " heights do not make ", profile.rows,
                    " rows of equal length; give rows of at least 2 heights");
@@ -20,13 +20,13 @@ void check_profile(const Profile& profile) {
     if (profile.nodes() < 2)
         refuse("profile: ", profile.nodes(), " node(s); give at least 2");
     if (!(profile.spacing > 0) || !std::isfinite(profile.spacing))
-        refuse("node spacing: ", profile.spacing, " mm is not a positive finite length");
+        refuse("node spacing: ", profile.spacing, " mm is out of range (above 0, finite)");
     for (Index i = 0; i < profile.nodes(); ++i)
         if (!std::isfinite(profile.heights[i]))
-            refuse("node ", i, ": ", profile.heights[i], " mm is not a finite height");
+            refuse("node ", i, ": ", profile.heights[i], " mm is not a finite height; correct it");
     if (!std::isfinite(profile.heights.maxCoeff() - profile.heights.minCoeff()))
         refuse("heights: ", profile.heights.minCoeff(), " to ", profile.heights.maxCoeff(),
-               " mm is a range beyond double precision");
+               " mm is a range beyond double precision; scale them");
 }
 
 void check_displacements(const Profile& profile, const Body& body, const std::vector<double>& displacements) {
@@ -45,8 +45,8 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
                "periodic half-plane; give one with height differences");
     const double rounding = 1e-14 * profile.heights.cwiseAbs().maxCoeff();
     if (previous > full * (1 + 1e-12) + rounding)
-        refuse("displacement: ", previous, " mm is above that of full contact, ", full,
-               " mm, beyond which the periodic half-plane has no solution");
+        refuse("displacement: ", previous, " mm is out of range (at most ", full,
+               " mm: beyond full contact the periodic half-plane has no solution)");
 }
 
 } // namespace

@@ -188,7 +188,7 @@ TEST_CASE("merged databases hold each genome once, and others are refused with t
     built(folder / "forged.db", {.genomes = 5})
         .add({5, 1}, {drawn(other.law, 6)}, {response_for(small_setup(), 6)});
     for (const auto& [file, problem] : {std::pair("d.db", "d.db: its seed is 2, not 1"),
-                                        {"none.db", "none.db: there is no such file"},
+                                        {"none.db", "none.db: does not exist"},
                                         {"forged.db", "forged.db: genome 5 is not its law's"}})
         CHECK_THROWS_WITH(merge({folder / "a.db", folder / file}, folder / "e.db"), Catch::Contains(problem));
     for (const std::string& name : folder.names())

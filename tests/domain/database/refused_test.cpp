@@ -56,7 +56,8 @@ TEST_CASE("a file that is not a genome database is refused") {
     CHECK_THROWS_AS(GenomeStore::create(folder / "other.db", small_setup()), InputError);
     CHECK_THROWS_AS(GenomeStore::create(folder / "missing" / "a.db", small_setup()), InputError);
     for (const char* name : {":memory:", "file:x?mode=memory", ""}) // places in memory for SQLite
-        CHECK_THROWS_WITH(GenomeStore::create(name, small_setup()), Catch::Contains("names no file"));
+        CHECK_THROWS_WITH(GenomeStore::create(name, small_setup()),
+                          Catch::Contains("is not the name of a file"));
     const fs::path empty = folder.write("empty.db", "");
     CHECK_FALSE(GenomeStore::begun(empty));
     CHECK_FALSE(GenomeStore::begun(folder / "none.db"));

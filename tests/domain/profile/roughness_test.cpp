@@ -57,7 +57,7 @@ TEST_CASE("Rz is the mean of the sections' heights and Rt the height of the whol
     CHECK(r["Rsk"] > 0);
     CHECK(whole["Pz"] == Approx(5.5));
     CHECK(roughness(profile, 1.6).sections == 3); // 4.8 mm in the middle of 5 mm
-    CHECK_THROWS_WITH(roughness(profile, 5.1), Catch::Contains("section length"));
+    CHECK_THROWS_WITH(roughness(profile, 5.1), Catch::Contains("shorter than a section"));
     CHECK_THROWS_WITH(roughness(profile, 0.1), Catch::Contains("two nodes"));
 }
 
@@ -92,9 +92,10 @@ TEST_CASE("Gaussian heights have the core, peaks and valleys of the normal distr
         z[i * 7919 % n] = sigma * low;
     }
     const CoreHeights core = core_heights(z);
-    // The line of least squares through the quantiles of 0.3 to 0.7 has the slope 12/0.4^3 times the integral
-    // of (s - 1/2) q(s) ds; by quadrature 2.573956. It cuts off the share 0.099051 on either side, and there
-    // a triangle as large as the integral of (u - t) phi(u) du from t = 1.286978 is 0.945031 high.
+    // The line of least squares through the quantiles of 0.3 to 0.7 has the slope 2.573956. This is 12/0.4^3
+    // times the integral of (s - 1/2) q(s) ds, by quadrature. The line cuts off the share 0.099051 on either
+    // side. A triangle there has the area of the integral of (u - t) phi(u) du from t = 1.286978. It is
+    // 0.945031 high.
     CHECK(core.Rk == Approx(2.573956 * sigma).epsilon(1e-3));
     CHECK(core.Mr1 == Approx(0.099051).epsilon(1e-2));
     CHECK(core.Mr2 == Approx(1 - 0.099051).epsilon(1e-2));

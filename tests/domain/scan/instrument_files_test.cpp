@@ -13,8 +13,9 @@
 
 using namespace rough;
 
-/// Files in the formats of instruments, byte by byte from their descriptions: maps of 2 rows of 9 points, 2
-/// µm and 3 µm apart, heights in steps of 10 nm. The last but one of the second row was not measured.
+/// Files in the formats of instruments, byte by byte from their descriptions. They hold a map of 2 rows of 9
+/// points, 2 µm and 3 µm apart, with heights in steps of 10 nm. The last but one point of the second row was
+/// not measured.
 namespace testing {
 namespace {
 
@@ -224,7 +225,8 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
     CHECK((scan.profile.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
     CHECK_THAT(scan.account, Catch::Contains("X3P"));
     CHECK_THAT(refusal(bytes), Catch::Contains("omit the row"));
-    CHECK_THAT(refusal(bytes, {.spacing = -1}), Catch::Contains("spacing: -1 is not a length above 0"));
+    CHECK_THAT(refusal(bytes, {.spacing = -1}),
+               Catch::Contains("spacing: -1 is out of range (a length above 0)"));
     CHECK_THAT(refusal(bytes, {.row = -1}), Catch::Contains("row: -1 is out of range (1 or more)"));
     const Zip zip(bytes, "x");
     // the MD5 of md5sum
@@ -329,7 +331,7 @@ TEST_CASE("a map written as X3P is read back with both spacings", "[map]") {
     CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() < 1e-16);
     CHECK_THAT(map.account, Catch::Contains("X3P"));
     CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
-               Catch::Contains("its own spacing along x is 0.01"));
+               Catch::Contains("the file gives a spacing along x of 0.01"));
     CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights are in m"));
 }
 
