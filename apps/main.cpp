@@ -30,8 +30,8 @@ void print_help() {
                  "--quiet omits remarks and progress, --verbose adds details.\n"
                  "mpirun -n R rugosa ... shares the work of design, run, compare and database build among R "
                  "processes\n(if built with MPI).\n"
-                 "Exit codes: 0 done; 2 wrong use or bad input;\n"
-                 "3 required similarity missed, target out of reach or no convergence; 130 interrupted.\n";
+                 "Exit codes: 0 done, 2 wrong use or bad input, 130 interrupted,\n"
+                 "3 required similarity missed, target out of reach or no convergence.\n";
 }
 
 int dispatch(app::Words words) {

@@ -74,13 +74,13 @@ std::vector<Setting> contact_settings() {
         {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
-         "page to write (HTML): the curve, with pressure and gap along the profile or on the area [none]"},
+         "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
         force_setting(),
         ga::whole("threads", "0", 0, "accepted as in design and run; a curve uses one thread").up_to(1024),
         ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
         accuracy_setting(
-            "", "the resolved model: --nodes if given, else 64 nodes for the shortest wave; a scan is "
-                "solved on its nodes, and a map too unless one line is enough"),
+            "", "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
+                "solved on its nodes; so is a map, unless one line is enough"),
         positive("friction", "",
                  "friction coefficient; writes partial slip under the last load to CURVE-slip.csv [none]"),
     };
@@ -347,7 +347,8 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
 
 int contact(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("contact: give one of --genome, --profile and --surface");
+        throw rough::InputError(
+            "contact: not exactly one surface is given; give one of --genome, --profile and --surface");
     if (settings.has("friction") && settings.has("hardness"))
         throw rough::InputError(
             "--friction: given with --hardness; give one of them, as partial slip rests on "
@@ -397,7 +398,7 @@ Command contact_command() {
         "[flags]",
         "Presses a rough surface on an elastic body, load step by load step. Writes displacement, mean "
         "pressure, contact fraction, tangent and interface stiffness to CURVE.csv, with the KKT residual of "
-        "each step, and to CURVE.json what was modelled and how large its error may be.",
+        "each step. Writes the model and its estimated error to CURVE.json.",
         contact_settings(),
         {"contact --genome surface.json --out curve.csv",
          "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",

@@ -97,7 +97,7 @@ std::vector<Setting> optimise_settings() {
     return joined(
         {{{"genes", "",
            "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
-           "between; bits:COUNT; or permutation:COUNT (of 0, 1, ...)"},
+           "between, or bits:COUNT, or permutation:COUNT (of 0, 1, ...)"},
           {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
           minimise,
           positive("timeout", "60", "maximum seconds for one evaluation"),

@@ -41,20 +41,22 @@ std::vector<Setting> profile_settings() {
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
         Setting(ga::whole("nodes", "", 10,
-                          "nodes of the grid, 10 to 1e7 [512; for a scan: its points]; NXxNY for an area")
+                          "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
                     .up_to(1e7))
             .several('x'),
-        positive("length", "",
-                 "length L of the profile, mm [0.84942; for a scan, or a genome made for one: its length]; "
-                 "LXxLY for an area")
+        positive(
+            "length", "",
+            "length L of the profile, mm, or LXxLY of a map [0.84942, or the length of a scan or of the scan "
+            "that a genome was made for]")
             .several('x'),
-        Setting("periodic", "", "the area is periodic: no window is applied, and lags cross its edges", true),
+        Setting("periodic", "", "the map is periodic: no window is applied, and lags cross its edges", true),
         Setting(ga::number("smr", "", -1e300, 1e300,
-                           "heights over an area's mean plane, mm, with commas between, whose material "
+                           "heights over a map's mean plane, mm, with commas between, whose material "
                            "ratios are computed"))
             .several(),
         Setting(ga::number("smc", "", 0, 1,
-                           "shares of an area, 0 to 1, with commas between, whose heights are computed"))
+                           "shares of a map, 0 to 1, with commas between. The height that each share exceeds "
+                           "is computed"))
             .several(),
         pictures_setting(),
     };
@@ -165,7 +167,7 @@ void add_requested(Description& all, rough::Profile map, const Settings& setting
     for (const double ratio : settings.numbers("smc")) {
         const double height = rough::material_height(map.heights, ratio);
         add("Smc_of_ratios", ratio, height,
-            {"Smc(" + brief(100 * ratio, 4) + " %)", "mm", "height that this share of the area exceeds",
+            {"Smc(" + brief(100 * ratio, 4) + " %)", "mm", "height that this share of the map exceeds",
              height});
     }
 }
@@ -288,14 +290,15 @@ void write_description(const Description& of, const Settings& settings, const ro
 
 int profile(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError("profile: give one of a genome file, --profile and --surface");
+        throw rough::InputError(
+            "profile: not exactly one surface is given; give one of a genome file, --profile and --surface");
     rough::Extrusion extrusion;
     take(settings, fields_of(extrusion));
     const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
         if (!is_map && settings.given(name))
             throw rough::InputError("--" + name +
-                                    ": given without an area; give --surface or --nodes NXxNY too");
+                                    ": given without a map; give --surface or --nodes NXxNY too");
     write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
     return 0;
 }

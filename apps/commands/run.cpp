@@ -29,7 +29,7 @@ std::vector<Setting> run_settings() {
             .several('\n'),
     };
     for (Setting flag : model_flags()) {
-        flag.meaning = "replaces model." + flag.name + " of the experiment: " + flag.meaning;
+        flag.meaning = "replaces model." + flag.name + " of the file: " + flag.meaning;
         settings.push_back(flag);
     }
     return settings;
@@ -72,7 +72,7 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
         return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
     const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
     if (settings.text("experiment.kind") != kind)
-        settings.refuse("experiment.kind", settings.text("experiment.kind") + " given, expected " + kind);
+        settings.refuse("experiment.kind", settings.text("experiment.kind") + " given; give " + kind);
     for (const auto& input : settings.files())
         request.inputs.push_back(input);
     return carry_out(experiment, settings, request);
@@ -86,7 +86,7 @@ Command short_command(const std::string& kind, const std::string& summary) {
         flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
         for (Setting common : {seed_setting(), threads_setting()}) {
             common.fallback = "";
-            common.meaning += " [the file's, or as without one]";
+            common.meaning += " [the file's, or the default of the experiment]";
             flags.push_back(common);
         }
     }

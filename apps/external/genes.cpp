@@ -25,8 +25,8 @@ std::vector<std::string> parts_of(const std::string& text) {
 std::size_t count_from(const std::string& word, const std::string& where, double min, double max) {
     const double value = rough::number_from(word, where);
     if (value != std::floor(value) || value < min || value > max)
-        rough::refuse(where, ": ", word, " is not a whole number from ", ga::number(min), " to ",
-                      ga::number(max));
+        rough::refuse(where, ": ", word, " is out of range (a whole number from ", ga::number(min), " to ",
+                      ga::number(max), ")");
     return static_cast<std::size_t>(value);
 }
 

@@ -131,9 +131,9 @@ class Reader {
             refuse(std::string("'") + c + "'");
         ++at_;
     }
-    [[noreturn]] void refuse(const std::string& expected) const {
+    [[noreturn]] void refuse(const std::string& permitted) const {
         throw rough::InputError(where_ + ": \"" + text_ + "\", column " + std::to_string(at_ + 1) +
-                                ": expected " + expected);
+                                " is malformed; give " + permitted);
     }
 
     static constexpr std::size_t longest = 10000;

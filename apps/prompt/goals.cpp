@@ -25,7 +25,7 @@ void expect_same_model(const rough::Target& goal, const rough::Model& model) {
         if ((key == "datum_mm" && model.grid.is_2d()) || (key == "width_mm" && !model.grid.is_2d()))
             throw rough::InputError(goal.name + ": recorded with " + key + " " + recorded +
                                     (model.grid.is_2d()
-                                         ? "; give a target of an area, which has none"
+                                         ? "; give a target of a map, which has none"
                                          : "; give a target of a profile, or --nodes and --length as pairs"));
     std::string flags;
     for (const auto& [key, recorded, actual] : differences) {
@@ -50,7 +50,7 @@ Setting resistivity_setting() {
 
 Setting max_pressure_setting() {
     return ga::number("max-pressure", "", ga::above_zero, 1e100,
-                      "mean pressure at full approach to which every genome is rescaled (Eq. 11), MPa "
+                      "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa "
                       "[amplitude is a gene]");
 }
 

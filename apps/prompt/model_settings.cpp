@@ -97,8 +97,8 @@ Fields fields_of(ModelParameters& of) {
          body.datum},
         {positive("strip-width", "", "width W of the strip, mm [L/511]"), body.strip_width},
         {Setting("material", "",
-                 "sets E, nu and the hardness above which contact warns; modulus and poisson replace its "
-                 "values")
+                 "sets E, nu and the hardness above which a curve has a warning; modulus and poisson replace "
+                 "its values")
              .of(rough::material_names()),
          of.material},
         {positive("modulus", ga::number(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
@@ -130,7 +130,7 @@ Fields fields_of(rough::ScanOptions& options) {
         {{"unit", "",
           "unit of a scan's columns without one in their header, e.g. um, or mm,um for x and heights [mm]"},
          options.unit},
-        {positive("spacing", "", "distance of the points of a scan with one column, in this unit")
+        {positive("spacing", "", "distance of the points of a scan with one column, in the given unit")
              .several('x'),
          options.spacing},
         {ga::whole("row", "", 1,
@@ -162,7 +162,7 @@ std::vector<Setting> model_settings(const std::string& prefix) {
 Setting accuracy_setting(const std::string& prefix, const std::string& against) {
     return ga::number(prefix + "accuracy", "", ga::above_zero, 1,
                       "largest relative error allowed for a response, above 0 to 1, against " + against +
-                          " [none: every response is solved throughout]");
+                          " [none: no response is approximated]");
 }
 
 double accuracy_from(const Settings& settings, const std::string& prefix) {
@@ -290,9 +290,9 @@ void expect_of_areas(const Settings& settings, const std::string& prefix,
                      const std::vector<std::string>& keys) {
     for (const std::string& key : keys)
         if (settings.knows(prefix + key) && settings.has(prefix + key))
-            settings.refuse(prefix + key, "given with an area; omit it, as it is for profiles only");
+            settings.refuse(prefix + key, "given with a map; omit it, as it is for profiles only");
     if (settings.text(prefix + "kernel") == "strip")
-        settings.refuse(prefix + "kernel", "strip given with an area; give free or periodic");
+        settings.refuse(prefix + "kernel", "strip given with a map; give free or periodic");
 }
 
 /// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
@@ -311,7 +311,7 @@ rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const 
     return grid;
 }
 
-/// The model of an area on a grid that --nodes and --length may change.
+/// The model of a map on a grid that --nodes and --length may change.
 rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
                            const std::string& prefix = "") {
     return model_on(area_grid(usual, settings, prefix),
@@ -321,15 +321,14 @@ rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
 } // namespace
 
 std::vector<Setting> area_settings() {
-    return {
-        {"surface", "",
-         "measured area instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
-         "with --spacing DX or DXxDY; or columns x, y, height"}};
+    return {{"surface", "",
+             "measured map instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
+             "with --spacing DX or DXxDY; or columns x, y, height"}};
 }
 
 rough::Map surface_from(const Settings& settings, const std::string& flag) {
     expect_none(settings, {"nodes", "length", "row", "fill", "outliers"},
-                "given with --" + flag + " of a map; omit it, as it is for profiles");
+                "given with --" + flag + "; omit it, as it is for profiles only");
     rough::MapLayout layout{settings.text("unit")};
     if (settings.has("spacing")) {
         layout.spacing = settings.numbers("spacing").front();
@@ -393,7 +392,7 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
         for (const rough::PlaneWave& wave : plane_waves(genome, grid))
             farthest = std::max(farthest, wave.moved);
     return farthest > 1e-12
-               ? "note: wave vectors were moved to the nearest that fit the periodic area, by up to " +
+               ? "note: wave vectors were moved to the nearest that fit the periodic map, by up to " +
                      readable(100 * farthest) + " % of their length"
                : "";
 }

@@ -37,8 +37,8 @@ rough::Index nodes_from(const Settings& settings);
 rough::Kernel kernel_from(const Settings& settings, const std::string& prefix = "");
 
 ///@{
-/// The complete model that the settings describe, on a grid that --nodes and --length may change: a given
-/// grid, the default, or that of a source. Throws rough::InputError if the model has no solution.
+/// The complete model that the settings describe. Its grid is given, the default or that of a source;
+/// --nodes and --length may change it. Throws rough::InputError if the model has no solution.
 rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix = "");
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
 rough::Model model_from(const Settings& settings, const rough::Source& source,
@@ -65,14 +65,14 @@ rough::Source scan_from(const std::filesystem::path& file, const Settings& setti
 /// with a genome.
 rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan = "profile");
 
-/// --surface: a measured area.
+/// --surface: a measured map.
 std::vector<Setting> area_settings();
 
-/// The note on an area on the free body.
+/// The note on a map on the free body.
 inline constexpr const char* no_datum_note =
-    "an area on a half-space needs no datum: displacements are measured to infinity";
+    "a map on a half-space needs no datum: displacements are measured to infinity";
 
-/// Whether the settings ask for an area: by --surface, or by --nodes, --length or --spacing as a pair.
+/// Whether the settings request a map: by --surface, or by --nodes, --length or --spacing as a pair.
 bool asks_for_area(const Settings& settings, const std::string& prefix = "");
 
 /// The model on the nodes of a surface. Throws rough::InputError on settings that only a profile has.
@@ -82,23 +82,23 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings);
 /// settings that only a profile has.
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix = "");
 
-/// The note by how much a genome's wave vectors were moved to fit a periodic area; "" if they were not.
+/// The note by how much a genome's wave vectors were moved to fit a periodic map; "" if they were not.
 std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 
 /// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
 /// --lambda-s and --lambda-c remove.
 rough::Map surface_from(const Settings& settings, const std::string& flag = "surface");
 
-/// The heights of --genome on the area of --nodes and --length, which is periodic or not.
+/// The heights of --genome on the map of --nodes and --length, which is periodic or not.
 rough::Map sampled_from(const Settings& settings, bool periodic);
 
-/// An area and the model that it is pressed under.
+/// A map and the model under which it is pressed.
 struct AreaScene {
     rough::Profile map;             ///< heights, mm
     rough::Model model;             ///< complete, with the map's grid
     std::vector<std::string> notes; ///< how the map was read or sampled, one line each
 };
-/// The area of --genome or of the map that the flag names. Throws rough::InputError on settings that only a
+/// The map of --genome or of the file that the flag names. Throws rough::InputError on settings that only a
 /// profile has.
 AreaScene area_from(const Settings& settings, const std::string& map = "surface");
 

@@ -144,7 +144,7 @@ Setting seed_setting() { return ga::whole("seed", "1", 0, "seed of the random nu
 Setting threads_setting() { return ga::whole("threads", "0", 0, "threads; 0 takes all").up_to(1024); }
 Setting force_setting() { return {"force", "", "write over an existing result", true}; }
 Setting pictures_setting() {
-    return Setting("pictures", "on", "off leaves out the page and its pictures").of({"on", "off"});
+    return Setting("pictures", "on", "off omits the page and its pictures").of({"on", "off"});
 }
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning) {
     return ga::number(name, fallback, ga::above_zero, ga::no_limit, meaning);
@@ -227,7 +227,7 @@ double Settings::number_in(const std::string& name, const std::string& word,
                            const ga::Parameter& range) const {
     const double value = rough::number_from(word, place(name));
     if (!range.is_text() && !range.allows(value))
-        refuse(name, word + " is not " + range.expected(true));
+        refuse(name, word + " is out of range (" + range.expected(true) + ")");
     return value;
 }
 

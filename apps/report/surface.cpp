@@ -20,7 +20,7 @@ constexpr double max_step = 3;  ///< step at the ends of a periodic surface, ove
 
 std::string step_note(const std::string& ends, double jump, double range) {
     return "note: " + ends + " differ by " + readable(jump) + " mm, " + percent(jump / range) +
-           " of its height range: a step where a periodic body repeats it";
+           " of its height range; a periodic body has a step there";
 }
 
 } // namespace

@@ -39,13 +39,13 @@ Fields fields_of(rough::DesignSetup& setup) {
     rough::MakingLimits& limits = setup.limits;
     return {
         {max_pressure_setting(), setup.max_pressure},
-        {ga::number(
-             "reach-similarity", "", -1, 1,
-             "lowest similarity that an answer must have; the variants default and like restart until it is "
-             "reached; exit code 3 if no answer has it [0.99]"),
+        {ga::number("reach-similarity", "", -1, 1,
+                    "similarity that an answer must have in all checks. The variants default and like "
+                    "restart until it "
+                    "is reached. Exit code 3 if no answer has it [0.99]"),
          setup.required_similarity},
         {ga::whole("ridges", "", 1,
-                   "ridges of each chromosome of drawn genomes [1; for an area, their directions: 8]")
+                   "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]")
              .up_to(64),
          setup.ridges},
         {positive("shortest-wave", "", "shortest wavelength that can be made, mm [8 node spacings]"),
@@ -69,16 +69,16 @@ Fields fields_of(rough::DesignSetup& setup) {
         {ga::number("lambda-to", "", 1e-12, 1e12,
                     "upper bound of the longest wavelength of a series, mm [4 L]"),
          bounds.lambda_to},
-        {positive(
-             "noise", "",
-             "rms height noise, mm, under which 95 % of the draws must hold: profiles are searched under it, "
-             "areas verified under it [none]"),
+        {positive("noise", "",
+                  "rms height noise, mm, under which 95 % of the draws must have the similarity. Profiles "
+                  "are searched "
+                  "under it, and maps are verified under it [none]"),
          setup.errors.noise},
         {positive("noise-length", "", "correlation length of height noise, mm [L/60]"),
          setup.errors.noise_length},
         {positive(
              "tilt", "",
-             "tilt, as a height over the length, mm, under which the answer must hold, as --noise [none]"),
+             "tilt, as a height over the length, mm, under which the answer must have the similarity [none]"),
          setup.errors.tilt},
     };
 }
@@ -86,14 +86,14 @@ Fields fields_of(rough::DesignSetup& setup) {
 Fields fields_of(rough::SearchOptions& options) {
     return {
         {positive("seconds", "",
-                  "wall time of the whole design; an area without time to verify is reported as not verified "
+                  "wall time of the whole design; a map without time to verify is reported as not verified "
                   "[until the pipeline ends]"),
          options.seconds},
         {ga::whole("evaluations", "", 1, "maximum number of curves and gradients [none]").up_to(1e9),
          options.evaluations},
         {ga::whole("alternatives", "", 1,
                    "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
-                       "; for an area, where verifying takes long: 1]")
+                       "; 1 for a map, because verifying takes long]")
              .up_to(100),
          options.alternatives},
         {seed_setting(), options.seed},
@@ -127,11 +127,12 @@ std::vector<Setting> search_settings() {
         ga::whole("points", "20", 2, "number of points of the target from --like").up_to(1e5),
         {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
-         "name of the pipeline to run (rugosa operators) [default; for an area: maps; with --database: "
-         "in-line; for a scan's contact area: like; with --noise or --tilt: made]"},
+         "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
+         "--database, "
+         "like for a scan's contact area, made with --noise or --tilt]"},
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
-                 "hardness that caps the pressure of each node when the answer is verified, MPa [none]"),
+                 "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
     };
     return joined({settings,
                    settings_of(fields_of(options)),
@@ -148,9 +149,8 @@ std::vector<Setting> design_settings() {
          "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
         resistivity_setting(),
         {"from", "",
-         "genome (JSON) of a surface in production, which the smallest change of --control brings back to "
-         "the "
-         "target"},
+         "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
+         "necessary to meet the target"},
         {"control", "", "chromosomes of --from whose phases may change, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
         ga::number("largest-change", "0.05", ga::above_zero, 0.5,
                    "largest change of a phase, as a share of a turn, up to 0.5"),
@@ -188,14 +188,14 @@ std::optional<Production> production_from(const Settings& settings) {
 /// Sets targets and model by --target or --like.
 void take_targets(const Settings& settings, DesignRun& run) {
     if (settings.has("target") == settings.has("like"))
-        throw rough::InputError("design: give either --target or --like");
+        throw rough::InputError("design: not exactly one target is given; give either --target or --like");
     rough::DesignSetup& setup = run.setup;
     run.from = production_from(settings);
     if (run.from)
         setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
     const bool area = asks_for_area(settings);
     if (area && run.from)
-        throw rough::InputError("--from: given with an area; omit it, as it is for profiles only");
+        throw rough::InputError("--from: given with a map; omit it, as it is for profiles only");
     if (settings.has("like") && area) {
         const AreaScene scene = area_from(settings, "like");
         run.accounts = scene.notes;
@@ -243,7 +243,7 @@ DesignRun design_from(const Settings& settings,
     take_targets(settings, run);
     const rough::Grid& grid = setup.model.grid;
     if (grid.is_2d() && settings.has("database"))
-        settings.refuse("database", "given with an area; omit it, as it is for profiles only");
+        settings.refuse("database", "given with a map; omit it, as it is for profiles only");
     for (const rough::Target& goal : setup.targets)
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
             settings.refuse("max-pressure", settings.text("max-pressure") +
@@ -264,8 +264,8 @@ DesignRun design_from(const Settings& settings,
     run.searched.model.accuracy = accuracy_from(settings);
 
     if (settings.given("variant") && settings.given("pipeline"))
-        throw rough::InputError("design: give either " + settings.place("variant") + " or " +
-                                settings.place("pipeline"));
+        throw rough::InputError("design: two pipelines are given; give either " + settings.place("variant") +
+                                " or " + settings.place("pipeline"));
     rough::SearchOptions& options = run.options;
     options.pipeline = settings.has("variant")    ? settings.text("variant")
                        : settings.has("pipeline") ? settings.text("pipeline")

@@ -204,7 +204,7 @@ std::optional<Answer> Children::answer_of(std::unique_ptr<Child>& child, const s
     const long id = ++sent_;
     const std::string request = "{\"id\":" + std::to_string(id) + ",\"genes\":" + genes + "}";
     const std::string sent = "--evaluate: '" + clipped(text_) + "' was sent " + clipped(request) + " and ";
-    const std::string wanted = "; expected a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
+    const std::string wanted = "; answer with a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
                                (objectives() == 0 ? "" : std::to_string(objectives()) + " ") +
                                "finite numbers]}";
     if (const auto line = child->answer(request, seconds_, stops)) {

@@ -34,7 +34,7 @@ std::vector<Setting> compare_settings() {
         {"compare.target", "", "target curve (CSV) of roughness"},
         pressure("compare.max-pressure", "", "p_max of Eq. 11 for roughness, MPa [amplitude is a gene]"),
         {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
-        {"compare.quick", "", "by default few problems, 5 seeds and 1e3*D evaluations", true}};
+        {"compare.quick", "", "few problems, 5 seeds and 1e3*D evaluations, unless these are given", true}};
     for (const auto& [kind, usual] : usual_contestants())
         settings.push_back({kind + ".*", "", "a variant on problems of this kind of genome"});
     return joined({settings, model_settings("model.")});
@@ -245,10 +245,10 @@ Experiment compare_experiment() {
             .summary =
                 "Compares variants (pipelines as text) on problems with known answers: BBOB's 24 noiseless "
                 "functions in any dimension from 2 to 40, ZDT and DTLZ, knapsacks, tours, and the roughness"
-                " problem. Gives medians with intervals, when targets are reached (runtime ECDF, expected "
-                "runtimes), and rank tests with correction, as result.json, runs.csv, ert.csv, ecdf.csv, "
-                "tests.csv and report.html. In a pipeline 1/n is one gene's share, 18n 18 times the number "
-                "of genes, and objectives the names of all objectives. With libpagmo in the build, "
+                " problem. Writes medians with intervals, runtime ECDFs, expected runtimes and corrected "
+                "rank tests to result.json, runs.csv, ert.csv, ecdf.csv, tests.csv and report.html. A "
+                "pipeline may contain 1/n (n is the number of genes), 18n, and "
+                "objectives, which stands for the names of all objectives. With libpagmo in the build, "
                 "pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga run, too.",
             .settings = compare_settings(),
             .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "coco"},

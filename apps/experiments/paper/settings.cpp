@@ -16,7 +16,8 @@ namespace {
 void expect_order(const Settings& settings, const std::string& name) {
     if (settings.number(name + "from") > settings.number(name + "to"))
         throw rough::InputError(settings.place(name + "to") + ": " + settings.text(name + "to") +
-                                " is below the start of the range, " + settings.text(name + "from"));
+                                " is below the start of the range; give at least " +
+                                settings.text(name + "from"));
 }
 
 /// The keys whose values a run keeps as they are.

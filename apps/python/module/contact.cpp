@@ -121,17 +121,20 @@ void add_contact(py::module_& module) {
         .def_readonly("contact_fraction_low", &Curve::contact_fraction_low,
                       "With resolution='auto' or 'on': lowest value over the heights as given and "
                       "interpolated 4 times, linearly and by a spline. Empty if it was not computed.")
-        .def_readonly("contact_fraction_high", &Curve::contact_fraction_high, "Highest value likewise.")
+        .def_readonly("contact_fraction_high", &Curve::contact_fraction_high,
+                      "Highest value over these heights.")
         .def_readonly("tangent_stiffness_low", &Curve::tangent_stiffness_low,
                       "Lowest K over these heights, MPa/mm.")
         .def_readonly("tangent_stiffness_high", &Curve::tangent_stiffness_high,
                       "Highest K over these heights, MPa/mm.")
         .def_readonly("account", &Curve::account, "With accuracy=: how it was modelled, and its errors.")
-        .def_readonly("pressure_gradient", &Curve::pressure_gradient,
-                      "With gradient=True: dp/dheights (steps x N, MPa/mm; a map row by row); for a genome "
-                      "dp/dgenes.")
-        .def_readonly("displacement_gradient", &Curve::displacement_gradient,
-                      "With gradient=True: derivative of the last displacement, likewise.")
+        .def_readonly(
+            "pressure_gradient", &Curve::pressure_gradient,
+            "With gradient=True: dp/dheights (steps x N, MPa/mm, a map row by row), or dp/dgenes for a "
+            "genome.")
+        .def_readonly(
+            "displacement_gradient", &Curve::displacement_gradient,
+            "With gradient=True: derivative of the last displacement with respect to heights or genes.")
         .def_readonly("smooth_contact_fraction", &Curve::smooth_contact_fraction,
                       "With area_gradient=True: contact fraction without its steps, which refinement uses.")
         .def_readonly("contact_fraction_gradient", &Curve::contact_fraction_gradient,

@@ -176,7 +176,8 @@ struct PythonOperator : ga::Operator {
             }
         });
         if (made.empty())
-            throw ga::NothingLeft("operator " + name + " returned an empty population");
+            throw ga::NothingLeft("operator " + name +
+                                  " returned an empty population; return at least one individual");
         return made;
     }
 };

@@ -1,7 +1,7 @@
 """Rough profiles with a given contact behaviour.
 
 Lengths are in mm, pressures in MPa, stiffness in MPa/mm, angles in rad. `contact` presses a surface on an
-elastic body, `design` finds one that matches a target, and `optimise` runs the genetic-algorithm engine on your
+elastic body, `design` finds one with a target's response, and `optimise` runs the genetic-algorithm engine on your
 problem.
 
 >>> import numpy, rugosa

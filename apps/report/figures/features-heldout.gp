@@ -1,5 +1,5 @@
 # Share of new starts that stay below a similarity, by the phases that may move.
-set xlabel "Similarity"; set ylabel "Share of starts below it"; set yrange [0:1]; set xrange [0.8:1]
+set xlabel "Similarity"; set ylabel "Share of starts with a lower one"; set yrange [0:1]; set xrange [0.8:1]
 phases(i) = word("all needed other", i)." phases"
 file = tables."heldout.csv"
 similarity(i) = strcol("phases") eq phases(i) ? column("similarity") : NaN

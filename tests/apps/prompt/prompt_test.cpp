@@ -88,12 +88,12 @@ const std::vector<Wrong> wrong_uses{
     {"target --formula '" + std::string(200, '(') + "' --to 1 --out x.csv",
      {"--formula: column 101", "100 deep"}},
     {"run", {"no experiment"}},
-    {"run key.ini", {"key.ini:2:", "'paper.x'", "expected one of paper."}},
+    {"run key.ini", {"key.ini:2:", "'paper.x'", "; use one of paper."}},
     {"run line.ini", {"line.ini:2:", "\"no equals\"", "key = value"}},
     {"run kind.ini", {"kind.ini:2: experiment.kind:", "\"foo\"", "paper, variants, accuracy"}},
     {"run value.ini", {"value.ini:4: paper.max-pressure:", "\"some\"", "number"}},
     {"run variant.ini", {"variant.ini:6: variants.mine:", "'scor'", "'score'"}},
-    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "expected one of accuracy.*, "}},
+    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "; use one of accuracy.*, "}},
     {paper + "more", {"'more'", "one experiment"}},
     {paper + "--set paper.threshhold=1", {"'paper.threshhold'", "did you mean 'paper.threshold'"}},
     {paper + "--set model.datum=0.1", {"model.datum: 0.1 mm", "0.2127"}},
@@ -310,7 +310,7 @@ TEST_CASE("contact notes a jump at periodic ends, short waves and a missing modu
         CHECK(ended.code == 0);
         return ended.out;
     };
-    const std::string jump = "of its height range: a step where a periodic body repeats it";
+    const std::string jump = "of its height range; a periodic body has a step there";
     CHECK_THAT(said("--genome jump.json --kernel periodic"), Catch::Contains(jump));
     CHECK(said("--genome jump.json").find(jump) == std::string::npos);
     CHECK(said("--genome meets.json --kernel periodic").find(jump) == std::string::npos);

@@ -107,7 +107,7 @@ TEST_CASE("a curve is written through a symbolic link, and to a device without C
     CHECK_FALSE(fs::exists(desk / "nowhere.json"));
 }
 
-TEST_CASE("a run follows no symbolic link out of its folder, and --force removes it") {
+TEST_CASE("a run does not follow a symbolic link out of its folder, and --force removes it") {
     const Desk desk;
     fs::create_directory(desk / "o");
     desk.write("mine.txt", "mine");

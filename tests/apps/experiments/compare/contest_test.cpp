@@ -54,7 +54,7 @@ TEST_CASE("a tally keeps the first evaluation at which each target is met, and e
     CHECK(tally.reached().spent == 7);
 }
 
-TEST_CASE("a stop request ends a run") {
+TEST_CASE("a run ends after a stop request") {
     const std::vector<double> targets{1e-300};
     const std::atomic<bool> stop = true;
     CHECK(raced(sphere(), ga_text, targets, {1, 100000, &stop}).spent <= 1);
