@@ -1,7 +1,7 @@
-// Coverage and saving of `respond_within` on random scenes of the paper's law:
+// Coverage and saving of `respond_within` on random scenes of the paper's law.
+//
 //   benchmark_accuracy [scenes [kernel 0-2 [first seed [shortest wave, parts of L]]]]
-//   benchmark_accuracy little    (only what a scene that needs little costs, against one that needs
-//   everything)
+//   benchmark_accuracy little    (only the cost of a smooth scene against that of rough ones)
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/accuracy/respond_within.hpp"
@@ -25,8 +25,8 @@ AccountedResponse within_accuracy(double accuracy, const Genome& genome, Model m
     return respond_within(genome, model);
 }
 
-/// The paper's own genomes, waves down to a node's spacing, at its 512 nodes: what an accuracy saves, and
-/// what half the nodes would cost.
+/// The paper's genomes with waves down to the node spacing at its 512 nodes. Prints the saving of an
+/// accuracy, and the error of half the nodes.
 void print_own_waves() {
     Model model, half;
     half.grid.nodes = 257;
@@ -50,11 +50,11 @@ void print_own_waves() {
         off.push_back(worst);
     }
     std::printf("the paper's database at 512 nodes within 1e-2: saving median %.2f; K at 257 nodes is off by "
-                "%.1f %% in the median, %.1f %% at worst\n",
+                "%.1f %% in the median, at most %.1f %%\n",
                 quantile(saving, 0.5), 100 * quantile(off, 0.5), 100 * quantile(off, 1));
 }
 
-/// A scene that needs little, one smooth wave at light load, and rough ones that need everything.
+/// A cheap scene, one smooth wave at light load, and rough ones that need the resolved model.
 void print_least_scene(Model model, unsigned seed, double parts) {
     const double length = model.grid.length;
     const bool periodic = model.body.kernel == Kernel::periodic;

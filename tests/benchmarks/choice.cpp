@@ -20,7 +20,7 @@ using rough::testing::processor_seconds;
 
 namespace {
 
-/// The least of three, or of one where it takes long.
+/// The lowest of three times, or one time if it is long.
 double least_seconds(const std::function<void()>& work) {
     double least = HUGE_VAL;
     for (int k = 0; k < 3 && (k == 0 || least < 0.3); ++k) {
@@ -33,7 +33,7 @@ double least_seconds(const std::function<void()>& work) {
 
 struct Measured {
     double nodes, steps, contact;         ///< contact: nodes at the last step
-    double nested, active_set, automatic; ///< s; nested 0 where it would take too long
+    double nested, active_set, automatic; ///< s; nested is 0 if it would take too long
 
     double transforms() const { return steps * nodes * std::log2(2 * nodes); }
     double faster() const { return nested > 0 ? std::min(nested, active_set) : active_set; }
@@ -73,7 +73,7 @@ Measured measured(const Profile& profile, Kernel kernel, int steps, double reach
     return m;
 }
 
-/// What each term takes, ns, by least relative error over the curves near the crossing.
+/// Fits the time of each term, ns, with least relative error over the curves near the crossing.
 template <typename Terms>
 void print_fit(const char* what, const std::vector<Measured>& runs, double Measured::*seconds, Terms terms) {
     std::vector<Eigen::VectorXd> rows;
@@ -102,8 +102,9 @@ void print_choices(const std::vector<Measured>& runs, double nodes) {
             worst = std::max(worst, loss);
             ++count;
         }
-    std::printf("N = %g: auto takes %.3g times as long as the faster (geometric mean), %.3g at worst of %g\n",
-                nodes, std::exp(sum / count), worst, count);
+    std::printf(
+        "N = %g: auto takes %.3g times as long as the faster (geometric mean), at most %.3g, %g curves\n",
+        nodes, std::exp(sum / count), worst, count);
 }
 
 } // namespace

@@ -80,7 +80,7 @@ int main() {
             times.push_back(curve_seconds(profiles[k], Solver::active_set, 1, curve));
             iterations.push_back(static_cast<double>(curve.iterations));
         }
-        std::printf("  active set: %.4g s a curve, %.4g applies a step, %g iterations a step\n",
+        std::printf("  active set: %.4g s per curve, %.4g applies per step, %g iterations per step\n",
                     median(times), median(times) / apply / 20, median(iterations) / 20);
     }
 }

@@ -1,6 +1,6 @@
-"""What a call from Python costs. PYTHONPATH=.build/python python3 tests/benchmarks/python_calls.py
+"""Measures the overhead of a call from Python. PYTHONPATH=.build/python python3 tests/benchmarks/python_calls.py
 
-A curve of 4 nodes is nearly all call, so its whole time bounds the overhead of any.
+Most of the time of a curve of 4 nodes is overhead, so this time is an upper bound of the overhead.
 """
 
 import time
