@@ -374,13 +374,13 @@ Summary summary_of(const DesignRun& run) {
     Summary summary{is_found(run), verified_of(run), verdict_of(run, verified_of(run)), {}};
     summary.facts = {{"moved", "Moved", run.morphed ? moved(*run.morphed) : ""},
                      {"matched", "Matched", matched(run)},
-                     {"not_asked_for", "Not asked for", not_asked_for(run)},
+                     {"not_asked_for", "Not requested", not_asked_for(run)},
                      {"worst_case", "At worst", worst_case(run)},
                      {"machine", "Machine", machine(run)},
                      {"yielding", "Elastic", yielding(run)},
                      {"making", "Can be made", making(run)},
                      {"carries_over", "Holds for", carries_over(run)},
-                     {"in_the_way", "In the way", summary.found ? "" : in_the_way(run)}};
+                     {"in_the_way", "Obstacles", summary.found ? "" : in_the_way(run)}};
     std::erase_if(summary.facts, [](const Fact& fact) { return fact.text.empty(); });
     return summary;
 }
