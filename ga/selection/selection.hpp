@@ -128,7 +128,7 @@ template <Problem P, class G = typename P::Genome>
                                 (upwards ? " above " : " below ") + number(threshold);
     Population<G> nearest = nearest_to_passing(population, least.count, upwards);
     if (nearest.empty())
-        throw NothingLeft(context.path() + ": " + counted + "; lower the bound, or give at_least=K");
+        throw NothingLeft(context.path() + ": " + counted + "; change the bound, or give at_least=K");
     context.note(counted + "; took the " + std::to_string(nearest.size()) + (upwards ? " best" : " lowest"));
     return nearest;
 }

@@ -96,7 +96,7 @@ TEST_CASE("a threshold that no individual passes takes the best at_least, or end
     CHECK(result.population[1].identity == 2);
     CHECK(result.notes == std::vector<std::string>{"v/above.1: 0 of 3 above 2; took the 2 best"});
     CHECK_THROWS_WITH(run("score | above 2", given(), individuals({1, 0}), {.variant = "v"}),
-                      "v/above.1: 0 of 2 above 2; lower the bound, or give at_least=K");
+                      "v/above.1: 0 of 2 above 2; change the bound, or give at_least=K");
 }
 
 TEST_CASE("a selection in proportion to the fitness is refused when there are several objectives") {

@@ -222,7 +222,7 @@ TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas
     CHECK(result["targets"].size() == 2);
 }
 
-TEST_CASE("an area without time to verify is reported as not verified", "[areas]") {
+TEST_CASE("a map without time to verify is reported as not verified", "[areas]") {
     const Folder folder;
     const Ended ended =
         rugosa(drawn + " --max-pressure 1.6e-4 --nodes 24x24 --length 0.84942 --seconds 1e-3 --out r",
