@@ -6,7 +6,6 @@
 #include "ga/base/random.hpp"
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 namespace rough {
@@ -16,19 +15,6 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 
 constexpr double golden_angle = 2.399963; // its multiples fill the turn evenly and never repeat
-
-/// A real sequence and its transform.
-struct Transform {
-    explicit Transform(Index length)
-        : plan(fourier_plan({length})), bins(length / 2 + 1), real(length), spectrum(bins) {}
-    void forward() { fftw_execute_dft_r2c(plan.forward, real.data(), spectrum.data()); }
-    void backward() { fftw_execute_dft_c2r(plan.backward, spectrum.data(), real.data()); }
-
-    FourierPlan plan;
-    Index bins;
-    AlignedBuffer<double> real;
-    AlignedBuffer<fftw_complex> spectrum;
-};
 
 double drawn(const Uniform& uniform, double from, double to) { return from < to ? uniform(from, to) : from; }
 
@@ -92,46 +78,33 @@ Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_
     if (!(rms > 0) || grid.nodes < 4)
         refuse("fractal profile: rms height ", rms, " on ", grid.nodes,
                " nodes; use one above 0 on 4 or more");
-    Transform transform(4 * grid.nodes);
     ga::Stream random(ga::fold(seed, "fractal"));
-    transform.spectrum[0][0] = transform.spectrum[0][1] = 0;
-    for (Index bin = 1; bin < transform.bins; ++bin) {
+    Eigen::ArrayXcd spectrum = Eigen::ArrayXcd::Zero(2 * grid.nodes + 1);
+    for (Index bin = 1; bin < spectrum.size(); ++bin) {
         const double deviation = std::pow(static_cast<double>(bin), -(hurst + 0.5));
-        transform.spectrum[bin][0] = deviation * random.normal();
-        transform.spectrum[bin][1] = deviation * random.normal();
+        spectrum[bin].real(deviation * random.normal());
+        spectrum[bin].imag(deviation * random.normal());
     }
-    transform.backward();
-    const Eigen::VectorXd heights =
-        detrended({Eigen::Map<const Eigen::VectorXd>(transform.real.data(), grid.nodes), grid.spacing()},
-                  Detrend::line);
+    const Eigen::ArrayXd whole = inverse_fourier_transform(spectrum, 4 * grid.nodes);
+    const Eigen::VectorXd heights = detrended({whole.head(grid.nodes), grid.spacing()}, Detrend::line);
     const double scale = rms / std::sqrt(heights.squaredNorm() / static_cast<double>(grid.nodes));
     return {scale * heights, grid.spacing()};
 }
 
 std::vector<Band> octave_bands(const Profile& profile) {
     const Index nodes = profile.nodes();
-    Transform transform(2 * nodes);
-    for (Index i = 0; i < nodes; ++i)
-        transform.real[i] = transform.real[2 * nodes - 1 - i] = profile.heights[i];
-    transform.forward();
-    std::vector<std::complex<double>> whole;
-    for (Index bin = 0; bin < transform.bins; ++bin)
-        whole.emplace_back(transform.spectrum[bin][0], transform.spectrum[bin][1]);
-
+    Eigen::ArrayXd mirrored(2 * nodes);
+    mirrored << profile.heights.array(), profile.heights.array().reverse();
+    const Eigen::ArrayXcd whole = fourier_transform(mirrored);
     const double period = 2 * static_cast<double>(nodes) * profile.spacing;
     std::vector<Band> bands;
     for (Index first = 1; first < nodes; first *= 2) { // bin N, the last, is empty
-        const Index past = std::min(2 * first, transform.bins);
-        for (Index bin = 0; bin < transform.bins; ++bin) {
-            const auto value =
-                bin >= first && bin < past ? whole[static_cast<std::size_t>(bin)] : std::complex<double>();
-            transform.spectrum[bin][0] = value.real();
-            transform.spectrum[bin][1] = value.imag();
-        }
-        transform.backward();
+        const Index count = std::min(first, whole.size() - first);
+        Eigen::ArrayXcd band = Eigen::ArrayXcd::Zero(whole.size());
+        band.segment(first, count) = whole.segment(first, count);
+        const Eigen::ArrayXd heights = inverse_fourier_transform(band, 2 * nodes);
         bands.push_back({period / static_cast<double>(first), period / static_cast<double>(2 * first),
-                         Eigen::Map<const Eigen::VectorXd>(transform.real.data(), nodes) /
-                             static_cast<double>(2 * nodes)});
+                         heights.head(nodes) / static_cast<double>(2 * nodes)});
     }
     return bands;
 }

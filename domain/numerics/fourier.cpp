@@ -111,6 +111,32 @@ FourierPlan complex_fourier_plan(Extent shape) {
     });
 }
 
+Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
+    const Extent shape{numbers.rows(), numbers.cols()}, half{shape.columns / 2 + 1, shape.rows};
+    AlignedBuffer<double> real(shape.nodes());
+    AlignedBuffer<std::complex<double>> transform(half.nodes());
+    std::copy_n(numbers.data(), shape.nodes(), real.data());
+    fftw_execute_dft_r2c(fourier_plan(shape).forward, real.data(), as_fftw(transform.data()));
+    return Eigen::ArrayXXcd::Map(transform.data(), half.columns, half.rows);
+}
+
+Eigen::ArrayXXd inverse_fourier_transform(const Eigen::ArrayXXcd& half, Index columns) {
+    const Extent shape{columns, half.cols()};
+    AlignedBuffer<double> real(shape.nodes());
+    AlignedBuffer<std::complex<double>> transform(half.size());
+    std::copy_n(half.data(), half.size(), transform.data());
+    fftw_execute_dft_c2r(fourier_plan(shape).backward, as_fftw(transform.data()), real.data());
+    return Eigen::ArrayXXd::Map(real.data(), shape.columns, shape.rows);
+}
+
+Eigen::ArrayXXcd inverse_complex_transform(const Eigen::ArrayXXcd& transform) {
+    AlignedBuffer<std::complex<double>> work(transform.size());
+    std::copy_n(transform.data(), transform.size(), work.data());
+    fftw_execute_dft(complex_fourier_plan({transform.rows(), transform.cols()}).backward,
+                     as_fftw(work.data()), as_fftw(work.data()));
+    return Eigen::ArrayXXcd::Map(work.data(), transform.rows(), transform.cols());
+}
+
 bool is_good_fourier_length(Index length) {
     for (const Index factor : {2, 3, 5, 7, 11, 13})
         while (length % factor == 0)

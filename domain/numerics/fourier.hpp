@@ -29,6 +29,13 @@ FourierPlan fourier_plan(Extent shape);
 /// The plan for complex transforms of a grid in place.
 FourierPlan complex_fourier_plan(Extent shape);
 
+/// The half-complex transform of N_x x N_y numbers: N_x/2 + 1 x N_y, unnormalised.
+Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers);
+/// Its inverse times N_x N_y; `columns` is N_x.
+Eigen::ArrayXXd inverse_fourier_transform(const Eigen::ArrayXXcd& half, Index columns);
+/// The inverse of the complex transform times the number of values.
+Eigen::ArrayXXcd inverse_complex_transform(const Eigen::ArrayXXcd& transform);
+
 /// Whether no prime factor is above 13. With a larger one, transforms need up to ten times as long.
 bool is_good_fourier_length(Index length);
 

@@ -124,8 +124,7 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
     const auto last = static_cast<Index>(cut / dq),
                last_y = grid.is_2d() ? static_cast<Index>(cut / dq_y) : 0;
     const auto folded = [](Index k, Index n) { return (k % n + n) % n; };
-    AlignedBuffer<std::complex<double>> waves(shape.nodes());
-    std::fill_n(waves.data(), shape.nodes(), 0.);
+    Eigen::ArrayXXcd waves = Eigen::ArrayXXcd::Zero(shape.columns, shape.rows);
     ga::Stream random(seed);
     double power = 0;
     for (Index j = -last_y; j <= last_y; ++j)
@@ -135,15 +134,11 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
                 continue;
             const double amplitude = std::exp(-ql * ql / 8), a = random.normal(), b = random.normal();
             power += amplitude * amplitude;
-            waves[folded(j, shape.rows) * shape.columns + folded(i, shape.columns)] +=
+            waves(folded(i, shape.columns), folded(j, shape.rows)) +=
                 std::complex(amplitude * a, amplitude * b);
         }
-    auto* data = reinterpret_cast<fftw_complex*>(waves.data());
-    fftw_execute_dft(complex_fourier_plan(shape).backward, data, data);
-    Eigen::VectorXd heights(grid.shape().nodes());
-    for (Index k = 0; k < heights.size(); ++k)
-        heights[k] = waves[k / grid.nodes * shape.columns + k % grid.nodes].real() / std::sqrt(power);
-    return heights;
+    const Eigen::ArrayXXd heights = inverse_complex_transform(waves).real();
+    return heights.topLeftCorner(grid.nodes, grid.rows).reshaped() / std::sqrt(power);
 }
 
 } // namespace rough

@@ -24,28 +24,17 @@ class Autocorrelation {
         const Extent padded =
             periodic ? map.shape()
                      : Extent{fast_fourier_length(columns + columns_), fast_fourier_length(rows + rows_)};
-        const Index half = padded.columns / 2 + 1;
-        AlignedBuffer<double> real(padded.nodes());
-        AlignedBuffer<fftw_complex> bins(half * padded.rows);
-        std::fill_n(real.data(), padded.nodes(), 0.0);
-        const double mean = map.heights.mean();
-        for (Index j = 0; j < rows; ++j)
-            for (Index i = 0; i < columns; ++i)
-                real[j * padded.columns + i] = map.heights[j * columns + i] - mean;
-        const FourierPlan plan = fourier_plan(padded);
-        fftw_execute_dft_r2c(plan.forward, real.data(), bins.data());
-        for (Index k = 0; k < half * padded.rows; ++k) {
-            bins[k][0] = bins[k][0] * bins[k][0] + bins[k][1] * bins[k][1];
-            bins[k][1] = 0;
-        }
-        fftw_execute_dft_c2r(plan.backward, bins.data(), real.data());
+        Eigen::ArrayXXd z = Eigen::ArrayXXd::Zero(padded.columns, padded.rows);
+        z.topLeftCorner(columns, rows) = map.heights.reshaped(columns, rows).array() - map.heights.mean();
+        const Eigen::ArrayXXd sums = inverse_fourier_transform(
+            fourier_transform(z).abs2().cast<std::complex<double>>(), padded.columns);
         const auto overlap = [&](Index nodes, Index lag) {
             return periodic ? 1 : 1 - static_cast<double>(lag) / static_cast<double>(nodes);
         };
         for (Index j = -rows_; j <= rows_; ++j)
             for (Index i = 0; i <= columns_; ++i)
-                values_(i, j + rows_) = real[(j + padded.rows) % padded.rows * padded.columns + i] /
-                                        (real[0] * overlap(columns, i) * overlap(rows, std::abs(j)));
+                values_(i, j + rows_) = sums(i, (j + padded.rows) % padded.rows) /
+                                        (sums(0, 0) * overlap(columns, i) * overlap(rows, std::abs(j)));
     }
 
     /// Value at a lag in nodes, |x| and |y| up to half of the sides; linear in between.

@@ -5,37 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numeric>
 
 namespace rough {
 namespace {
 
-using Bins = std::vector<std::complex<double>>;
-
 /// A sequence's transform, padded with zeros.
-Bins transformed(const Eigen::VectorXd& values, Index length) {
-    AlignedBuffer<double> real(length);
-    AlignedBuffer<fftw_complex> bins(length / 2 + 1);
-    std::fill(std::copy(values.begin(), values.end(), real.data()), real.data() + length, 0.0);
-    fftw_execute_dft_r2c(fourier_plan({length}).forward, real.data(), bins.data());
-    Bins result;
-    for (Index k = 0; k <= length / 2; ++k)
-        result.emplace_back(bins[k][0], bins[k][1]);
-    return result;
+Eigen::ArrayXcd transformed(const Eigen::VectorXd& values, Index length) {
+    Eigen::ArrayXd padded = Eigen::ArrayXd::Zero(length);
+    padded.head(values.size()) = values.array();
+    return fourier_transform(padded);
 }
 
 /// sum_t weight_t z_(i+t) for each node i, t = -reach .. reach, from the transforms of the heights and of the
 /// reversed weights.
-Eigen::VectorXd correlated(const Bins& heights, const Bins& weights, Index reach, Index nodes, Index length) {
-    AlignedBuffer<double> real(length);
-    AlignedBuffer<fftw_complex> product(length / 2 + 1);
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-        const std::complex<double> one = heights[k] * weights[k];
-        product[static_cast<Index>(k)][0] = one.real(), product[static_cast<Index>(k)][1] = one.imag();
-    }
-    fftw_execute_dft_c2r(fourier_plan({length}).backward, product.data(), real.data());
-    return Eigen::Map<const Eigen::VectorXd>(real.data() + reach, nodes) / static_cast<double>(length);
+Eigen::VectorXd correlated(const Eigen::ArrayXcd& heights, const Eigen::ArrayXcd& weights, Index reach,
+                           Index nodes, Index length) {
+    const Eigen::ArrayXd sums = inverse_fourier_transform(heights * weights, length);
+    return sums.segment(reach, nodes).matrix() / static_cast<double>(length);
 }
 
 /// The filter for lines of one length.
@@ -81,7 +68,7 @@ class LineFilter {
   private:
     Index nodes_, reach_, length_ = 0;
     Eigen::ArrayXd s0_, s1_, s2_;
-    Bins weight_, moment_;
+    Eigen::ArrayXcd weight_, moment_;
 };
 
 } // namespace

@@ -25,25 +25,16 @@ Eigen::ArrayXXd wave_powers(const Profile& surface, bool periodic) {
     const auto [columns, rows] = surface.shape();
     if (columns < 4 || (rows < 4 && surface.is_2d()))
         refuse("spectrum: a surface of ", columns, " x ", rows, " nodes; use at least 4 along each side");
-    const Index half = columns / 2 + 1;
-    AlignedBuffer<double> windowed(surface.nodes());
-    AlignedBuffer<fftw_complex> transform(half * rows);
     const Eigen::ArrayXd along_x = window(columns, periodic), along_y = window(rows, periodic || rows == 1);
-    const double mean = surface.heights.mean();
-    for (Index j = 0; j < rows; ++j)
-        for (Index i = 0; i < columns; ++i)
-            windowed[j * columns + i] = along_y[j] * along_x[i] * (surface.heights[j * columns + i] - mean);
-    fftw_execute_dft_r2c(fourier_plan(surface.shape()).forward, windowed.data(), transform.data());
-
+    const Eigen::ArrayXXd windowed =
+        (along_x.matrix() * along_y.matrix().transpose()).array() *
+        (surface.heights.array() - surface.heights.mean()).reshaped(columns, rows);
     const double scale =
         1 / (static_cast<double>(surface.nodes()) * along_x.square().sum() * along_y.square().sum());
-    Eigen::ArrayXXd power(half, rows);
-    for (Index j = 0; j < rows; ++j)
-        for (Index i = 0; i < half; ++i) {
-            const auto& value = transform[j * half + i];
-            const bool stands_alone = i == 0 || 2 * i == columns; // no wave of -q is added to it
-            power(i, j) = (stands_alone ? 1 : 2) * scale * (value[0] * value[0] + value[1] * value[1]);
-        }
+    Eigen::ArrayXXd power = 2 * scale * fourier_transform(windowed).abs2();
+    power.row(0) /= 2; // no wave of -q is added to it
+    if (columns % 2 == 0)
+        power.bottomRows(1) /= 2;
     return power;
 }
 

@@ -73,9 +73,7 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
     const double lowest = (1 - 1e-12) / parameters.longest, largest = (1 + 1e-12) / parameters.shortest;
     const auto last = static_cast<Index>(largest / dx),
                last_row = grid.is_2d() ? static_cast<Index>(largest / dy) : 0;
-    AlignedBuffer<fftw_complex> waves(shape.nodes());
-    for (Index k = 0; k < shape.nodes(); ++k)
-        waves[k][0] = waves[k][1] = 0;
+    Eigen::ArrayXXcd waves = Eigen::ArrayXXcd::Zero(shape.columns, shape.rows);
     ga::Stream random(ga::fold(seed, "self-affine surface"));
     double slopes = 0; // mean square
     for (Index j = -last_row; j <= last_row; ++j)
@@ -86,19 +84,15 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
             const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_area ? 1 : 0.5)),
                          phase = random.uniform(0, 2 * std::numbers::pi);
             slopes += std::pow(2 * std::numbers::pi * q * amplitude, 2) / 2;
-            auto& wave = waves[(j + last_row * shape.rows) % shape.rows * shape.columns + i % shape.columns];
-            wave[0] += amplitude * std::cos(phase);
-            wave[1] += amplitude * std::sin(phase);
+            waves(i % shape.columns, (j + last_row * shape.rows) % shape.rows) +=
+                std::polar(amplitude, phase);
         }
     if (!(slopes > 0))
         refuse("self-affine surface: no wave of ", parameters.longest, " to ", parameters.shortest,
                " mm fits a surface of ", grid.length, " mm; give longer or shorter cut-offs");
-    fftw_execute_dft(complex_fourier_plan(shape).backward, waves.data(), waves.data());
-    Profile surface{Eigen::VectorXd(shape.nodes()), grid.spacing(), shape.rows, grid.row_spacing()};
     const double scale = parameters.rms_slope / std::sqrt(slopes);
-    for (Index k = 0; k < shape.nodes(); ++k)
-        surface.heights[k] = scale * waves[k][0];
-    return surface;
+    return {scale * inverse_complex_transform(waves).real().reshaped().matrix(), grid.spacing(), shape.rows,
+            grid.row_spacing()};
 }
 
 } // namespace rough

@@ -139,10 +139,7 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
         eigenvalues = periodic_spectrum(problem, shape);
     } else {
         const Eigen::VectorXd h = influence_column(problem, shape);
-        const FourierPlan plan = fourier_plan(shape);
-        const Index half = (shape.columns / 2 + 1) * shape.rows;
-        AlignedBuffer<double> real(shape.nodes());
-        AlignedBuffer<fftw_complex> transform(half);
+        Eigen::ArrayXXd column(shape.columns, shape.rows);
         // Blends h with its mirror image; the first entry has none.
         const auto blended = [](const auto& entry, Index j, Index m) {
             const double share = static_cast<double>(j) / static_cast<double>(m);
@@ -150,15 +147,12 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
         };
         for (Index j = 0; j < shape.rows; ++j)
             for (Index i = 0; i < shape.columns; ++i)
-                real[j * shape.columns + i] = blended(
+                column(i, j) = blended(
                     [&](Index row) {
                         return blended([&](Index k) { return h[row * shape.columns + k]; }, i, shape.columns);
                     },
                     j, shape.rows);
-        fftw_execute_dft_r2c(plan.forward, real.data(), transform.data());
-        eigenvalues.resize(half);
-        for (Index k = 0; k < half; ++k)
-            eigenvalues[k] = transform[k][0];
+        eigenvalues = fourier_transform(column).real().reshaped();
     }
     // A datum near its limit, or none, leaves the mean without a usable stiffness.
     if (eigenvalues.size() > 1)
