@@ -1,7 +1,6 @@
 #include "domain/database/build.hpp"
 
 #include "domain/accuracy/respond.hpp"
-#include "domain/database/codec.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/parallel.hpp"
 
@@ -49,10 +48,7 @@ class Batches {
         responses[genome - span.first] = std::move(response);
         if (--missing > 0)
             return;
-        std::vector<Genome> genomes;
-        for (std::uint64_t i = 0; i < span.count; ++i)
-            genomes.push_back(drawn(store_.setup().law, span.first + i));
-        stored_ += store_.add(span, genomes, responses) ? span.count : 0;
+        stored_ += store_.add(span, responses) ? span.count : 0;
         open_.erase(found);
         goes_on_ = options_.go_on(stored_);
     }
@@ -78,21 +74,6 @@ class Batches {
     std::map<std::uint64_t, Batch> open_;                  ///< each under its first genome
     bool goes_on_ = true;
 };
-
-/// Copies the genomes of a batch that `to` does not hold.
-void copy(const GenomeStore& from, const Span& span, GenomeStore& to) {
-    const StoredBatch batch = from.batch(span);
-    for (std::uint64_t i = 0; i < span.count; ++i)
-        if (numbers({batch.genomes[i]}) != numbers({drawn(from.setup().law, span.first + i)}))
-            refuse(from.file().string(), ": genome ", span.first + i,
-                   " is not its law's; give a file that only this program has written");
-    const auto at = [&](const auto& list, const Span& part) {
-        const auto begin = list.begin() + static_cast<std::ptrdiff_t>(part.first - span.first);
-        return std::vector(begin, begin + static_cast<std::ptrdiff_t>(part.count));
-    };
-    for (const Span& part : to.gaps(span))
-        to.add(part, at(batch.genomes, part), at(batch.responses, part));
-}
 
 } // namespace
 
@@ -159,8 +140,14 @@ std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::
     {
         GenomeStore merged = GenomeStore::create(draft, all.front().setup());
         for (const GenomeStore& one : all)
-            for (const Span& span : one.batches())
-                copy(one, span, merged);
+            for (const Span& span : one.batches()) {
+                const std::vector<Response> responses = one.responses(span);
+                for (const Span& part : merged.gaps(span)) {
+                    const auto begin =
+                        responses.begin() + static_cast<std::ptrdiff_t>(part.first - span.first);
+                    merged.add(part, {begin, begin + static_cast<std::ptrdiff_t>(part.count)});
+                }
+            }
         count = merged.stored();
     }
     std::filesystem::rename(draft, out);

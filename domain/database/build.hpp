@@ -44,9 +44,9 @@ Response response_for(const DatabaseSetup& setup, std::uint64_t genome);
 void build(GenomeStore& store, const BuildOptions& options);
 
 /// Puts the genomes of several databases of one set-up, law and version into a new file. It appears under its
-/// name when it is complete, and replaces an older file. The first copy of a genome is taken if several
-/// databases hold it. Returns the number of genomes. Throws InputError on databases that differ, on a genome
-/// that its law does not give, and on altered numbers.
+/// name when it is complete, and replaces an older file. If several databases hold a genome, the first copy
+/// is taken. Returns the number of genomes. Throws InputError on databases that differ, on genomes that their
+/// law does not give, and on altered numbers.
 std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out);
 
 } // namespace rough

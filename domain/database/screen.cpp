@@ -21,78 +21,63 @@ bool better(const Match& left, const Match& right) {
 /// Some matches, the worst on top.
 using WorstFirst = std::priority_queue<Match, std::vector<Match>, decltype(&better)>;
 
-/// The points of a curve at scale 1, as curve_of gives them. A genome's scale stretches x, and the load's y.
-struct Points {
-    std::vector<double> x, y;
-    bool stretches_y = false;
-};
-
-/// One genome's stored curves, in the targets' order.
-using Curves = std::vector<Points>;
-
-/// Reads a genome's stored numbers as curves.
+/// Reads a genome's stored numbers as curves at scale 1.
 class Reader {
   public:
     Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
-        : curves_(curves), targets_(targets), steps_(static_cast<std::size_t>(model.loading.steps)),
-          of_range_(load_displacements(1, model.loading, model.body.kernel)),
-          full_stiffness_(full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body)) {}
+        : curves_(curves), targets_(targets),
+          full_stiffness_(full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body)) {
+        const auto displacements = load_displacements(1, model.loading, model.body.kernel);
+        of_range_ = Eigen::VectorXd::Map(displacements.data(), static_cast<Index>(displacements.size()));
+    }
 
-    void read(std::size_t g, Curves& into) const {
-        into.resize(targets_.size());
-        for (std::size_t i = 0; i < targets_.size(); ++i)
-            read(g, targets_[i].quantity, into[i]);
+    /// One curve for each target.
+    void read(std::size_t g, std::vector<Curve>& into) const {
+        const auto row = [&](const std::vector<double>& numbers) {
+            return Eigen::VectorXd::Map(&numbers[g * static_cast<std::size_t>(of_range_.size())],
+                                        of_range_.size());
+        };
+        Response response;
+        response.displacement = curves_.range[g] * of_range_;
+        response.pressure = row(curves_.pressure);
+        if (!curves_.fraction.empty())
+            response.contact_fraction = row(curves_.fraction);
+        response.full_stiffness = full_stiffness_;
+        into.clear();
+        for (const Target& target : targets_)
+            into.push_back(curve_of(target.quantity, response));
     }
     /// The x at which a genome's curve ends for a target, at scale 1.
     double end(std::size_t g, const Target& target) const {
-        return target.against_pressure() ? curves_.pressure[(g + 1) * steps_ - 1]
-                                         : of_range_.back() * curves_.range[g];
+        const Index last = of_range_.size() - 1;
+        return target.against_pressure()
+                   ? curves_.pressure[g * static_cast<std::size_t>(last + 1) + static_cast<std::size_t>(last)]
+                   : of_range_[last] * curves_.range[g];
     }
 
   private:
-    void read(std::size_t g, Quantity quantity, Points& into) const {
-        const double* pressure = &curves_.pressure[g * steps_];
-        const double* y = is_contact_fraction(quantity) ? &curves_.fraction[g * steps_] : pressure;
-        const double range = curves_.range[g];
-        const bool is_interface = quantity == Quantity::interface_stiffness,
-                   from_origin = !is_interface && quantity != Quantity::stiffness;
-        into.stretches_y = quantity == Quantity::load_at_displacement;
-        into.x.assign(from_origin, 0);
-        into.y.assign(from_origin, 0);
-        double last = 0;
-        for (std::size_t j = 0; j < steps_; last = pressure[j++])
-            if (from_origin) {
-                into.x.push_back(against_pressure(quantity) ? pressure[j] : range * of_range_[j]);
-                into.y.push_back(y[j]);
-            } else {
-                const double secant = (pressure[j] - last) / (of_range_.front() * range);
-                into.x.push_back(0.5 * (pressure[j] + last));
-                into.y.push_back(is_interface ? interface_of(secant, full_stiffness_) : secant);
-            }
-    }
-
     const StoredCurves& curves_;
     const std::vector<Target>& targets_;
-    std::size_t steps_;
-    std::vector<double> of_range_; ///< displacements of the load steps over the height range
-    double full_stiffness_;        ///< full contact of the model, MPa/mm
+    Eigen::VectorXd of_range_; ///< displacements of the load steps over the height range
+    double full_stiffness_;    ///< full contact of the model, MPa/mm
 };
 
 /// The similarity at a scale. Below `bar` the exact value does not matter, and the evaluation stops.
-double similarity_above(const Curves& curves, const std::vector<Target>& targets, double scale, double bar) {
+double similarity_above(const std::vector<Curve>& curves, const std::vector<Target>& targets, double scale,
+                        double bar) {
     double worst = 0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const Target& target = targets[i];
-        const Points& points = curves[i];
-        std::size_t left = 0;
-        const std::size_t last = points.x.size() - 2;
+        const Curve& points = curves[i];
+        const double y_scale = target.quantity == Quantity::load_at_displacement ? scale : 1;
+        Index left = 0;
+        const Index last = points.x.size() - 2;
         for (Index k = 0; k < target.points() && 1 - worst >= bar; ++k) {
             const double at = target.x[k] / scale;
             while (left < last && at >= points.x[left + 1])
                 ++left;
             const double share = (at - points.x[left]) / (points.x[left + 1] - points.x[left]);
-            const double y = ((1 - share) * points.y[left] + share * points.y[left + 1]) *
-                             (points.stretches_y ? scale : 1);
+            const double y = ((1 - share) * points.y[left] + share * points.y[left + 1]) * y_scale;
             worst = std::max(worst, std::abs(misfit(target, k, y)));
         }
     }
@@ -103,7 +88,8 @@ constexpr int amplitudes = 33;
 double amplitude(double smallest, double step) { return smallest * std::exp2(step / 8); }
 
 /// Narrows a free amplitude between the neighbours of the best coarse one (golden section).
-Match settled(Match match, const Curves& curves, const std::vector<Target>& targets, double smallest) {
+Match settled(Match match, const std::vector<Curve>& curves, const std::vector<Target>& targets,
+              double smallest) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = std::max(match.scale / amplitude(1, 1), smallest), high = match.scale * amplitude(1, 1);
     for (int turn = 0; turn < 30; ++turn) {
@@ -165,7 +151,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
         rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
     std::vector<WorstFirst> best(parts, WorstFirst(better));
     ga::parallel_for(parts, threads, [&](std::size_t part) {
-        Curves stored;
+        std::vector<Curve> stored;
         WorstFirst& kept = best[part];
         for (std::size_t g = part * curves.index.size() / parts; g < (part + 1) * curves.index.size() / parts;
              ++g) {
@@ -192,7 +178,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
             matches.push_back(kept.top());
     std::sort(matches.begin(), matches.end(), better);
     matches.resize(std::min(matches.size(), candidates));
-    Curves stored;
+    std::vector<Curve> stored;
     for (Match& match : matches) {
         const auto g = static_cast<std::size_t>(match.index);
         if (!rescaled) {

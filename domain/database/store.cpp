@@ -1,12 +1,13 @@
 #include "domain/database/store.hpp"
 
 #include "domain/contact/full_contact.hpp"
-#include "domain/database/codec.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/random.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 namespace rough {
 namespace {
@@ -25,6 +26,32 @@ std::vector<std::string> schema() {
             "CREATE TABLE pressure" + blobs,
             "CREATE TABLE setup(name TEXT PRIMARY KEY, value TEXT NOT NULL)",
             "CREATE TABLE taken(first INTEGER PRIMARY KEY)"};
+}
+
+static_assert(std::endian::native == std::endian::little, "genome databases hold little-endian numbers");
+
+std::string_view packed(const std::vector<double>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+}
+
+/// A law's genomes one after another: series, and for each A, H, gamma, lambda, chromosomes, and for each of
+/// those n, ridges and the phases.
+std::vector<double> genes_of(const GenomeDistribution& law, const Span& span) {
+    std::vector<double> values;
+    for (std::uint64_t i = 0; i < span.count; ++i) {
+        const Genome genome = drawn(law, span.first + i);
+        values.push_back(static_cast<double>(genome.series.size()));
+        for (const Series& series : genome.series) {
+            values.insert(values.end(), {series.A, series.H, series.gamma, series.lambda,
+                                         static_cast<double>(series.chromosomes.size())});
+            for (const Chromosome& chromosome : series.chromosomes) {
+                values.push_back(chromosome.n);
+                values.push_back(static_cast<double>(chromosome.phases.size()));
+                values.insert(values.end(), chromosome.phases.begin(), chromosome.phases.end());
+            }
+        }
+    }
+    return values;
 }
 
 bool holds_anything(Sqlite& sqlite) { return sqlite.number("SELECT count(*) FROM sqlite_master") > 0; }
@@ -81,20 +108,17 @@ std::uint64_t checksum_of(const char* table, const Span& span, std::string_view 
     return checksum(numbers, checksum(table, span.first * ga::golden_step + span.count));
 }
 
-/// Genome `i` of a batch's responses, from the numbers of the tables pressure and contact.
-Response response_at(const std::vector<double>& pressure, const std::vector<double>& contact, std::size_t i,
-                     Index steps) {
-    const double* p = pressure.data() + i * static_cast<std::size_t>(steps + 1);
-    const double* c = contact.data() + i * static_cast<std::size_t>(2 * steps);
-    Response response;
-    response.range = p[0];
-    response.pressure = Eigen::Map<const Eigen::VectorXd>(p + 1, steps);
-    response.contact_fraction = Eigen::Map<const Eigen::VectorXd>(c, steps);
-    response.tangent_stiffness = Eigen::Map<const Eigen::VectorXd>(c + steps, steps);
-    return response;
-}
-
 } // namespace
+
+std::uint64_t checksum(std::string_view bytes, std::uint64_t seed) {
+    std::uint64_t sum = ga::mix(seed + bytes.size());
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof(sum)) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
+        sum = ga::mix(sum ^ word) + ga::golden_step;
+    }
+    return sum;
+}
 
 GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::move(sqlite))) {
     expect_ours(*sqlite_);
@@ -202,8 +226,7 @@ std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
     return left;
 }
 
-bool GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
-                      const std::vector<Response>& responses) {
+bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) {
     std::vector<double> pressure, contact;
     for (const Response& response : responses) {
         pressure.push_back(response.range);
@@ -216,14 +239,13 @@ bool GenomeStore::add(const Span& span, const std::vector<Genome>& genomes,
     if (!there) {
         Statement(*sqlite_, "INSERT INTO batch VALUES(?, ?)", span.first, span.count).step();
         const auto put = [&](const char* table, const std::vector<double>& values) {
-            const std::string bytes = packed(values);
             Statement(*sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)", span.first,
-                      Blob{bytes}, checksum_of(table, span, bytes))
+                      Blob{packed(values)}, checksum_of(table, span, packed(values)))
                 .step();
         };
         put("pressure", pressure);
         put("contact", contact);
-        put("genome", rough::numbers(genomes));
+        put("genome", genes_of(setup_.law, span));
     }
     Statement(*sqlite_, "DELETE FROM taken WHERE first = ?", span.first).step();
     transaction.commit();
@@ -247,34 +269,43 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
                      " is not stored; give a smaller number");
 }
 
-/// A batch's row in a table; `per_genome` numbers for each of its genomes, or any number if it is 0.
+/// A batch's row in a table: `per_genome` numbers for each of its genomes.
 std::vector<double> GenomeStore::numbers(const char* table, const Span& span, std::size_t per_genome) const {
     Statement row(*sqlite_, std::string("SELECT numbers, checksum FROM ") + table + " WHERE first = ?",
                   span.first);
     if (!row.step() || row.number(1) != checksum_of(table, span, row.bytes(0)))
         refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ",
                        span.first + span.count - 1, " was altered");
-    std::vector<double> values = unpacked(row.bytes(0));
-    if (per_genome > 0 && values.size() != span.count * per_genome)
-        refuse_changed(*sqlite_, "a batch of ", values.size(), " numbers in place of ",
-                       span.count * per_genome);
+    std::vector<double> values(span.count * per_genome);
+    if (row.bytes(0).size() != packed(values).size())
+        refuse_changed(*sqlite_, "a batch of ", row.bytes(0).size(), " bytes in place of ",
+                       packed(values).size());
+    std::memcpy(values.data(), row.bytes(0).data(), row.bytes(0).size());
     return values;
 }
 
-std::vector<Genome> GenomeStore::genomes(const Span& span) const {
-    std::vector<Genome> genomes = genomes_from(numbers("genome", span));
-    if (genomes.size() != span.count)
-        refuse_changed(*sqlite_, "a batch of ", genomes.size(), " genomes in place of ", span.count);
-    return genomes;
+/// Refuses stored genomes that differ from those that this program draws by the law.
+void GenomeStore::expect_genomes(const Span& span) const {
+    Statement row(*sqlite_, "SELECT numbers FROM genome WHERE first = ?", span.first);
+    if (!row.step() || row.bytes(0) != packed(genes_of(setup_.law, span)))
+        refuse_changed(*sqlite_, "genomes ", span.first, " to ", span.first + span.count - 1,
+                       " are not their law's");
 }
 
-StoredBatch GenomeStore::batch(const Span& span) const {
-    const auto steps = static_cast<std::size_t>(setup_.model.loading.steps);
-    const auto pressure = numbers("pressure", span, steps + 1), contact = numbers("contact", span, 2 * steps);
-    StoredBatch batch{genomes(span), {}};
-    for (std::size_t i = 0; i < span.count; ++i)
-        batch.responses.push_back(response_at(pressure, contact, i, setup_.model.loading.steps));
-    return batch;
+std::vector<Response> GenomeStore::responses(const Span& span) const {
+    expect_genomes(span);
+    const Index steps = setup_.model.loading.steps;
+    const auto count = static_cast<std::size_t>(steps);
+    const auto pressure = numbers("pressure", span, count + 1), contact = numbers("contact", span, 2 * count);
+    std::vector<Response> responses(span.count);
+    for (std::size_t i = 0; i < span.count; ++i) {
+        const double *p = &pressure[i * (count + 1)], *c = &contact[2 * i * count];
+        responses[i].range = p[0];
+        responses[i].pressure = Eigen::VectorXd::Map(p + 1, steps);
+        responses[i].contact_fraction = Eigen::VectorXd::Map(c, steps);
+        responses[i].tangent_stiffness = Eigen::VectorXd::Map(c + steps, steps);
+    }
+    return responses;
 }
 
 StoredCurves GenomeStore::curves(bool with_fractions) const {
@@ -298,16 +329,14 @@ StoredCurves GenomeStore::curves(bool with_fractions) const {
 }
 
 Genome GenomeStore::genome(std::uint64_t index) const {
-    const Span span = batch_of(index);
-    Genome genome = genomes(span)[index - span.first];
-    validate(genome, file().string() + ": genome " + std::to_string(index));
-    return genome;
+    expect_genomes(batch_of(index));
+    return drawn(setup_.law, index);
 }
 
 Response GenomeStore::response(std::uint64_t index) const {
     const Model& model = setup_.model;
     const Span span = batch_of(index);
-    Response response = batch(span).responses[index - span.first];
+    Response response = responses(span)[index - span.first];
     const auto displacements = load_displacements(response.range, model.loading, model.body.kernel);
     response.displacement =
         Eigen::Map<const Eigen::VectorXd>(displacements.data(), static_cast<Index>(displacements.size()));

@@ -26,11 +26,8 @@ struct StoredCurves {
     std::vector<double> fraction;     ///< genomes x steps, contact fractions; empty unless requested
 };
 
-/// A batch's genomes and responses.
-struct StoredBatch {
-    std::vector<Genome> genomes;     ///< scale 1
-    std::vector<Response> responses; ///< range, pressures, contact fractions and tangents of each genome
-};
+/// 64 bits that change with every single changed byte of `bytes`, and with nearly every other change.
+std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 
 /// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
 /// written completely or not at all, whatever ends the program. Several programs may read and build one file
@@ -65,22 +62,24 @@ class GenomeStore {
                              const std::function<bool(std::uint64_t first)>& is_own = {});
     /// The spans of these genomes that are not stored, in order.
     std::vector<Span> gaps(const Span& of) const;
-    /// Stores genomes and responses. False if another builder stored them before; then that copy stays.
-    bool add(const Span& span, const std::vector<Genome>& genomes, const std::vector<Response>& responses);
+    /// Stores the law's genomes and their responses. False if another builder stored them before; then that
+    /// copy stays.
+    bool add(const Span& span, const std::vector<Response>& responses);
 
     std::vector<Span> batches() const; ///< as they are stored, in order
-    /// One of batches(). Throws InputError if it was altered.
-    StoredBatch batch(const Span& span) const;
+    /// Ranges, pressures, contact fractions and tangents of one of batches(). Throws InputError if it was
+    /// altered or its genomes are not the law's.
+    std::vector<Response> responses(const Span& span) const;
     /// The curves of all stored genomes, with contact fractions if requested.
     StoredCurves curves(bool with_fractions = false) const;
-    Genome genome(std::uint64_t index) const;     ///< throws InputError if it is not stored
+    Genome genome(std::uint64_t index) const;     ///< throws InputError if it is not stored or not the law's
     Response response(std::uint64_t index) const; ///< without solver and certificates; throws as genome()
 
   private:
     explicit GenomeStore(Sqlite sqlite);
     Span batch_of(std::uint64_t index) const;
-    std::vector<double> numbers(const char* table, const Span& span, std::size_t per_genome = 0) const;
-    std::vector<Genome> genomes(const Span& span) const;
+    std::vector<double> numbers(const char* table, const Span& span, std::size_t per_genome) const;
+    void expect_genomes(const Span& span) const;
 
     std::unique_ptr<Sqlite> sqlite_;
     DatabaseSetup setup_;

@@ -1,4 +1,3 @@
-#include "domain/database/codec.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
