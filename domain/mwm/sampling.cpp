@@ -46,6 +46,12 @@ struct AlongWave {
                                                         fine.sines.data()} {}
 };
 
+void add_wave(const Wave& wave, const Grid& grid, Eigen::VectorXd& heights) {
+    const AlongWave along(wave.wave_number * grid.spacing(), wave.phase + wave.wave_number * grid.from,
+                          grid.nodes);
+    vector_loops().add_wave(along.angles, wave.offset, wave.amplitude, heights.data());
+}
+
 /// wave_basis, extended by columns of zeros to whole blocks of eight.
 Eigen::MatrixXd filled_wave_basis(const std::vector<Wave>& all, const Grid& grid) {
     const Index columns = 2 * static_cast<Index>(all.size());
@@ -153,19 +159,17 @@ PlaneSums plane_sums(const Eigen::Map<const Eigen::MatrixXd>& g, const Axis& x, 
     return {contracted(gc, gs, one), contracted(gc, gs, at_x), contracted(yc, ys, one)};
 }
 
-/// Derivatives of a chromosome's wave by the genes of its series: relative height, and wavenumber (turn).
-struct SeriesRates {
-    double H, gamma, lambda, gamma_turn, lambda_turn;
-
-    SeriesRates(const Series& series, int n) {
-        const double order = n - 1, k = wave_number(series, n);
-        H = -(std::log(2 * std::numbers::pi / series.lambda) + order * std::log(series.gamma));
-        gamma = 0.5 / (series.gamma * std::log(series.gamma)) - order * series.H / series.gamma;
-        lambda = series.H / series.lambda;
-        gamma_turn = order * k / series.gamma;
-        lambda_turn = k / series.lambda;
-    }
-};
+/// Adds the derivatives by one wave of a series, chromosome n, to those by its A, H, gamma and lambda (four
+/// columns). `height` is by the relative height of the wave, `dk` by its wavenumber.
+template <class Values, class Columns>
+void add_by_series(const Series& series, int n, const Values& height, const Values& dk, Columns by) {
+    const double order = n - 1, k = wave_number(series, n);
+    by.col(0) += height / series.A;
+    by.col(1) -= height * (std::log(2 * std::numbers::pi / series.lambda) + order * std::log(series.gamma));
+    by.col(2) += height * (0.5 / (series.gamma * std::log(series.gamma)) - order * series.H / series.gamma) +
+                 dk * (order * k / series.gamma);
+    by.col(3) += height * (series.H / series.lambda) - dk * (k / series.lambda);
+}
 
 Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const Genome& genome,
                                  const Grid& grid) {
@@ -184,28 +188,24 @@ Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const G
         Index gene = 0;
         std::size_t w = 0;
         for (const Series& series : genome.series) {
-            auto of_series = result.row(row).segment(gene, 4); // A, H, gamma, lambda
+            auto of_series = result.row(row).segment(gene, 4);
             gene += 4;
-            for (const Chromosome& chromosome : series.chromosomes) {
-                const SeriesRates rate(series, chromosome.n);
+            for (const Chromosome& chromosome : series.chromosomes)
                 for (std::size_t m = 0; m < chromosome.phases.size(); ++m, ++w) {
                     const PlaneWave& wave = all[w];
                     const auto at = static_cast<Index>(w);
                     const std::complex<double> turn = std::polar(1.0, wave.phase);
-                    const double height = -wave.amplitude * (sums.S[at] * turn).real();
+                    using Value = Eigen::Array<double, 1, 1>;
+                    const Value height(-wave.amplitude * (sums.S[at] * turn).real());
                     const double norm = std::hypot(wave.k_x, wave.k_y);
-                    const double dk =
+                    const Value dk(
                         wave.fitted
                             ? 0
                             : wave.amplitude *
-                                  ((wave.k_x * sums.Tx[at] + wave.k_y * sums.Ty[at]) / norm * turn).imag();
-                    of_series[0] += height / series.A;
-                    of_series[1] += height * rate.H;
-                    of_series[2] += height * rate.gamma + dk * rate.gamma_turn;
-                    of_series[3] += height * rate.lambda - dk * rate.lambda_turn;
+                                  ((wave.k_x * sums.Tx[at] + wave.k_y * sums.Ty[at]) / norm * turn).imag());
+                    add_by_series(series, chromosome.n, height, dk, of_series.array());
                     result(row, gene++) = wave.amplitude * (sums.S[at] * turn).imag();
                 }
-            }
         }
     }
     return result;
@@ -245,18 +245,20 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid) {
 }
 
 Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid) {
-    return sampled_from(0, waves, grid).reshaped();
+    if (grid.is_2d())
+        return sampled_from(0, waves, grid).reshaped();
+    Eigen::VectorXd heights = Eigen::VectorXd::Zero(grid.nodes);
+    for (const PlaneWave& wave : waves)
+        add_wave({wave.amplitude, wave.k_x, wave.phase, 0}, grid, heights);
+    return heights;
 }
 
 Profile sample(const Genome& genome, const Grid& grid) {
     if (grid.is_2d())
         return sample_area(genome, grid);
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
-    for (const Wave& wave : waves(genome)) { // Eq. 9
-        const AlongWave along(wave.wave_number * profile.spacing, wave.phase + wave.wave_number * grid.from,
-                              grid.nodes);
-        vector_loops().add_wave(along.angles, wave.offset, wave.amplitude, profile.heights.data());
-    }
+    for (const Wave& wave : waves(genome)) // Eq. 9
+        add_wave(wave, grid, profile.heights);
     return profile;
 }
 
@@ -293,22 +295,17 @@ Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows, static_cast<Index>(genes(genome).size()));
     Index gene = 0, column = 0;
     for (const auto& series : genome.series) {
-        auto dA = result.col(gene), dH = result.col(gene + 1), dgamma = result.col(gene + 2),
-             dlambda = result.col(gene + 3);
+        auto of_series = result.middleCols(gene, 4);
         gene += 4;
         for (const auto& chromosome : series.chromosomes) {
             const Wave w = wave(series, chromosome);
             const double s = genome.scale;
-            const SeriesRates rate(series, chromosome.n);
             const auto Sc = S.col(column), Ss = S.col(column + 1), Tc = T.col(column), Ts = T.col(column + 1);
             column += 2;
             const double c0 = std::cos(w.phase), s0 = std::sin(w.phase);
             const Eigen::VectorXd height = -s * w.amplitude * (c0 * Sc - s0 * Ss);
             const Eigen::VectorXd dk = s * w.amplitude * (s0 * Tc + c0 * Ts);
-            dA += height / series.A;
-            dH += height * rate.H;
-            dgamma += height * rate.gamma + dk * rate.gamma_turn;
-            dlambda += height * rate.lambda - dk * rate.lambda_turn;
+            add_by_series(series, chromosome.n, height, dk, of_series);
             const double G = s * amplitude(series, chromosome.n, chromosome.phases.size());
             for (double phase : chromosome.phases)
                 result.col(gene++) = G * (std::sin(phase) * Sc + std::cos(phase) * Ss);

@@ -33,7 +33,8 @@ struct PlaneWave {
 /// nearest ones of the lattice 2 pi (i/L_x, j/L_y), other than zero.
 std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid);
 
-/// The waves' sum at a map's nodes, row after row, mm, without the constants that Eq. 1 adds.
+/// The waves' sum at a grid's nodes, row after row, mm, without the constants that Eq. 1 adds. Only the
+/// wavenumbers along x count on a line.
 Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid);
 
 /// Converts derivatives by heights to derivatives by genes. `height_gradient` is rows x N. Each row is a

@@ -61,8 +61,10 @@ struct Extremes {
     double range() const { return max - min + 2 * between; }
 };
 
-/// Extremes on a map: of heights, the gradient's size, or the curvatures in their principal directions.
-Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine, int order) {
+/// Extremes of heights, slopes or curvatures; on a map of the gradient's size or of the curvatures in their
+/// principal directions.
+Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
+    const Grid fine = search_grid(grid);
     const auto field = [&](int along_x) {
         std::vector<PlaneWave> each = waves;
         for (PlaneWave& w : each) { // d/ds of -cos(s) is -cos(s + pi/2)
@@ -71,7 +73,9 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
         }
         return sampled(each, fine);
     };
-    const Eigen::VectorXd x = field(order), y = order > 0 ? field(0) : x, xy = order > 1 ? field(1) : x;
+    const bool area = grid.is_2d();
+    const Eigen::VectorXd x = field(order), y = area && order > 0 ? field(0) : x,
+                          xy = area && order > 1 ? field(1) : x;
     Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, fine.widest_spacing())};
     const auto consider = [&](Index node, double value, double angle) {
         const Place at{fine.from + fine.spacing() * static_cast<double>(node % fine.nodes),
@@ -83,7 +87,7 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
             result.min = value, result.at_min = at;
     };
     for (Index i = 0; i < x.size(); ++i)
-        if (order == 0) {
+        if (!area || order == 0) {
             consider(i, x[i], 0);
         } else if (order == 1) {
             consider(i, std::hypot(x[i], y[i]), std::atan2(y[i], x[i]));
@@ -93,37 +97,6 @@ Extremes extremes_on_area(const std::vector<PlaneWave>& waves, const Grid& fine,
             consider(i, mean + half, angle);
             consider(i, mean - half, angle + std::numbers::pi / 2);
         }
-    return result;
-}
-
-Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
-    const Grid fine = search_grid(grid);
-    if (grid.is_2d())
-        return extremes_on_area(waves, fine, order);
-    const double h = fine.spacing();
-    Eigen::ArrayXd values = Eigen::ArrayXd::Zero(fine.nodes);
-    for (const PlaneWave& w : waves) {
-        // The rotation by k h, restarted every 64 nodes so that rounding does not build up.
-        const double k = w.k_x;
-        const double size = w.amplitude * std::pow(k, order);
-        const double c = std::cos(k * h), s = std::sin(k * h);
-        double cosine = 0, sine = 0;
-        for (Index i = 0; i < fine.nodes; ++i) {
-            if (i % 64 == 0) {
-                const double angle = k * h * static_cast<double>(i) + w.phase;
-                cosine = std::cos(angle);
-                sine = std::sin(angle);
-            }
-            values[i] += size * (order == 0 ? -cosine : order == 1 ? sine : cosine);
-            const double next = cosine * c - sine * s;
-            sine = sine * c + cosine * s;
-            cosine = next;
-        }
-    }
-    Index low = 0, high = 0;
-    Extremes result{values.minCoeff(&low), values.maxCoeff(&high), {}, {}, between_nodes(waves, order, h)};
-    result.at_min.x = h * static_cast<double>(low);
-    result.at_max.x = h * static_cast<double>(high);
     return result;
 }
 
