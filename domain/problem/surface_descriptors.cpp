@@ -21,33 +21,26 @@ Feature height(const Profile& profile, double length) {
             z / (z.squaredNorm() * std::numbers::ln10)};
 }
 
-/// log10 of the root mean square gradient of a map.
-Feature gradient(const Profile& map) {
-    const auto [columns, rows] = map.shape();
-    const auto z = map.heights.reshaped(columns, rows);
-    const Eigen::MatrixXd x = (z.bottomRows(columns - 1) - z.topRows(columns - 1)) / map.spacing,
-                          y = (z.rightCols(rows - 1) - z.leftCols(rows - 1)) / map.row_spacing;
-    const double of_x = 1 / static_cast<double>(x.size()), of_y = 1 / static_cast<double>(y.size());
-    const double square = of_x * x.squaredNorm() + of_y * y.squaredNorm();
+/// log10 of the root mean square slope, on a map of the gradient.
+Feature slope(const Profile& surface, double) {
+    const auto [columns, rows] = surface.shape();
+    const auto z = surface.heights.reshaped(columns, rows);
+    double square = 0;
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, rows);
-    by.bottomRows(columns - 1) += of_x / map.spacing * x;
-    by.topRows(columns - 1) -= of_x / map.spacing * x;
-    by.rightCols(rows - 1) += of_y / map.row_spacing * y;
-    by.leftCols(rows - 1) -= of_y / map.row_spacing * y;
+    const auto add = [&](const auto& after, const auto& before, auto by_after, auto by_before,
+                         double spacing) {
+        const Eigen::MatrixXd slopes = (after - before) / spacing;
+        const double share = 1 / static_cast<double>(slopes.size());
+        square += share * slopes.squaredNorm();
+        by_after += share / spacing * slopes;
+        by_before -= share / spacing * slopes;
+    };
+    add(z.bottomRows(columns - 1), z.topRows(columns - 1), by.bottomRows(columns - 1),
+        by.topRows(columns - 1), surface.spacing);
+    if (surface.is_2d())
+        add(z.rightCols(rows - 1), z.leftCols(rows - 1), by.rightCols(rows - 1), by.leftCols(rows - 1),
+            surface.row_spacing);
     return {0.5 * std::log10(square), by.reshaped().transpose() / (square * std::numbers::ln10)};
-}
-
-Feature slope(const Profile& profile, double) {
-    if (profile.is_2d())
-        return gradient(profile);
-    const Index last = profile.nodes() - 1;
-    const Eigen::RowVectorXd steps = (profile.heights.tail(last) - profile.heights.head(last)).transpose();
-    Feature slope{std::log10(steps.norm() / std::sqrt(static_cast<double>(last)) / profile.spacing),
-                  Eigen::RowVectorXd::Zero(profile.nodes())};
-    slope.by_height.tail(last) += steps;
-    slope.by_height.head(last) -= steps;
-    slope.by_height /= steps.squaredNorm() * std::numbers::ln10;
-    return slope;
 }
 
 Feature wavelength(const Profile& profile, double length) {
