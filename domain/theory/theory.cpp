@@ -1,9 +1,12 @@
-#include "domain/errors.hpp"
 #include "domain/theory/theory.hpp"
 
+#include "domain/errors.hpp"
+
+#include <boost/math/interpolators/cubic_hermite.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/expint.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
@@ -149,6 +152,44 @@ Exceedances exceedances(double t) {
     return of;
 }
 
+constexpr double correction = 0.45; ///< gamma of Persson's theory
+
+/// int_s^inf erf^2(t) exp(-t^2)/t dt, by cubic interpolation of tabulated values and slopes.
+double reached_part(double s) {
+    constexpr double last = 6; // beyond it the integral is below 1e-17
+    static const auto table = [] {
+        constexpr std::size_t intervals = 256;
+        constexpr double step = last / intervals;
+        const auto integrand = [](double t) {
+            const double error = std::erf(t);
+            return t > 0 ? error * error * std::exp(-t * t) / t : 0;
+        };
+        std::vector<double> sums(intervals + 1), slopes(intervals + 1);
+        for (std::size_t i = intervals; i-- > 0;) {
+            const double from = static_cast<double>(i) * step;
+            slopes[i] = -integrand(from);
+            sums[i] = sums[i + 1] +
+                      boost::math::quadrature::gauss<double, 7>::integrate(integrand, from, from + step);
+        }
+        return boost::math::interpolators::cardinal_cubic_hermite(std::move(sums), std::move(slopes), 0.,
+                                                                  step);
+    }();
+    return s < last ? table(s) : 0;
+}
+
+/// 1/sqrt(2 pi) int f(h'(q)) q/h'(q) dm0, in which q^2 dm0 = 2 h' dh'.
+template <class Function>
+double over_waves(const Spectrum& spectrum, Function f) {
+    double sum = 0, square = 0;
+    for (Index k = 0; k < spectrum.power.size(); ++k) {
+        const double q = spectrum.wave_number[k], before = std::sqrt(square);
+        square += q * q * spectrum.power[k];
+        if (square > before * before)
+            sum += 2 / q * boost::math::quadrature::gauss<double, 7>::integrate(f, before, std::sqrt(square));
+    }
+    return sum / std::sqrt(2 * std::numbers::pi);
+}
+
 } // namespace
 
 Summits summits(const SpectralMoments& m) {
@@ -187,6 +228,33 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
         }
         return state;
     });
+}
+
+TheoryCurve persson(const RandomSurface& surface, double effective_modulus,
+                    const Eigen::VectorXd& pressures) {
+    TheoryCurve curve{pressures, Eigen::VectorXd(pressures.size()), Eigen::VectorXd(pressures.size()),
+                      Eigen::VectorXd(pressures.size())};
+    const double slope = rms_slope(surface);
+    for (Index j = 0; j < pressures.size(); ++j) {
+        const double load = std::numbers::sqrt2 * pressures[j] / effective_modulus;
+        curve.contact_fraction[j] = std::erf(load / slope);
+        curve.stiffness[j] =
+            pressures[j] / over_waves(surface.spectrum, [&](double h) {
+                const double s = load / h, error = std::erf(s);
+                return (correction + 3 * (1 - correction) * error * error) * std::exp(-s * s);
+            });
+        curve.separation[j] = over_waves(surface.spectrum, [&](double h) { // 1/K integrated from P on
+            const double s = load / h;
+            return s > 26 ? 0
+                          : correction / 2 * boost::math::expint(1, s * s) +
+                                3 * (1 - correction) * reached_part(s);
+        });
+    }
+    return curve;
+}
+
+double persson_length(const RandomSurface& surface) {
+    return over_waves(surface.spectrum, [](double) { return correction; });
 }
 
 const std::vector<std::string>& theory_names() {
