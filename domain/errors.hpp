@@ -1,11 +1,16 @@
 #pragma once
 
-#include "domain/plain_stream.hpp"
-
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace rough {
+
+/// A text stream whose numbers have a decimal point and no grouping in every locale.
+struct PlainStream : std::ostringstream {
+    PlainStream() { imbue(std::locale::classic()); }
+};
 
 /// An input that cannot be used. The message is one line: place, problem and fix.
 struct InputError : std::invalid_argument {

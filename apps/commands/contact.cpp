@@ -10,10 +10,10 @@
 #include "apps/report/surface.hpp"
 #include "domain/accuracy/reduced.hpp"
 #include "domain/accuracy/resolution.hpp"
-#include "domain/contact/names.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/solve.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/response/model.hpp"
-#include "domain/response/partial_slip.hpp"
 #include "domain/response/response.hpp"
 #include "domain/text/atomic_file.hpp"
 

@@ -1,6 +1,6 @@
 #include "apps/prompt/goals.hpp"
 
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/target/recorded.hpp"
 #include "domain/target/target.hpp"
 

@@ -3,7 +3,7 @@
 #include "apps/prompt/units.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/scan/source.hpp"

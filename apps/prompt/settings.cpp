@@ -1,6 +1,6 @@
 #include "apps/prompt/settings.hpp"
 
-#include "domain/plain_stream.hpp"
+#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/number.hpp"

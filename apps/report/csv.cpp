@@ -1,6 +1,6 @@
 #include "apps/report/csv.hpp"
 
-#include "domain/plain_stream.hpp"
+#include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/text/words.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond.hpp"
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/numerics/vector_loops.hpp"

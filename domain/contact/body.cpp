@@ -2,10 +2,26 @@
 
 #include "domain/errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace rough {
+
+const std::vector<std::string>& kernel_names() {
+    static const std::vector<std::string> names{"free", "periodic", "strip"};
+    return names;
+}
+
+const std::string& name_of(Kernel kernel) { return kernel_names()[static_cast<std::size_t>(kernel)]; }
+
+Kernel kernel_named(const std::string& name, const std::string& where) {
+    const auto& names = kernel_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        throw InputError(where + ": '" + name + "' is unknown; choose free, periodic or strip");
+    return static_cast<Kernel>(found - names.begin());
+}
 
 double effective_modulus(double youngs_modulus, double poissons_ratio) {
     return youngs_modulus / (1 - poissons_ratio * poissons_ratio);

@@ -4,6 +4,8 @@
 #include "domain/numerics/grid.hpp"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace rough {
 
@@ -13,6 +15,11 @@ enum class Kernel {
     periodic, ///< periodic half-plane, nodal samples
     strip,    ///< one row of patches on a half-space (Love)
 };
+
+const std::vector<std::string>& kernel_names(); ///< in the order of Kernel
+const std::string& name_of(Kernel kernel);      ///< free, periodic or strip
+/// The kernel of that name. Throws InputError that begins with `where` for another word.
+Kernel kernel_named(const std::string& name, const std::string& where = "kernel");
 
 /// A frictionless elastic half-space; lengths in mm, modulus in MPa.
 struct Body {

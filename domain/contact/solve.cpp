@@ -2,7 +2,6 @@
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/names.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace rough {
@@ -243,6 +241,20 @@ ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profi
 }
 
 } // namespace
+
+const std::vector<std::string>& solver_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const ContactSolver& solver : contact_solvers)
+            all.emplace_back(solver.name);
+        return all;
+    }();
+    return names;
+}
+
+const std::string& name_of(Solver solver) { return solver_names()[static_cast<std::size_t>(solver)]; }
+
+bool is_direct(Solver solver) { return row_of(solver).direct; }
 
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options) {

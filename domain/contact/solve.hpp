@@ -13,6 +13,10 @@ namespace rough {
 /// clock.
 enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
+const std::vector<std::string>& solver_names(); ///< in the order of Solver
+const std::string& name_of(Solver solver);      ///< auto, nested, nnls, polonsky-keer or active-set
+bool is_direct(Solver solver); ///< whether it solves to rounding, by a factor, and has no tolerance
+
 /// How contact is to be solved.
 struct ContactOptions {
     Solver solver = Solver::automatic; ///< which method

@@ -3,7 +3,7 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <algorithm>

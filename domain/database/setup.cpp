@@ -1,6 +1,6 @@
 #include "domain/database/setup.hpp"
 
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/drawn_start.hpp"
 

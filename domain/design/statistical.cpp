@@ -2,7 +2,7 @@
 
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "ga/pipeline/run.hpp"
 #include "ga/text/adaptation_vocabulary.hpp"
 #include "ga/text/parser.hpp"

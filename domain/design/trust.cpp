@@ -1,11 +1,10 @@
 #include "domain/design/trust.hpp"
 
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/plain_stream.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/problem/setup.hpp"

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <limits>
-#include <optional>
 
 namespace rough {
 

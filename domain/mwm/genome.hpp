@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ga/base/random.hpp"
+
 #include <string>
 #include <vector>
 
@@ -63,5 +65,15 @@ std::vector<double> genes(const Genome& genome);
 
 /// The genome with its genes replaced; `values` has as many as genes(genome).
 Genome with_genes(Genome genome, const std::vector<double>& values);
+
+/// Cross-over of length scales. The chromosomes of each genome, ordered from the longest wavelength
+/// to the shortest, change places. Each keeps the genes of its series and the scale of its genome.
+/// Chromosomes with equal series genes form one series afterwards, and empty series are removed. Numbers
+/// of chromosomes stay. This one exchanges every other piece between `cuts` cuts, at places that both genomes
+/// have.
+void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
+
+/// Exchanges each place that both genomes have with probability 1/2.
+void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 
 } // namespace rough

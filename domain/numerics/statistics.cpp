@@ -2,6 +2,8 @@
 
 #include "ga/base/random.hpp"
 
+#include <boost/math/special_functions/gamma.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -88,6 +90,157 @@ double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
         return none;
     const Eigen::ArrayXd dx = x.array() - x.mean();
     return (dx * (y.array() - y.mean())).sum() / dx.square().sum();
+}
+
+namespace {
+
+/// Positions in ascending order of the values.
+std::vector<std::size_t> ascending(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    return order;
+}
+
+/// Ranks twice as large, which are whole numbers.
+std::vector<std::size_t> doubled_ranks(const std::vector<double>& values) {
+    std::vector<std::size_t> doubled;
+    for (const double rank : ranks(values))
+        doubled.push_back(static_cast<std::size_t>(std::lround(2 * rank)));
+    return doubled;
+}
+
+/// Twice the smaller tail at `seen`, of counts by value.
+double two_sided(const std::vector<double>& counts, std::size_t seen) {
+    double below = 0, above = 0, all = 0;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        all += counts[s];
+        below += s <= seen ? counts[s] : 0;
+        above += s >= seen ? counts[s] : 0;
+    }
+    return std::min(1.0, 2 * std::min(below, above) / all);
+}
+
+/// Both tails of a normal distribution, half a step nearer to its mean.
+double two_sided_normal(double seen, double mean, double variance) {
+    if (!(variance > 0))
+        return 1;
+    const double away = std::max(0.0, std::abs(seen - mean) - 0.5);
+    return std::erfc(away / std::sqrt(2 * variance));
+}
+
+double squares(const std::vector<double>& values) {
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+} // namespace
+
+std::vector<double> ranks(const std::vector<double>& values) {
+    const std::vector<std::size_t> order = ascending(values);
+    std::vector<double> result(values.size());
+    for (std::size_t i = 0; i < order.size();) {
+        std::size_t end = i;
+        while (end < order.size() && values[order[end]] == values[order[i]])
+            ++end;
+        for (std::size_t k = i; k < end; ++k)
+            result[order[k]] = static_cast<double>(i + 1 + end) / 2;
+        i = end;
+    }
+    return result;
+}
+
+double rank_sum_p(const std::vector<double>& first, const std::vector<double>& second) {
+    constexpr std::size_t max_counted = 60;
+    std::vector<double> all = first;
+    all.insert(all.end(), second.begin(), second.end());
+    const std::size_t n = first.size(), total = all.size();
+    if (n == 0 || n == total)
+        return 1;
+    if (total > max_counted) {
+        const std::vector<double> rank = ranks(all);
+        const double N = static_cast<double>(total), share = static_cast<double>(n) / N;
+        const double seen = std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), 0.0);
+        const double spread =
+            squares(rank) / N - (N + 1) * (N + 1) / 4; // variance of one rank; ties lessen it
+        return two_sided_normal(seen, share * N * (N + 1) / 2,
+                                share * (1 - share) * N * N / (N - 1) * spread);
+    }
+    const std::vector<std::size_t> rank = doubled_ranks(all);
+    const std::size_t largest = std::accumulate(rank.begin(), rank.end(), std::size_t{0});
+    // counts[k][s]: number of choices of k ranks with the sum s
+    std::vector<std::vector<double>> counts(n + 1, std::vector<double>(largest + 1, 0.0));
+    counts[0][0] = 1;
+    for (const std::size_t r : rank)
+        for (std::size_t k = n; k >= 1; --k)
+            for (std::size_t s = r; s <= largest; ++s)
+                counts[k][s] += counts[k - 1][s - r];
+    return two_sided(counts[n],
+                     std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), std::size_t{0}));
+}
+
+double signed_rank_p(std::vector<double> differences) {
+    constexpr std::size_t max_counted = 400;
+    std::erase(differences, 0.0);
+    if (differences.empty())
+        return 1;
+    std::vector<double> sizes;
+    for (const double difference : differences)
+        sizes.push_back(std::abs(difference));
+    if (sizes.size() > max_counted) {
+        const std::vector<double> rank = ranks(sizes);
+        double seen = 0;
+        for (std::size_t i = 0; i < rank.size(); ++i)
+            seen += differences[i] > 0 ? rank[i] : 0;
+        return two_sided_normal(seen, std::accumulate(rank.begin(), rank.end(), 0.0) / 2, squares(rank) / 4);
+    }
+    const std::vector<std::size_t> rank = doubled_ranks(sizes);
+    std::vector<double> chance{1.0}; // probability of each sum of the ranks with a positive sign
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < rank.size(); ++i) {
+        std::vector<double> next(chance.size() + rank[i], 0.0);
+        for (std::size_t s = 0; s < chance.size(); ++s) {
+            next[s] += chance[s] / 2;
+            next[s + rank[i]] += chance[s] / 2;
+        }
+        chance = std::move(next);
+        seen += differences[i] > 0 ? rank[i] : 0;
+    }
+    return two_sided(chance, seen);
+}
+
+Friedman friedman(const std::vector<std::vector<double>>& blocks) {
+    const std::size_t treatments = blocks.front().size();
+    const double n = static_cast<double>(blocks.size()), k = static_cast<double>(treatments);
+    Friedman result;
+    result.mean_ranks.assign(treatments, 0.0);
+    double squared = 0;
+    for (const auto& block : blocks) {
+        const std::vector<double> rank = ranks(block);
+        squared += squares(rank);
+        for (std::size_t j = 0; j < treatments; ++j)
+            result.mean_ranks[j] += rank[j];
+    }
+    double between = 0;
+    for (double& mean : result.mean_ranks) {
+        mean /= n;
+        between += (mean - (k + 1) / 2) * (mean - (k + 1) / 2);
+    }
+    const double within = squared - n * k * (k + 1) * (k + 1) / 4;
+    if (within > 1e-9) { // otherwise every block is one tie
+        result.statistic = (k - 1) * n * n * between / within;
+        result.p = boost::math::gamma_q((k - 1) / 2, result.statistic / 2);
+    }
+    return result;
+}
+
+std::vector<double> holm(const std::vector<double>& p) {
+    std::vector<double> corrected(p.size());
+    double lowest = 0;
+    std::size_t left = p.size();
+    for (const std::size_t i : ascending(p))
+        corrected[i] = lowest = std::max(lowest, std::min(1.0, static_cast<double>(left--) * p[i]));
+    return corrected;
 }
 
 } // namespace rough

@@ -2,7 +2,7 @@
 
 #include "domain/mwm/waves.hpp"
 #include "domain/problem/response.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #include "domain/problem/problem.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/mwm/cross.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/rows.hpp"
 #include "domain/profile/profile.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,14 +115,6 @@ Genome DesignProblem::sample(ga::Stream& random) const {
     return unless_stopped(setup_->model.contact, [&] {
         return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random())));
     });
-}
-
-void DesignProblem::cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
-    rough::cross_points(a, b, cuts, stream);
-}
-
-void DesignProblem::cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const {
-    rough::cross_uniform(a, b, stream);
 }
 
 double DesignProblem::distance(const Genome& a, const Genome& b) const {

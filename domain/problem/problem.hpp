@@ -91,9 +91,11 @@ class DesignProblem {
     /// A random genome (drawn_start), with its amplitude fitted if that is free.
     Genome sample(ga::Stream& random) const;
     /// Exchanges chromosomes at `cuts` places along their wavelengths.
-    void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const;
+    void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
+        rough::cross_points(a, b, cuts, stream);
+    }
     /// Exchanges each chromosome with probability 1/2.
-    void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const;
+    void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const { rough::cross_uniform(a, b, stream); }
 
     /// Every gene that may move; only phases if the set-up demands it. Otherwise phases move by half a turn,
     /// A by a factor of 10, and H, gamma and lambda within the set-up's bounds. Gamma and lambda share the

@@ -3,7 +3,7 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "domain/mwm/sampling.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 
 namespace rough {
 

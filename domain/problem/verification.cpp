@@ -4,7 +4,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/rows.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
 

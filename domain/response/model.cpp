@@ -1,6 +1,6 @@
 #include "domain/response/model.hpp"
 
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 
 #include <cstdio>
 

@@ -4,9 +4,6 @@
 #include "domain/contact/smooth_area.hpp"
 #include "domain/errors.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 namespace rough {

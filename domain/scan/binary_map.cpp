@@ -4,7 +4,6 @@
 #include "domain/text/words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>

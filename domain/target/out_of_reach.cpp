@@ -2,7 +2,7 @@
 
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/plain_stream.hpp"
+#include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
 
 #include <algorithm>

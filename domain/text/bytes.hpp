@@ -3,7 +3,6 @@
 #include <boost/endian/conversion.hpp>
 
 #include <array>
-#include <bit>
 #include <string>
 #include <string_view>
 

@@ -8,7 +8,7 @@
 #include "domain/profile/filter.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
-#include "domain/response/partial_slip.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/target/like.hpp"
 #include "domain/theory/theory.hpp"
 

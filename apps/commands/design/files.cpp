@@ -5,7 +5,7 @@
 #include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/mwm/genome_json.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <algorithm>

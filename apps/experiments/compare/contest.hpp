@@ -3,7 +3,6 @@
 #include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/race.hpp"
 #include "apps/experiments/experiment.hpp"
-#include "domain/numerics/rank_tests.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/setup.hpp"
 

@@ -8,7 +8,7 @@
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"

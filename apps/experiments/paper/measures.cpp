@@ -3,7 +3,7 @@
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/random.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/random.hpp"
 

@@ -3,7 +3,7 @@
 #include "apps/experiments/experiment.hpp"
 #include "apps/report/csv.hpp"
 #include "domain/contact/solvers/problem.hpp"
-#include "domain/plain_stream.hpp"
+#include "domain/errors.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/response/partial_slip.hpp"
 
 namespace rugosa::python {
 

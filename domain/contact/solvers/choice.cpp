@@ -3,7 +3,6 @@
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
-#include "domain/plain_stream.hpp"
 
 #include <algorithm>
 #include <cmath>

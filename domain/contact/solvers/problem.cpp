@@ -84,8 +84,6 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     problem.elements = elements(profile, body.kernel);
     problem.stiffness_unit =
         body.effective_modulus / (profile.is_2d() ? problem.elements * profile.spacing : length);
-    problem.touches_only_overlapping =
-        body.kernel == Kernel::strip || (body.kernel == Kernel::free && body.datum >= length);
     return problem;
 }
 

@@ -32,8 +32,6 @@ struct ContactProblem : UnitBody {
     std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
     /// Whether H of all nodes together is singular: displacements are relative to the mean plane.
     bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
-    /// Only overlapping nodes can touch (strip, and free with d >= L).
-    bool touches_only_overlapping;
 };
 
 /// Throws InputError for anything that a contact problem can be refused for.

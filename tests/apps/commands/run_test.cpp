@@ -1,6 +1,6 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/paper/variants.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 

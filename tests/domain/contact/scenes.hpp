@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sobol.hpp"
 

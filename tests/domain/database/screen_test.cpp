@@ -4,7 +4,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
 

@@ -4,7 +4,7 @@
 #include "domain/mwm/waves.hpp"
 #include "domain/problem/response.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "domain/contact/names.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/numerics/statistics.hpp"

@@ -1,4 +1,4 @@
-#include "domain/mwm/cross.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "tests/domain/random_genome.hpp"
 

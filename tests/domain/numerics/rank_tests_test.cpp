@@ -1,9 +1,7 @@
-#include "domain/numerics/rank_tests.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <cmath>
 
 using namespace rough;
 using Values = std::vector<double>;

@@ -9,7 +9,6 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <pugixml.hpp>

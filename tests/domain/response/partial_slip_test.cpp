@@ -1,5 +1,5 @@
 #include "domain/contact/exact.hpp"
-#include "domain/response/partial_slip.hpp"
+#include "domain/response/curve.hpp"
 
 #include <catch2/catch.hpp>
 

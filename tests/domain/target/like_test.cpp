@@ -2,7 +2,7 @@
 #include "domain/errors.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/recorded.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

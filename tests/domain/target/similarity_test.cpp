@@ -1,4 +1,6 @@
-#include "domain/target/similarity.hpp"
+
+
+#include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>
 

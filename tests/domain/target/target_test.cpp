@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/target/similarity.hpp"
+#include "domain/target/target.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
