@@ -11,7 +11,6 @@
 #include "domain/contact/smooth_area.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/database/starts.hpp"
 #include "domain/design/like.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/starts.hpp"

@@ -7,7 +7,7 @@
 #include "apps/report/output.hpp"
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
-#include "domain/database/starts.hpp"
+#include "domain/database/screen.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/stopwatch.hpp"

@@ -1,4 +1,4 @@
-#include "domain/contact/layers.hpp"
+#include "domain/contact/body.hpp"
 
 #include <Eigen/Dense>
 

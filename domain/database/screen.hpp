@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/database/store.hpp"
-#include "domain/target/target.hpp"
+#include "domain/design/search.hpp"
 
 namespace rough {
 
@@ -29,5 +29,41 @@ bool need_fractions(const std::vector<Target>& targets);
 /// nothing is stored.
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
+
+/// Factors that convert a database's responses to a model of another length and modulus, exactly. A profile
+/// is stretched to `length` times its length and keeps its heights; the body's datum or strip width is
+/// stretched alike. On the same nodes it then carries E*'/E* / `length` times the pressure at every
+/// displacement.
+struct DatabaseScale {
+    double length = 1;   ///< wanted over stored
+    double pressure = 1; ///< wanted over stored; the factor of stiffness, too
+};
+/// The scale between a database and a model. Throws InputError naming the first difference if they differ in
+/// more than length and modulus.
+DatabaseScale scale_to(const GenomeStore& store, const Model& model);
+/// A target in the units of the database's model.
+Target unscaled(Target target, const DatabaseScale& scale);
+/// A genome stretched to `factor` times its wavelengths, with its heights kept.
+Genome drawn_out(Genome genome, double factor);
+
+/// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to its
+/// length and have the amplitude that meets the targets. Refinement begins at them if an answer is wanted at
+/// once. Throws InputError as scale_to does.
+std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
+                                  int threads = 0);
+
+/// A stored genome as an answer to a design.
+struct StoredAnswer {
+    std::uint64_t index = 0; ///< the genome's number in its database, from 0
+    double scale = 1;        ///< factor on the stored amplitude, from the stored curve
+    Answer answer;           ///< stretched, with that amplitude, verified as a design is (verified_answer)
+};
+
+/// The stored genomes whose stored curves are nearest to a design's targets. Unlike `stored_starts`, they are
+/// verified before they are ranked, because stored load steps may be too few for a target. At least 16
+/// genomes are verified and `count` returned, the highest `similarity_worst` first. Genomes without a
+/// response on a finer grid are omitted. Throws InputError as scale_to and `validate` of the set-up do.
+std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
+                                         std::size_t count, int threads = 0);
 
 } // namespace rough

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/rows.hpp"
+#include "domain/problem/response.hpp"
 
 #include <cstdint>
 

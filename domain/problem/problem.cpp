@@ -4,7 +4,7 @@
 #include "domain/mwm/genome.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/drawn_start.hpp"
-#include "domain/problem/rows.hpp"
+#include "domain/problem/response.hpp"
 #include "domain/profile/profile.hpp"
 #include "domain/target/target.hpp"
 

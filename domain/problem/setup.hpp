@@ -11,6 +11,9 @@ namespace rough {
 /// The similarity from which an answer is called found, by default.
 constexpr double default_required_similarity = 0.99;
 
+/// Factor on the nodes and on the load steps with which an answer is verified.
+constexpr int verified_refinement = 4;
+
 /// Errors in the heights of the surfaces that are made from a design. The answer has to survive them.
 struct MakingErrors {
     double noise = 0;        ///< rms of Gaussian height noise, mm: 95 % of its draws are to hold; 0: none

@@ -3,7 +3,7 @@
 #include "domain/contact/full_contact.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/problem/rows.hpp"
+#include "domain/problem/response.hpp"
 #include "domain/target/target.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"

@@ -8,9 +8,6 @@
 
 namespace rough {
 
-/// Factor on the nodes and on the load steps with which an answer is verified.
-constexpr int verified_refinement = 4;
-
 /// The set-up with `times` the load steps on both sides. Targets that are a measured profile's response
 /// (DesignSetup::like) are taken from its finer steps; other targets stay.
 DesignSetup in_finer_steps(DesignSetup setup, int times = verified_refinement);

@@ -6,7 +6,7 @@
 
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/build.hpp"
-#include "domain/database/starts.hpp"
+#include "domain/database/screen.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"

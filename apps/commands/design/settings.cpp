@@ -2,7 +2,7 @@
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/units.hpp"
-#include "domain/database/starts.hpp"
+#include "domain/database/screen.hpp"
 #include "domain/design/like.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/errors.hpp"

@@ -1,6 +1,6 @@
 #include "apps/python/module/python.hpp"
+#include "domain/database/screen.hpp"
 #include "domain/database/setup.hpp"
-#include "domain/database/starts.hpp"
 
 namespace rugosa::python {
 

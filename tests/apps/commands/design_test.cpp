@@ -1,5 +1,5 @@
 #include "apps/prompt/units.hpp"
-#include "domain/database/starts.hpp"
+#include "domain/database/screen.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/problem.hpp"

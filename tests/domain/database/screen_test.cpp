@@ -1,6 +1,5 @@
 #include "domain/accuracy/respond.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/database/starts.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
