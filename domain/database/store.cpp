@@ -34,21 +34,17 @@ std::string_view packed(const std::vector<double>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
 }
 
-/// A law's genomes one after another: series, and for each A, H, gamma, lambda, chromosomes, and for each of
-/// those n, ridges and the phases.
-std::vector<double> genes_of(const GenomeDistribution& law, const Span& span) {
-    std::vector<double> values;
-    for (std::uint64_t i = 0; i < span.count; ++i) {
-        const Genome genome = drawn(law, span.first + i);
-        values.push_back(static_cast<double>(genome.series.size()));
-        for (const Series& series : genome.series) {
-            values.insert(values.end(), {series.A, series.H, series.gamma, series.lambda,
-                                         static_cast<double>(series.chromosomes.size())});
-            for (const Chromosome& chromosome : series.chromosomes) {
-                values.push_back(chromosome.n);
-                values.push_back(static_cast<double>(chromosome.phases.size()));
-                values.insert(values.end(), chromosome.phases.begin(), chromosome.phases.end());
-            }
+/// A genome as numbers: series, and for each A, H, gamma, lambda, chromosomes, and for each of those n,
+/// ridges and the phases.
+std::vector<double> numbers_of(const Genome& genome) {
+    std::vector<double> values{static_cast<double>(genome.series.size())};
+    for (const Series& series : genome.series) {
+        values.insert(values.end(), {series.A, series.H, series.gamma, series.lambda,
+                                     static_cast<double>(series.chromosomes.size())});
+        for (const Chromosome& chromosome : series.chromosomes) {
+            values.push_back(chromosome.n);
+            values.push_back(static_cast<double>(chromosome.phases.size()));
+            values.insert(values.end(), chromosome.phases.begin(), chromosome.phases.end());
         }
     }
     return values;
@@ -227,7 +223,11 @@ std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
 }
 
 bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) {
-    std::vector<double> pressure, contact;
+    std::vector<double> pressure, contact, genomes;
+    for (std::uint64_t i = 0; i < span.count; ++i) {
+        const auto numbers = numbers_of(drawn(setup_.law, span.first + i));
+        genomes.insert(genomes.end(), numbers.begin(), numbers.end());
+    }
     for (const Response& response : responses) {
         pressure.push_back(response.range);
         pressure.insert(pressure.end(), response.pressure.begin(), response.pressure.end());
@@ -245,7 +245,7 @@ bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) 
         };
         put("pressure", pressure);
         put("contact", contact);
-        put("genome", genes_of(setup_.law, span));
+        put("genome", genomes);
     }
     Statement(*sqlite_, "DELETE FROM taken WHERE first = ?", span.first).step();
     transaction.commit();
@@ -276,20 +276,27 @@ std::vector<double> GenomeStore::numbers(const char* table, const Span& span, st
     if (!row.step() || row.number(1) != checksum_of(table, span, row.bytes(0)))
         refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ",
                        span.first + span.count - 1, " was altered");
-    std::vector<double> values(span.count * per_genome);
-    if (row.bytes(0).size() != packed(values).size())
-        refuse_changed(*sqlite_, "a batch of ", row.bytes(0).size(), " bytes in place of ",
-                       packed(values).size());
-    std::memcpy(values.data(), row.bytes(0).data(), row.bytes(0).size());
+    const std::size_t count = span.count * per_genome, size = count * sizeof(double);
+    if (row.bytes(0).size() != size)
+        refuse_changed(*sqlite_, "a batch of ", row.bytes(0).size(), " bytes in place of ", size);
+    std::vector<double> values(count);
+    std::memcpy(values.data(), row.bytes(0).data(), size);
     return values;
 }
 
-/// Refuses stored genomes that differ from those that this program draws by the law.
+/// Refuses stored genomes that differ from those that this program draws by the law. They are drawn one by
+/// one, because a forged file may state more than fit into memory.
 void GenomeStore::expect_genomes(const Span& span) const {
     Statement row(*sqlite_, "SELECT numbers FROM genome WHERE first = ?", span.first);
-    if (!row.step() || row.bytes(0) != packed(genes_of(setup_.law, span)))
-        refuse_changed(*sqlite_, "genomes ", span.first, " to ", span.first + span.count - 1,
-                       " are not their law's");
+    std::string_view rest = row.step() ? row.bytes(0) : std::string_view();
+    for (std::uint64_t genome = span.first; genome < span.first + span.count; ++genome) {
+        const auto numbers = numbers_of(drawn(setup_.law, genome));
+        if (!rest.starts_with(packed(numbers)))
+            refuse_changed(*sqlite_, "genome ", genome, " is not its law's");
+        rest.remove_prefix(packed(numbers).size());
+    }
+    if (!rest.empty())
+        refuse_changed(*sqlite_, "more genomes are stored than the batch has");
 }
 
 std::vector<Response> GenomeStore::responses(const Span& span) const {
