@@ -35,49 +35,19 @@ double apply_seconds(const Profile& profile) {
     return median(times);
 }
 
-double curve_seconds(const Profile& profile, Solver solver, int repeats, ContactCurve& curve) {
-    const auto steps = scenes::load_steps(profile, 20);
-    ContactOptions options;
-    options.solver = solver;
-    std::vector<double> times;
-    for (int k = 0; k < repeats; ++k)
-        times.push_back(seconds([&] { curve = solve_contact(profile, Body{}, steps, options); }));
-    return median(times);
-}
-
 } // namespace
 
 int main() {
-    for (const Index nodes : {512, 2048}) {
-        const auto profiles = scenes::database(nodes);
-        const double apply = apply_seconds(profiles[0]);
-        std::printf("N = %ld: one apply %.3g us\n", static_cast<long>(nodes), apply * 1e6);
-        double nested = 0;
-        for (const Solver solver : {Solver::nested, Solver::nnls}) {
-            std::vector<double> times, iterations, contact;
-            ContactCurve curve;
-            for (std::size_t k = 0; k < profiles.size(); k += 2) {
-                times.push_back(curve_seconds(profiles[k], solver, 3, curve));
-                iterations.push_back(static_cast<double>(curve.iterations));
-                contact.push_back(static_cast<double>(curve.steps.back().contact_nodes));
-            }
-            const double time = median(times);
-            std::printf("  %s: %.4g us a curve, %.4g applies, %g iterations, %g nodes",
-                        solver == Solver::nested ? "nested" : "nnls", time * 1e6, time / apply,
-                        median(iterations), median(contact));
-            if (solver == Solver::nested)
-                nested = time;
-            std::printf(", ratio %.3g\n", time / nested);
-        }
-    }
     for (const Index nodes : {4096, 16384, 65536}) {
         const auto profiles = scenes::database(nodes);
         const double apply = apply_seconds(profiles[0]);
         std::printf("N = %ld: one apply %.3g us\n", static_cast<long>(nodes), apply * 1e6);
         std::vector<double> times, iterations;
-        ContactCurve curve;
         for (std::size_t k = 0; k < profiles.size(); k += 2) {
-            times.push_back(curve_seconds(profiles[k], Solver::active_set, 1, curve));
+            const auto steps = scenes::load_steps(profiles[k], 20);
+            ContactCurve curve;
+            times.push_back(seconds(
+                [&] { curve = solve_contact(profiles[k], Body{}, steps, {.solver = Solver::active_set}); }));
             iterations.push_back(static_cast<double>(curve.iterations));
         }
         std::printf("  active set: %.4g s per curve, %.4g applies per step, %g iterations per step\n",

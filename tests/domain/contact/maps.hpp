@@ -38,8 +38,7 @@ inline double rms_slope(const rough::Profile& map) {
 inline rough::Profile self_affine(rough::Index n, double H, unsigned seed, double slope) {
     using rough::Index;
     const Index half = n / 2 + 1;
-    rough::AlignedBuffer<fftw_complex> spectrum(n * half);
-    rough::AlignedBuffer<double> heights(n * n);
+    Eigen::ArrayXXcd spectrum(half, n);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
     for (Index j = 0; j < n; ++j)
@@ -48,12 +47,10 @@ inline rough::Profile self_affine(rough::Index n, double H, unsigned seed, doubl
             const double angle = phase(random);
             const double amplitude =
                 q < 4 || q > static_cast<double>(n) / 8 || (i == 0 && 2 * j > n) ? 0 : std::pow(q, -1 - H);
-            spectrum[j * half + i][0] = amplitude * std::cos(angle);
-            spectrum[j * half + i][1] = amplitude * std::sin(angle);
+            spectrum(i, j) = std::polar(amplitude, angle);
         }
-    fftw_execute_dft_c2r(rough::fourier_plan(rough::Extent{n, n}).backward, spectrum.data(), heights.data());
     const double spacing = 1 / static_cast<double>(n);
-    rough::Profile map{Eigen::Map<const Eigen::VectorXd>(heights.data(), n * n), spacing, n, spacing};
+    rough::Profile map{rough::inverse_fourier_transform(spectrum, n).reshaped(), spacing, n, spacing};
     map.heights *= slope / rms_slope(map);
     return map;
 }

@@ -13,6 +13,13 @@ Target read_text(const std::string& text, const TargetScales& scales = {}) {
     return read_target(folder.write("target.csv", text), scales);
 }
 
+/// y = 2 + x^2 at five points, defined over [0, 5].
+Curve bent() {
+    Curve curve{Eigen::VectorXd::LinSpaced(5, 1, 5), Eigen::VectorXd(5), 0, 5};
+    curve.y = 2 + curve.x.array().square();
+    return curve;
+}
+
 } // namespace
 
 TEST_CASE("the columns of a target file determine its quantity") {
@@ -121,4 +128,17 @@ TEST_CASE("a misfit is 0 within the band, and beyond it the distance to the band
     CHECK(similarity(target, curve) == Approx(0.95));
     target.lower.resize(0), target.upper.resize(0), target.weight = 1;
     CHECK(similarity(target, curve) == Approx(0.7));
+}
+
+TEST_CASE("a curve is compared with a reference at equal shares of their highest pressures") {
+    const Curve reference = bent();
+    CHECK(similarity(reference, reference) == 1);
+    CHECK(similarity(reference, stretched(reference, 3)) == Approx(1));
+    CHECK(similarity(stretched(reference, 0.1), reference) == Approx(1));
+    Curve one_off = reference;
+    one_off.y[3] *= 1.07;
+    CHECK(similarity(reference, one_off) == Approx(1 - 0.07));
+    CHECK(similarity(one_off, reference) == Approx(1 - 0.07 / 1.07));
+    one_off.y[1] *= 0.8;
+    CHECK(similarity(reference, stretched(one_off, 2)) == Approx(0.8));
 }

@@ -1,3 +1,4 @@
+#include "domain/contact/exact.hpp"
 #include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/response/curve.hpp"
@@ -5,6 +6,8 @@
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 using namespace rough;
 using testing::random_genome;
@@ -19,6 +22,14 @@ Response pressed(const Profile& profile, const Body& body, const std::vector<dou
     const ContactCurve curve = solve_contact(profile, body, displacements, {.solver = solver, .stop = {}});
     return response_of(curve.steps, curve.solver, displacement_range(profile, body.kernel),
                        full_contact_stiffness(profile.nodes(), profile.spacing, body));
+}
+
+/// A cylinder of radius 1 mm on 1 mm of half-plane.
+Response cylinder(Index nodes, int steps) {
+    Profile profile{Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes - 1)};
+    for (Index i = 0; i < nodes; ++i)
+        profile.heights[i] = -0.5 * std::pow(static_cast<double>(i) * profile.spacing - 0.5, 2);
+    return respond(profile, {Kernel::free, 100, 1, 0}, {.steps = steps, .to_displacement = 0.03});
 }
 
 } // namespace
@@ -107,5 +118,36 @@ TEST_CASE("the interface's secants follow central differences in every gene") {
                                secant_stiffness(response), response.full_stiffness);
         testing::check_derivatives(
             genome, model, {{jacobian.y, [](const Response& each) { return interface_secants(each).y; }}});
+    }
+}
+
+TEST_CASE("partial slip of a line contact is Cattaneo's and Mindlin's") { // c/a = sqrt(1 - Q/(f P))
+    const double f = 0.4;
+    const Response normal = cylinder(4001, 40);
+    const PartialSlip slip = partial_slip(normal, f);
+    REQUIRE(slip.traction.size() == 41);
+    const double full = f * normal.pressure[39];
+    for (Index k = 0; k <= 40; ++k) {
+        INFO("row " << k); // the margin is a node's width of either contact
+        CHECK(
+            slip.stick_fraction[k] ==
+            Approx(std::sqrt(1 - slip.traction[k] / full)).margin(2 / (normal.contact_fraction[39] * 4001)));
+    }
+    CHECK(slip.traction[0] == 0);
+    CHECK(slip.displacement[0] == 0);
+    CHECK(slip.stiffness[0] == normal.tangent_stiffness[39]);
+    CHECK(slip.traction[40] == full);
+    CHECK(slip.displacement[40] == f * normal.displacement[39]);
+    CHECK(slip.stiffness[40] == 0);
+    CHECK(slip.stick_fraction[40] == 0);
+}
+
+TEST_CASE("tangential stiffness is the slope of the slip curve and falls as slip spreads") {
+    const PartialSlip slip = partial_slip(cylinder(2001, 200), 0.2);
+    for (Index k = 1; k < 200; ++k) {
+        const double secant =
+            (slip.traction[k] - slip.traction[k - 1]) / (slip.displacement[k] - slip.displacement[k - 1]);
+        CHECK(secant <= slip.stiffness[k - 1] * (1 + 1e-10));
+        CHECK(secant >= slip.stiffness[k] * (1 - 1e-10));
     }
 }
