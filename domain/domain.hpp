@@ -11,7 +11,6 @@
 #include "domain/contact/smooth_area.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/design/like.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/design/statistical.hpp"
@@ -21,6 +20,7 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/profile/filter.hpp"
 #include "domain/profile/outliers.hpp"
 #include "domain/profile/roughness.hpp"
@@ -28,7 +28,7 @@
 #include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/recorded.hpp"
+#include "domain/target/target.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.
 namespace rough {}

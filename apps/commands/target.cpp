@@ -8,7 +8,6 @@
 #include "apps/report/output.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
-#include "domain/target/recorded.hpp"
 #include "domain/text/atomic_file.hpp"
 
 namespace app {

@@ -1,7 +1,6 @@
 #include "apps/prompt/goals.hpp"
 
 #include "domain/contact/solve.hpp"
-#include "domain/target/recorded.hpp"
 #include "domain/target/target.hpp"
 
 #include <algorithm>

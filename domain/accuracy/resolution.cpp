@@ -1,7 +1,7 @@
 #include "domain/accuracy/resolution.hpp"
 
-#include "domain/contact/full_contact.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/profile/outliers.hpp"
 #include "domain/response/curve.hpp"

@@ -2,7 +2,7 @@
 
 #include "domain/accuracy/load_rows.hpp"
 #include "domain/accuracy/respond.hpp"
-#include "domain/contact/full_contact.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/profile/roughness.hpp"

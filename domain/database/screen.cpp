@@ -1,6 +1,6 @@
 #include "domain/database/screen.hpp"
 
-#include "domain/contact/full_contact.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/target/target.hpp"

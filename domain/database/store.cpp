@@ -1,6 +1,6 @@
 #include "domain/database/store.hpp"
 
-#include "domain/contact/full_contact.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/random.hpp"

@@ -1,6 +1,6 @@
 #include "domain/problem/response.hpp"
 
-#include "domain/contact/full_contact.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/target/target.hpp"

@@ -1,6 +1,6 @@
 #include "domain/problem/verification.hpp"
 
-#include "domain/contact/full_contact.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/response.hpp"

@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/response/model.hpp"
-#include "domain/target/recorded.hpp"
+#include "domain/target/target.hpp"
 
 namespace rough {
 

@@ -1,7 +1,7 @@
 #include "domain/target/out_of_reach.hpp"
 
-#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
 

@@ -3,7 +3,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/units.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/design/like.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"

@@ -1,6 +1,6 @@
-#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/response/response.hpp"

@@ -1,6 +1,6 @@
 #include "domain/contact/body.hpp"
-#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/random.hpp"
 #include "tests/domain/contact/oracle.hpp"

@@ -1,7 +1,7 @@
-#include "domain/design/like.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/profile/detrend.hpp"
 #include "ga/base/random.hpp"
 

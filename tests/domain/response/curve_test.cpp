@@ -1,6 +1,6 @@
 #include "domain/contact/exact.hpp"
-#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/response/curve.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"

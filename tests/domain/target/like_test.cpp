@@ -1,7 +1,6 @@
-#include "domain/design/like.hpp"
 #include "domain/errors.hpp"
+#include "domain/problem/setup.hpp"
 #include "domain/target/like.hpp"
-#include "domain/target/recorded.hpp"
 #include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>

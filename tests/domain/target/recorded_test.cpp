@@ -1,6 +1,6 @@
 #include "domain/errors.hpp"
 #include "domain/response/model.hpp"
-#include "domain/target/recorded.hpp"
+#include "domain/target/target.hpp"
 #include "domain/text/words.hpp"
 
 #include <catch2/catch.hpp>
