@@ -1,8 +1,6 @@
-"""Pictures of objects: .plot() by matplotlib, _repr_html_ by a few lines of SVG."""
+"""Pictures of objects by matplotlib: .plot(), and _repr_html_ for notebooks."""
 
-import base64
-import struct
-import zlib
+import io
 from html import escape
 
 
@@ -53,48 +51,17 @@ def _plot_design(design, axes=None):
     return axes
 
 
-def _picture(x, y, label, width=320, height=120):
-    low, high = float(min(y)), float(max(y))
-    left, right = float(min(x)), float(max(x))
-    points = " ".join(f"{(float(a) - left) / ((right - left) or 1) * width:.1f},"
-                      f"{height - (float(b) - low) / ((high - low) or 1) * height:.1f}" for a, b in zip(x, y))
-    return (f'<figure style="display:inline-block;margin:4px"><svg width="{width}" height="{height}" role="img">'
-            f'<polyline points="{points}" fill="none" stroke="#2563a8" stroke-width="1.5"/></svg>'
-            f"<figcaption>{escape(label)}</figcaption></figure>")
-
-
-def _profile_picture(profile):
-    every = max(1, profile.nodes // 1000)
-    heights = profile.heights[::every]
-    return _picture([i * every * profile.spacing for i in range(len(heights))], heights,
-                    f"height, {heights.min():.3g} to {heights.max():.3g} mm, over "
-                    f"{profile.nodes * profile.spacing:.4g} mm")
-
-
-def _surface_picture(surface):
-    every = max(1, max(surface.nodes) // 160)
-    heights = surface.heights[::-every, ::every]  # y grows upwards
-    low, high = heights.min(), heights.max()
-    grey = ((heights - low) / ((high - low) or 1) * 255).round().astype("uint8")
-    rows, columns = grey.shape
-
-    def chunk(kind, content):
-        return (struct.pack(">I", len(content)) + kind + content
-                + struct.pack(">I", zlib.crc32(kind + content)))
-
-    lines = b"".join(b"\0" + row.tobytes() for row in grey)
-    png = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 0, 0, 0, 0))
-           + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
-    (dx, dy), (nx, ny) = surface.spacing, surface.nodes
-    return (f'<figure style="display:inline-block;margin:4px"><img width="240" alt="heights" '
-            f'src="data:image/png;base64,{base64.b64encode(png).decode()}"><figcaption>height, {low:.3g} to '
-            f"{high:.3g} mm, over {nx * dx:.4g} x {ny * dy:.4g} mm</figcaption></figure>")
-
-
-def _curve_picture(curve):
-    return _picture(curve.pressure, curve.tangent_stiffness,
-                    f"stiffness, {curve.tangent_stiffness[0]:.3g} to {curve.tangent_stiffness[-1]:.3g} MPa/mm, "
-                    f"to {curve.pressure[-1]:.3g} MPa")
+def _picture(thing):
+    """The plot as SVG, or nothing without matplotlib: a notebook then shows the object's text."""
+    try:
+        from matplotlib.figure import Figure
+    except ImportError:
+        return None
+    svg = io.StringIO()
+    axes = Figure(figsize=(5, 2.5), layout="constrained").subplots()
+    thing.plot(axes)
+    axes.figure.savefig(svg, format="svg")
+    return svg.getvalue()[svg.getvalue().index("<svg"):]
 
 
 def _design_box(design):
@@ -104,12 +71,11 @@ def _design_box(design):
     worst = "none" if worst is None else f"{worst:.4f}"
     return (f'<div style="border:1px solid #888;padding:8px"><b>{escape(verdict)}</b>: similarity '
             f"{worst} (lowest), {design.similarity:.4f} on the grid of the design<br>"
-            f"{design.profile._repr_html_()}{_curve_picture(design.curve)}</div>")
+            f"{_picture(design.profile) or ''}{_picture(design.curve) or ''}</div>")
 
 
 def attach(curve, profile, surface, design):
     """Adds the pictures to the classes of the module."""
-    curve.plot, curve._repr_html_ = _plot_curve, _curve_picture
-    profile.plot, profile._repr_html_ = _plot_profile, _profile_picture
-    surface.plot, surface._repr_html_ = _plot_surface, _surface_picture
-    design.plot, design._repr_html_ = _plot_design, _design_box
+    curve.plot, profile.plot, surface.plot, design.plot = _plot_curve, _plot_profile, _plot_surface, _plot_design
+    curve._repr_html_ = profile._repr_html_ = surface._repr_html_ = _picture
+    design._repr_html_ = _design_box
