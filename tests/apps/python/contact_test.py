@@ -160,19 +160,6 @@ class Contact(WithFolder):
         thread.join()
         self.assertTrue(any(begin < t < end for t in ticks))
 
-    def test_threads_give_the_same_bits_as_one(self):
-        alone = [rugosa.contact(rough_heights(seed=s), 0.004).pressure for s in range(8)]
-        beside = [None] * 8
-
-        def solve(s):
-            beside[s] = rugosa.contact(rough_heights(seed=s), 0.004).pressure
-
-        threads = [threading.Thread(target=solve, args=(s,)) for s in range(8)]
-        [t.start() for t in threads]
-        [t.join() for t in threads]
-        for one, other in zip(alone, beside):
-            numpy.testing.assert_array_equal(one, other)
-
     def test_memory_stays_bounded(self):
         heights = rough_heights(128)
         for _ in range(300):

@@ -102,13 +102,6 @@ class Engine(WithFolder):
         self.assertTrue((seen >= [0, 10]).all() and (seen <= [1, 20]).all())
         self.assertGreater(seen[:, 1].std(), 1)
 
-    def test_bits_and_permutations(self):
-        bits = rugosa.optimise(lambda b: int(b.sum()), bits=30, evaluations=3000)
-        self.assertEqual(bits.objectives, [30])
-        order = rugosa.optimise(lambda p: float(abs(p - numpy.arange(6)).sum()), permutation=6, minimise=True,
-                                evaluations=3000)
-        self.assertEqual(order.best.tolist(), list(range(6)))
-
     def test_several_objectives_and_violations(self):
         def two(x):
             return (x[0], (1 - x[0]) ** 2), max(0.0, 0.25 - x[0])
