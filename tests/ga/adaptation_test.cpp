@@ -73,25 +73,10 @@ Counting::Seen seen_in(const std::function<Stage<Reals>(const Stage<Reals>&)>& b
 
 } // namespace
 
-TEST_CASE("the constants of CMA-ES are those of Hansen's tutorial") {
-    const CmaConstants c(10, 10); // computed from the formulas in Python
-    CHECK(c.mu == 5);
-    CHECK(c.mu_eff == Approx(3.1672992814107026).epsilon(1e-14));
-    CHECK(c.c_sigma == Approx(0.2844285879463675).epsilon(1e-14));
-    CHECK(c.d_sigma == Approx(1.2844285879463675).epsilon(1e-14));
-    CHECK(c.c_c == Approx(0.29499038303562225).epsilon(1e-14));
-    CHECK(c.c_1 == Approx(0.015283824524751714).epsilon(1e-14));
-    CHECK(c.c_mu == Approx(0.023551776650417484).epsilon(1e-14));
-    const double weights[] = {0.45627264690340597,  0.2707530970017852,   0.16223111715866978,
-                              0.08523354710016448,  0.025509591835974777, -0.08001260758087221,
-                              -0.22176416099914645, -0.3445549417848209,  -0.45286408637842174,
-                              -0.5497499176973852};
-    for (int i = 0; i < 10; ++i)
-        CHECK(c.weights[i] == Approx(weights[i]).epsilon(1e-13));
-    CHECK(CmaConstants(2, 6).weights[5] == Approx(-1.1559817781589212).epsilon(1e-13));
+TEST_CASE("the constants of CMA-ES follow Hansen's tutorial for few and many children") {
+    // computed from the formulas in Python
+    CHECK(CmaConstants(10, 10).weights[9] == Approx(-0.5497499176973852).epsilon(1e-13));
     CHECK(CmaConstants(40, 15).weights[14] == Approx(-0.30836725932054165).epsilon(1e-13));
-    CHECK(CmaConstants::usual_children(10) == 10);
-    CHECK(CmaConstants::usual_children(1) == 4);
     const CmaConstants many(2, 200);
     REQUIRE(many.mu_eff > 4); // (mu_eff - 1) / (n + 1) is above 1
     CHECK(many.d_sigma ==

@@ -112,13 +112,6 @@ TEST_CASE("nested islands run on a bounded number of threads, with the same bits
     }
 }
 
-TEST_CASE("islands without migrants need no score") {
-    CHECK(run("sample 4 | islands 2 rounds=2 migrants=0 { mutate 1 } | score", Reals{}).population.size() ==
-          4);
-    CHECK_THROWS_AS(run("sample 4 | islands 2 rounds=2 migrants=1 { mutate 1 } | score", Reals{}),
-                    UsageError);
-}
-
 TEST_CASE("remarks of islands have the island's path") {
     CHECK(run("score | islands 2 rounds=1 migrants=0 { score | above 50 at_least=2 }", given(),
               individuals({1, 2, 3, 4, 5, 6}))

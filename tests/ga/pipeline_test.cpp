@@ -71,6 +71,7 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
              {"score | elite 1", "stage 'elite 1' reads the start of a generation"},
              {"score | front", "stage 'front' needs a population ranked by pareto"},
              {"refine lm 3", "stage 'refine lm 3 genes=all' needs a scored population"},
+             {"islands 2 rounds=2 { turn genes }", "needs a scored population"},
              {"until fitness 1 { turn genes }", "stage 'until fitness 1' needs a scored population"},
              {"score low | repeat 2 { score high | elite 1 }",
               "stage 'elite 1' compares the population, scored by 'high', with the generation's start, "
@@ -137,7 +138,7 @@ TEST_CASE("a check takes time in proportion to the depth of blocks") {
     CHECK(checks <= 3 * 40);
 }
 
-TEST_CASE("bounds out of order are refused") {
+TEST_CASE("bounds that do not fit are refused") {
     const auto refused = [](std::vector<Variable> box, const std::string& pipeline,
                             const std::string& message) {
         Reals problem;
@@ -147,6 +148,9 @@ TEST_CASE("bounds out of order are refused") {
     };
     refused({{1, -1, 1}, {0, -1, 1}}, "cross blend", "ascending order");
     refused({{0, 1, -1}, {1, -1, 1}}, "mutate 1", "above the upper");
+    refused({{7, 0, 1}}, "refine nlopt LN_COBYLA 3", "refine: gene 7");
+    refused({{0, -HUGE_VAL, HUGE_VAL}}, "refine nlopt GN_CRS2_LM 8",
+            "refine nlopt GN_CRS2_LM: finite domain");
 }
 
 TEST_CASE("means of replicates flatter the best less than single draws, more replicates still less") {

@@ -172,14 +172,6 @@ TEST_CASE("a method spends its evaluations and one for the start on each individ
     }
 }
 
-TEST_CASE("Levenberg-Marquardt finds the curve's parameters from every start") {
-    for (const auto& each : run("score | refine lm 60", CurveFit{}, CurveFit::start(30)).population) {
-        CHECK(each.genome[0] == Approx(2).epsilon(1e-6));
-        CHECK(each.genome[1] == Approx(1.5).epsilon(1e-6));
-        CHECK(each.genome[2] == Approx(0.5).epsilon(1e-6));
-    }
-}
-
 TEST_CASE("minimax improves more than mma in as many evaluations") {
     const auto by_one_row = run("score | refine mma 40", CurveFit{}, CurveFit::start(30));
     const auto by_all_rows = run("score | refine minimax 40", CurveFit{}, CurveFit::start(30));
@@ -327,16 +319,4 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
     refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; use one that "
                          "works alone, e.g. LN_COBYLA");
     refused("LD_LBFGS", "needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
-}
-
-TEST_CASE("a choice of genes that does not fit is refused") {
-    const auto refused = [](std::vector<Variable> box, const std::string& method,
-                            const std::string& message) {
-        Reals problem;
-        problem.box = [box](const Vector&) { return box; };
-        CHECK_THROWS_WITH(run("sample 1 | score | refine " + method, problem), message);
-    };
-    refused({{7, 0, 1}}, "nlopt LN_COBYLA 3", "refine: gene 7 may move but does not exist; name one below 6");
-    refused({{0, -HUGE_VAL, HUGE_VAL}}, "nlopt GN_CRS2_LM 8",
-            "refine nlopt GN_CRS2_LM: finite domain required for global algorithm");
 }

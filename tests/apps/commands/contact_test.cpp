@@ -10,39 +10,6 @@
 using namespace app::testing;
 using nlohmann::json;
 
-TEST_CASE("contact gives the six reference curves") {
-    const json scenes = json_in(RUGOSA_TEST_DATA "/curves.json");
-    REQUIRE(scenes.size() == 6);
-    for (const auto& scene : scenes) {
-        const Folder folder;
-        folder.write("g.json", scene["genome"].dump());
-        std::ostringstream words;
-        words.precision(17);
-        words << "contact --genome g.json --out c.csv --nodes " << scene["nodes"] << " --length "
-              << scene["length_mm"] << " --kernel " << scene["kernel"].get<std::string>() << " --reach "
-              << scene["reach"];
-        if (scene["kernel"] == "free")
-            words << " --datum " << scene["datum_mm"];
-        if (scene["kernel"] == "strip")
-            words << " --strip-width " << scene["strip_width_mm"];
-        done(folder, words.str());
-        const auto rows = rows_of(folder / "c.csv", curve_header);
-        REQUIRE(rows.size() == 20);
-        for (std::size_t j = 0; j < 20; ++j) {
-            CHECK(rows[j][0] == Approx(scene["displacement_mm"][j].get<double>()).epsilon(1e-9));
-            CHECK(rows[j][1] == Approx(scene["pressure_MPa"][j].get<double>()).epsilon(1e-9));
-            CHECK(std::lround(rows[j][2] * scene["nodes"].get<double>()) ==
-                  scene["contact_nodes"][j].get<long>());
-            CHECK(rows[j][3] == Approx(scene["tangent_stiffness_MPa_per_mm"][j].get<double>()).epsilon(1e-9));
-            CHECK(rows[j][4] < 1e-12);
-            if (scene["kernel"] == "periodic")
-                CHECK(rows[j][5] == rows[j][3]);
-            else
-                CHECK(rows[j][5] > rows[j][3]);
-        }
-    }
-}
-
 TEST_CASE("layers of the body's modulus leave the curve, a thin one on a rigid base is stiffer") {
     const Folder folder;
     folder.write("g.json", one_wave);
@@ -237,22 +204,7 @@ TEST_CASE("a periodic area of one ridge has the curve of its profile") {
     CHECK(spots[0][0] / 240 == Approx(of_line[5][2]));
 }
 
-TEST_CASE("the curve of a map scales with its unit") {
-    const Folder folder;
-    folder.write("um.txt", "0 1 0.5\n0.25 3 1\n0 1.5 2.5\n0.5 0 1\n");
-    folder.write("mm.txt", "0 0.001 0.0005\n0.00025 0.003 0.001\n0 0.0015 0.0025\n0.0005 0 0.001\n");
-    done(folder, "contact --surface um.txt --unit um --spacing 10x20 --detrend none --out um.csv");
-    done(folder, "contact --surface mm.txt --spacing 0.01x0.02 --detrend none --out mm.csv");
-    const auto one = rows_of(folder / "um.csv"), other = rows_of(folder / "mm.csv");
-    REQUIRE(one.size() == 20);
-    for (std::size_t j = 0; j < 20; ++j) {
-        CHECK(one[j][1] == Approx(other[j][1]).epsilon(1e-12));
-        CHECK(one[j][5] > one[j][3]); // K_i
-    }
-    CHECK(one.back()[0] == Approx(0.003));
-}
-
-TEST_CASE("the page of an area shows its contact spots, which a table lists") {
+TEST_CASE("the page of a map shows its contact spots, which a table lists") {
     const Folder folder;
     folder.write("m.txt", "0 1 0 0\n0 0 0 0.9\n0 0 0 0\n0.8 0 0 0\n"); // three separate peaks
     done(folder, "contact --surface m.txt --spacing 1 --steps 2 --reach 0.5 --out c.csv --report c.html");

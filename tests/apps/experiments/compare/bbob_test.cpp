@@ -127,20 +127,6 @@ TEST_CASE("conditions by finite differences are those of the report") {
 
 TEST_CASE("values by hand") {
     for (const int n : {2, 5}) {
-        const auto size = static_cast<std::size_t>(n);
-        const auto off = [&](const Bbob& f, const std::vector<double>& by) {
-            Point x = f.optimum();
-            for (std::size_t i = 0; i < size; ++i)
-                x[i] += by[i];
-            return f(x) - f.value();
-        };
-        const Point one(size, 1.0);
-        CHECK(off(Bbob(1, n, 2), one) == Approx(n));
-        // T_osz leaves 1 in its place: log 1 = 0
-        double ramp = 0;
-        for (int i = 0; i < n; ++i)
-            ramp += std::pow(10, 6.0 * i / (n - 1));
-        CHECK(off(Bbob(2, n, 2), one) == Approx(ramp));
         // the slope's corner is flat beyond, and as steep as the report says inside
         const Bbob slope(5, n, 2);
         Point corner = slope.optimum();
@@ -149,7 +135,6 @@ TEST_CASE("values by hand") {
         CHECK(slope(corner) - slope.value() == Approx(10));
         corner.back() *= 2;
         CHECK(slope(corner) == Approx(slope.value()));
-        CHECK(off(Bbob(8, n, 2), Point(size, -1.0)) == Approx(n - 1)); // z = 0
     }
     // f3 where T_osz and T_asy leave 1 alone, Lambda^10 has sqrt(10) in the last of two
     const double last = std::sqrt(10), turn = 2 * std::numbers::pi;
