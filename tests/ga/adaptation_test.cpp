@@ -408,16 +408,6 @@ TEST_CASE("inherited step sizes multiply by log-normal factors in every generati
     }
 }
 
-TEST_CASE("a (15, 105) strategy converges on the sphere and on unequal axes") {
-    const auto strategy = [](const std::string& steps) {
-        return "sample 15 | score | until fitness 1e-8 { tournament 1 size=105 | self-adaptive 0.1 steps=" +
-               steps + " | score | best 15 }";
-    };
-    evaluations_to(1e-8, minimum(8, functions::sphere), strategy("one"), 1, 60000);
-    const auto unequal = [](const Vector& x) { return x[0] * x[0] + 1e4 * x[1] * x[1] + 1e-2 * x[2] * x[2]; };
-    evaluations_to(1e-8, minimum(3, unequal), strategy("each"), 1, 60000);
-}
-
 TEST_CASE("a learning operator gives the same bits on any threads and after stops") {
     for (const std::string body :
          {"cma-es | score", "l-shade | score | duel", "self-adaptive 0.1 | score | plus",

@@ -1,4 +1,4 @@
-// The travelling salesman, with an optimum that is known: towns on a circle, and a grid of even side.
+// The travelling salesman, with an optimum that is known: towns on a circle.
 
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/ga.hpp"
@@ -57,16 +57,6 @@ TEST_CASE("a search finds the shortest tour of towns on a circle") {
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
         CHECK(-run(pipeline, problem, nobody, {.seed = seed}).best->value() ==
               Approx(shortest).epsilon(1e-12));
-}
-
-TEST_CASE("a search with restarts finds the shortest tour of a 4 x 6 grid") {
-    Salesman problem;
-    for (int x = 0; x < 4; ++x)
-        for (int y = 0; y < 6; ++y)
-            problem.towns.push_back({double(x), double(y)});
-    // one population may stop at a longer tour, six rarely do
-    const auto restarted = restarts(6, pipeline | best(1));
-    CHECK(-run(restarted, problem, nobody).best->value() == Approx(24).epsilon(1e-12));
 }
 
 TEST_CASE("a run of permutations resumes to the uninterrupted result, in any memory") {
