@@ -133,10 +133,10 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     if (const auto& all = pressed.outliers; std::any_of(all.begin(), all.end(), touches)) {
         const rough::OutlierCost cost = outlier_cost(pressed.surface, all, pressed.model, response);
         if (cost.matters())
-            pressed.warnings.push_back("outliers carry the contact: without them " +
-                                       readable(cost.contact_fraction) + " times the contact and " +
-                                       readable(cost.stiffness) + " times the stiffness at " +
-                                       readable(cost.pressure) + " MPa; --outliers remove removes them");
+            pressed.warnings.push_back("outliers carry the contact: without them the contact is " +
+                                       readable(cost.contact_fraction) + " times and the stiffness " +
+                                       readable(cost.stiffness) + " times as large at " +
+                                       readable(cost.pressure) + " MPa; set --outliers remove");
     }
     const double limit = elastic_limit(settings, pressed.model.body);
     if (std::isinf(limit))

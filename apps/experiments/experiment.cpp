@@ -47,7 +47,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     const ga::Stopwatch clock;
     if (request.resume && !experiment.resumes)
         throw rough::InputError("--resume: experiments of kind " + experiment.kind +
-                                " do not write checkpoints; leave it out");
+                                " do not write checkpoints; omit it");
     if (request.resume && request.out.empty())
         throw rough::InputError("--resume: no --out; give the folder of the interrupted run");
     std::vector<std::string> names = experiment.files;

@@ -63,7 +63,7 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
         throw rough::InputError(kind + ": " + problem +
                                 (problem.find("No module") == std::string::npos
                                      ? ""
-                                     : "; the script needs python3, numpy and the Python module rugosa"));
+                                     : "; install python3, numpy and the Python module rugosa"));
     }
     const std::filesystem::path result = conditions.folder / "result.json";
     if (!std::filesystem::exists(result))
@@ -109,7 +109,7 @@ Experiment readings_experiment() {
         .run =
             [](const Settings& settings, const Conditions& conditions) {
                 expect_none(settings, {"model.kernel", "model.datum", "model.reach"},
-                            "cannot be set, because the readings try several values; leave it out");
+                            "cannot be set, because the readings try several values; omit it");
                 model_from(settings, "model.");
                 return findings_of_script(readings_experiment(), settings, conditions);
             },

@@ -110,8 +110,8 @@ void check(const StoredCurves& curves, const std::vector<Target>& targets, const
         validate(target);
         if (options.max_pressure > 0 && target.against_pressure() &&
             target.last() > options.max_pressure * (1 + 1e-9))
-            refuse("target ", target.name, ": reaches ", target.last(),
-                   " MPa; genomes are rescaled to at most ", options.max_pressure, " MPa");
+            refuse("target ", target.name, ": reaches ", target.last(), " MPa; give pressures up to ",
+                   options.max_pressure, " MPa");
     }
     if (targets.empty())
         throw InputError("genome database: has no target to screen for; give one");

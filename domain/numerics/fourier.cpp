@@ -279,7 +279,7 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
         for (Index j = 0; j < twist->size(); ++j)
             (*twist)[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) /
                                               static_cast<double>(twist->size()));
-    // c_0 may go to either part; that of a map goes to the circulant one, so that a periodic map has no
+    // c_0 may go to either part; that of an area goes to the circulant one, so that a periodic area has no
     // other part.
     const bool line = shape_.rows == 1;
     const auto mirrored = [line](Index i, Index n, bool skew) -> std::pair<Index, double> {

@@ -42,11 +42,10 @@ bool is_good_fourier_length(Index length);
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
 
-/// u = T p by FFT in double or single precision. T is a symmetric circulant matrix (from its eigenvalues) or
-/// Toeplitz matrix (from its first column, padded with zeros). On a map the matrix is circulant or Toeplitz
-/// along both axes and symmetric in each. There a few columns at a time are transformed, multiplied and
-/// transformed back while they are in the cache. Rows of zeros are skipped. One object serves one thread at a
-/// time.
+/// u = T p by FFT in double or single precision, for a symmetric circulant (from its eigenvalues) or Toeplitz
+/// matrix (from its first column, padded with zeros). On an area the matrix is circulant or Toeplitz along
+/// both axes and symmetric in each. There columns are transformed, multiplied and transformed back a few at a
+/// time, while they are in the cache, and rows of zeros are skipped. One object serves one thread at a time.
 template <typename Real>
 class BasicFourierOperator {
   public:
@@ -80,8 +79,8 @@ using FourierOperator = BasicFourierOperator<double>;
 using SingleFourierOperator = BasicFourierOperator<float>;
 
 /// u = T p for a symmetric Toeplitz matrix without padding. T is half the sum of a circulant, c_j + c_(N-j),
-/// and a skew-circulant, c_j - c_(N-j). On a map it is a quarter of the sum of four, along both axes. It
-/// shares neither transforms nor spectrum with FourierOperator.
+/// and a skew-circulant, c_j - c_(N-j); on an area a quarter of the sum of four, along both axes. It shares
+/// neither transforms nor spectrum with FourierOperator.
 class SplitOperator {
   public:
     /// From the first column of N entries.
@@ -93,7 +92,7 @@ class SplitOperator {
     /// One part of the sum: circulant or skew-circulant along x and along y.
     struct Part {
         bool skew_x, skew_y;
-        Eigen::ArrayXd eigenvalues; ///< divided by 2 N, for a map by 4 N; column after column
+        Eigen::ArrayXd eigenvalues; ///< divided by 2 N, for an area by 4 N; column after column
     };
     void twist(const Part& part, bool back);
     /// Transforms work_, visits each column with its number, and transforms back.

@@ -13,7 +13,7 @@ namespace rough {
 struct Extrusion {
     double width = 0; ///< along a profile's ridges, mm; 0: a quarter of its length
     double base = 0;  ///< thickness below the lowest node, mm; 0: the larger of the height range and a tenth
-                      ///< of the length, or less if single precision requires it
+                      ///< of the length, or less so that single precision resolves the heights
     double magnify = 1; ///< factor on all lengths, > 0
 };
 

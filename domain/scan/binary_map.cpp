@@ -177,7 +177,7 @@ const Format formats[] = {{"bISO-", surface_data_file},
 void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file) {
     const std::int64_t max_points = rows == 1 ? 10'000'000 : 20'000'000;
     if (columns < 1 || rows < 1 || columns > max_points / rows)
-        refuse(file, ": ", rows, " rows of ", columns, " heights; the total must be 1 to ", max_points);
+        refuse(file, ": ", rows, " rows of ", columns, " heights; give 1 to ", max_points, " heights in all");
 }
 
 double missing_mark(int type) { return type < 0 || type > 7 ? none : number_types[type].missing; }

@@ -89,11 +89,11 @@ struct TargetScales {
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
 /// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm,
 /// conductance, or the pressure against displacement) and optionally lower and upper. Names may have other
-/// units. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the nominal area. A
-/// displacement may be in any unit of length, e.g. displacement_um, and an area in its square, e.g. area_mm2.
-/// A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um. A conductance C is read as the
-/// interface stiffness C E* (rho_1 + rho_2)/2. Lines "# key: value" record the model. Throws InputError that
-/// names file and line or column.
+/// units. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the
+/// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
+/// square, e.g. area_mm2. A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um. A
+/// conductance C is read as the interface stiffness C E* (rho_1 + rho_2)/2. Lines "# key: value" record the
+/// model. Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
 /// The target as a file: the recorded lines, the header, and one row per point with 17 digits.

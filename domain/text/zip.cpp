@@ -41,8 +41,8 @@ bool Zip::read(const std::string& name, std::size_t max_size,
     if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &found) != 0)
         return false;
     if (found.size > max_size)
-        throw InputError(file_ + ": its entry " + name + " is too large; at most " +
-                         std::to_string(max_size) + " bytes are read");
+        throw InputError(file_ + ": its entry " + name + " is too large; give one of at most " +
+                         std::to_string(max_size) + " bytes");
     const Owned<zip_file_t> opened(zip_fopen_index(archive_.get(), found.index, 0));
     std::vector<char> piece(65536);
     std::size_t got = 0;

@@ -17,7 +17,7 @@ bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool payin
     last_requested = requested;
     if (static_cast<double>(now.generation) - last_progress < patience)
         return false;
-    context.note("ended after 10000 generations that brought it no nearer to its end");
+    context.note("ended after 10000 generations without progress towards its end");
     return true;
 }
 
@@ -48,7 +48,7 @@ Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& 
             if (rules[i].holds(now, numbers[2 + i])) {
                 end = true;
                 if (rules[i].text.starts_with(AfterSeconds::words().name))
-                    context.note("ended on seconds; another run may end elsewhere");
+                    context.note("ended after its seconds; another run may end in another generation");
             }
         return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
     };

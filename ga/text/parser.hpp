@@ -70,7 +70,7 @@ class Parser {
         const std::string name = entry.name;
         if (!entry.lacks.empty())
             throw TextError(where, text.column,
-                            "stage '" + name + "' cannot work here; it needs " + entry.lacks);
+                            "stage '" + name + "' cannot work here; use a problem that has " + entry.lacks);
         if (stage.bodies.size() != entry.bodies)
             throw TextError(
                 where, text.column,

@@ -38,14 +38,15 @@ TEST_CASE("a block `until` ends at the first condition that holds") {
     CHECK((stuck > 10 && stuck < 100000));
     CHECK(run("until fitness -1e-3 " + generation, Reals{}, start).best->value() >= -1e-3);
     CHECK(run("until seconds 0 " + generation, Reals{}, start, {.variant = "v"}).notes ==
-          std::vector<std::string>{"v/until.1: ended on seconds; another run may end elsewhere"});
+          std::vector<std::string>{
+              "v/until.1: ended after its seconds; another run may end in another generation"});
 }
 
 TEST_CASE("an endless block ends after 10,000 generations without progress, with a note") {
     for (const std::string end : {"fitness 1", "evaluations 1000"})
         CHECK(run("sample 3 | score | until " + end + " { best 3 }", Reals{}, {}, {.variant = "v"}).notes ==
               std::vector<std::string>{
-                  "v/until.1: ended after 10000 generations that brought it no nearer to its end"});
+                  "v/until.1: ended after 10000 generations without progress towards its end"});
 }
 
 TEST_CASE("islands evolve independently and return one population") {

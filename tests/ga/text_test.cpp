@@ -160,8 +160,8 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
             "pipeline, column 19: stage 'above' has no 'atleast'; did you mean 'at_least'?");
     refused("refine 3",
             "pipeline, column 1: stage 'refine' lacks its kind; use one of minimax, mma, lm, nlopt");
-    refused("cross order",
-            "pipeline, column 1: stage 'cross order' cannot work here; it needs a permutation for a genome");
+    refused("cross order", "pipeline, column 1: stage 'cross order' cannot work here; use a problem that has "
+                           "a permutation for a genome");
     CHECK(edits("csore", "score") == 1); // two letters that changed places
     CHECK(edits("scoer", "score") == 1);
     CHECK(edits("abc", "cab") == 2);

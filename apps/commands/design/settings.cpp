@@ -70,8 +70,7 @@ Fields fields_of(rough::DesignSetup& setup) {
          bounds.lambda_to},
         {positive("noise", "",
                   "rms height noise, mm, under which 95 % of the draws must have the similarity. Profiles "
-                  "are searched "
-                  "under it, and maps are verified under it [none]"),
+                  "are searched under it, and maps are verified under it [none]"),
          setup.errors.noise},
         {positive("noise-length", "", "correlation length of height noise, mm [L/60]"),
          setup.errors.noise_length},
@@ -127,8 +126,7 @@ std::vector<Setting> search_settings() {
         {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
          "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
-         "--database, "
-         "like for a scan's contact area, made with --noise or --tilt]"},
+         "--database, like for a scan's contact area, made with --noise or --tilt]"},
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),

@@ -188,7 +188,7 @@ TEST_CASE("contact takes a material's elasticity and warns beyond its hardness o
     CHECK(said("clean.txt --material copper --to-pressure 1").find(ends) == std::string::npos);
 }
 
-TEST_CASE("a periodic area of one ridge has the curve of its profile") {
+TEST_CASE("a periodic map of one ridge has the curve of its profile") {
     const Folder folder;
     folder.write("g.json", one_wave);
     const std::string common = "contact --genome g.json --kernel periodic --steps 6 --solver nested ";

@@ -57,7 +57,7 @@ TEST_CASE("a pipeline that cannot search is refused before any other one starts"
     CHECK_FALSE(std::filesystem::exists(folder / "s"));
 }
 
-TEST_CASE("the paper's algorithms run on areas and on profiles, and the page shows both", "[areas]") {
+TEST_CASE("the paper's algorithms run on maps and on profiles, and the page shows both", "[areas]") {
     const Folder folder;
     succeeded(rugosa("run '" RUGOSA_SOURCE "/experiments/surface.ini' --set experiment.budget=120 --set "
                      "'model.nodes=16x16, 32' --set model.steps=6 --set targets.shortest-wave=0.2 "

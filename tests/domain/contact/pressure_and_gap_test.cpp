@@ -38,7 +38,7 @@ TEST_CASE("a spot across the ends of a periodic body is one spot") {
     CHECK(2 * at.widest == Approx(0.01 * double(curve.steps[0].contact_nodes)));
 }
 
-TEST_CASE("pressure and gap of an area exclude each other", "[areas]") {
+TEST_CASE("pressure and gap of a map exclude each other", "[areas]") {
     const Profile map = maps::self_affine(40, 0.8, 2, 0.1);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Body body{.kernel = kernel, .effective_modulus = 7};

@@ -115,7 +115,7 @@ TEST_CASE("derivatives of a smooth contact fraction agree with differences") {
         }
 }
 
-TEST_CASE("the smooth contact fraction of an area does not jump when a node enters", "[areas]") {
+TEST_CASE("the smooth contact fraction of a map does not jump when a node enters", "[areas]") {
     std::mt19937_64 random(46);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         Pressed scene = random_area(random, kernel, 0.5);

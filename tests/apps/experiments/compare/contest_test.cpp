@@ -125,7 +125,7 @@ TEST_CASE("the expected runtime counts what failed runs spent") {
     CHECK(std::isinf(expected_runtime({reached({NAN}, 5)}, 0)));
 }
 
-TEST_CASE("runtime shares, areas, ranks and duels of a comparison by hand") {
+TEST_CASE("shares of targets, their means, ranks and duels of a comparison by hand") {
     Contest contest;
     contest.seeds = 6;
     for (int k = 0; k < 6; ++k) {
