@@ -296,7 +296,7 @@ Genome scan_waves(const DesignSetup& given, Index waves) {
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
         normal.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
         normal.diagonal().tail(2 * count).array() += damping * points.weight.sum();
-        parts = normal.ldlt().solve(basis.transpose() * points.weight.cwiseProduct(points.z));
+        parts = normal.llt().solve(basis.transpose() * points.weight.cwiseProduct(points.z));
         const Eigen::ArrayXd above = basis * parts - points.z;
         points.weight = (above > 0).select(1, points.weight);
     }

@@ -80,6 +80,7 @@ struct LevenbergMarquardt {
   private:
     static constexpr int lawson_rounds = 20;
     static constexpr double least_weight = 1e-6;
+    static constexpr Eigen::Index many_variables = 128;
 
     /// A point in the box and the residuals there by the linear model.
     struct Step {
@@ -89,20 +90,37 @@ struct LevenbergMarquardt {
     static std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at,
                                          const Eigen::VectorXd& weights, double damping,
                                          const Landscape& land) {
-        Eigen::VectorXd slope = at.jacobian.transpose() * weights.cwiseProduct(at.residuals);
-        Eigen::MatrixXd curvature = at.jacobian.transpose() * weights.asDiagonal() * at.jacobian;
-        const double largest = curvature.diagonal().maxCoeff();
-        for (Eigen::Index i = 0; i < x.size(); ++i)
+        const Eigen::Index count = x.size(), rows = at.residuals.size();
+        const bool by_rows = count > many_variables && count > 4 * rows; // a smaller system than by variables
+        Eigen::MatrixXd jacobian = at.jacobian;
+        Eigen::VectorXd slope = jacobian.transpose() * weights.cwiseProduct(at.residuals);
+        Eigen::MatrixXd curvature;
+        if (!by_rows)
+            curvature = jacobian.transpose() * weights.asDiagonal() * jacobian;
+        Eigen::VectorXd diagonal =
+            by_rows ? Eigen::VectorXd(jacobian.cwiseAbs2().transpose() * weights) : curvature.diagonal();
+        const double largest = diagonal.maxCoeff();
+        for (Eigen::Index i = 0; i < count; ++i)
             if ((x[i] <= land.lower[i] && slope[i] > 0) || (x[i] >= land.upper[i] && slope[i] < 0)) {
-                curvature.row(i).setZero();
-                curvature.col(i).setZero();
-                slope[i] = 0;
+                jacobian.col(i).setZero();
+                if (!by_rows)
+                    curvature.row(i).setZero(), curvature.col(i).setZero();
+                slope[i] = diagonal[i] = 0;
             }
         if (largest <= 0 || slope.cwiseAbs().maxCoeff() == 0)
             return std::nullopt;
-        curvature.diagonal() += damping * curvature.diagonal().cwiseMax(1e-12 * largest).eval();
-        const Eigen::VectorXd to =
-            (x - curvature.ldlt().solve(slope)).cwiseMax(land.lower).cwiseMin(land.upper);
+        const Eigen::VectorXd damped = damping * diagonal.cwiseMax(1e-12 * largest);
+        Eigen::VectorXd change;
+        if (by_rows) { // (J^T W J + D)^-1 J^T W r = D^-1 J^T (W^-1 + J D^-1 J^T)^-1 r (Woodbury)
+            const Eigen::MatrixXd scaled = jacobian * damped.cwiseInverse().asDiagonal();
+            Eigen::MatrixXd system = scaled * jacobian.transpose();
+            system.diagonal() += weights.cwiseInverse();
+            change = scaled.transpose() * system.ldlt().solve(at.residuals);
+        } else {
+            curvature.diagonal() += damped;
+            change = curvature.ldlt().solve(slope);
+        }
+        const Eigen::VectorXd to = (x - change).cwiseMax(land.lower).cwiseMin(land.upper);
         if (!to.allFinite() || to == x)
             return std::nullopt;
         return Step{to, at.residuals + at.jacobian * (to - x)};

@@ -41,6 +41,17 @@ Landscape noisy_curve() {
     });
 }
 
+/// Six residuals of 300 variables.
+Landscape many_variables() {
+    Eigen::MatrixXd waves(6, 300);
+    for (Eigen::Index i = 0; i < waves.size(); ++i)
+        waves.data()[i] = std::sin(1.7 * static_cast<double>(i * i)) / 10;
+    return landscape(VectorXd::Constant(300, 0.1), 100, [waves](const VectorXd& x) {
+        const Eigen::ArrayXd at = waves * x;
+        return Sensitivity{at.sin() + 0.1 * at - 0.5, (at.cos() + 0.1).matrix().asDiagonal() * waves};
+    });
+}
+
 /// Levenberg-Marquardt as published, with another linear solver. Each step h is the least-squares solution of
 /// J h = -r and sqrt(mu) D h = 0. D has the lengths of J's columns (Marquardt 1963). mu follows the gain
 /// (Nielsen 1999, Eq. 2.21).
@@ -72,7 +83,7 @@ VectorXd by_the_book(const Landscape& land, int evaluations) {
 
 TEST_CASE("every step of Levenberg-Marquardt is the published one") {
     for (int n = 1; n <= 12; ++n)
-        for (const Landscape& land : {rosenbrock(1), noisy_curve()}) {
+        for (const Landscape& land : {rosenbrock(1), noisy_curve(), many_variables()}) {
             CAPTURE(n, land.start.size());
             CHECK((lm(n).improve(land) - by_the_book(land, n)).norm() < 1e-6);
         }
