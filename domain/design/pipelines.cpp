@@ -285,9 +285,11 @@ ga::Variants design_variants(double required) {
         "pair(score goal1 | above 0.95 at_least=5 | reduce goal1, score goal2 | above 0.95 at_least=5 | "
         "reduce goal2, unite) | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
         "genes=micro | best 1";
-    // The trade-off between two targets: NSGA-II whose ends and children are refined.
+    // The trade-off between two targets: NSGA-II whose ends and children are refined. It starts from the
+    // answer of the default too, so that this does not dominate the front.
     variants["nsga2"] =
-        "shape 40 | score | best 20 | repeat 1 { score goal1 | refine lm 15 | parents } | repeat 1 "
+        "default | repeat 1 { shape 40 | score | best 20 | parents } | repeat 1 { score goal1 | refine lm 15 "
+        "| parents } | repeat 1 "
         "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
         "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
         "parents | pareto goal1 goal2 | best 40 } | front";
