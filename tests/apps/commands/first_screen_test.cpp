@@ -1,0 +1,211 @@
+#include "domain/contact/solve.hpp"
+#include "domain/problem/made.hpp"
+#include "domain/response/response.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <regex>
+
+using namespace app::testing;
+using nlohmann::json;
+using rough::Index;
+
+namespace {
+
+constexpr double length = 0.5, modulus = 2 / (1 - 0.3 * 0.3); // mm, MPa
+constexpr Index nodes = 97;
+constexpr int steps = 12;
+const std::vector<double> pressures{0.001, 0.002, 0.004, 0.006, 0.008}, stiffnesses{0.4, 0.6, 0.9, 1.1, 1.25};
+
+/// All numbers in a sentence, in order.
+std::vector<double> numbers_in(const std::string& text) {
+    std::vector<double> all;
+    const std::regex number("-?[0-9]+(\\.[0-9]+)?(e-?[0-9]+)?");
+    for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
+        all.push_back(std::stod(it->str()));
+    return all;
+}
+
+/// A unit's length in mm, or pressure in MPa.
+double in_program_units(double value, const std::string& unit) {
+    const std::map<std::string, double> units{{"nm", 1e-6}, {"µm", 1e-3},  {"mm", 1},
+                                              {"Pa", 1e-6}, {"kPa", 1e-3}, {"MPa", 1}};
+    return value * units.at(unit);
+}
+
+/// The design of the test, from its result.json alone.
+struct Recomputed {
+    json genome;
+
+    /// Heights by the definition of the waves; `order`-th derivative in x.
+    Eigen::VectorXd heights(Index n, int order = 0) const {
+        const double pi = std::numbers::pi, spacing = length / static_cast<double>(n - 1);
+        Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
+        for (const json& series : genome["series"]) {
+            const double A = series["A"], H = series["H"], gamma = series["gamma"], lambda = series["lambda"];
+            for (const json& each : series["chromosomes"]) {
+                const int number = each["n"];
+                const double k = 2 * pi / lambda * std::pow(gamma, number - 1),
+                             G = A *
+                                 std::sqrt(std::log10(gamma) / static_cast<double>(each["phases"].size())) *
+                                 std::pow(2 * pi / lambda, -H) * std::pow(gamma, -(number - 1) * H);
+                for (const double phase : each["phases"])
+                    for (Index i = 0; i < n; ++i) // derivatives of cos(phase) - cos(k x + phase)
+                        z[i] += G * std::pow(k, order) *
+                                ((order == 0 ? std::cos(phase) : 0) -
+                                 std::cos(k * spacing * static_cast<double>(i) + phase + order * pi / 2));
+            }
+        }
+        return z * genome.value("scale", 1.);
+    }
+    double shortest_wave() const {
+        double shortest = HUGE_VAL;
+        for (const json& series : genome["series"])
+            for (const json& each : series["chromosomes"])
+                shortest =
+                    std::min(shortest, series["lambda"].get<double>() *
+                                           std::pow(series["gamma"].get<double>(), 1 - each["n"].get<int>()));
+        return shortest;
+    }
+    rough::Response response(const Eigen::VectorXd& z, int times = 1, double datum = length) const {
+        rough::Body body;
+        body.effective_modulus = modulus;
+        body.datum = datum;
+        return respond(rough::Profile{z, length / static_cast<double>(z.size() - 1)}, body,
+                       {.steps = steps * times, .to_pressure = pressures.back()});
+    }
+    /// K of the secants at each pressure of the target, over the target, minus 1.
+    Eigen::VectorXd misfits(const rough::Response& of, double compliance = 0) const {
+        std::vector<double> x, y;
+        for (Index j = 0; j < of.steps(); ++j) {
+            const double p = j > 0 ? of.pressure[j - 1] : 0, d = j > 0 ? of.displacement[j - 1] : 0;
+            x.push_back((of.pressure[j] + p) / 2);
+            y.push_back((of.pressure[j] - p) / (of.displacement[j] - d));
+        }
+        Eigen::VectorXd off(static_cast<Index>(pressures.size()));
+        for (std::size_t k = 0; k < pressures.size(); ++k) {
+            std::size_t i = 0;
+            while (i + 2 < x.size() && x[i + 1] < pressures[k])
+                ++i;
+            const double found = y[i] + (y[i + 1] - y[i]) * (pressures[k] - x[i]) / (x[i + 1] - x[i]);
+            off[static_cast<Index>(k)] = found / (1 / (1 / stiffnesses[k] + compliance)) - 1;
+        }
+        return off;
+    }
+    double similarity(const Eigen::VectorXd& z, int times = 1) const {
+        return 1 - misfits(response(z, times)).cwiseAbs().maxCoeff();
+    }
+};
+
+} // namespace
+
+TEST_CASE("every number on a design's first screen follows from its genome and target") {
+    const Folder folder;
+    std::string target = "pressure_MPa,stiffness_MPa_per_mm\n";
+    for (std::size_t k = 0; k < pressures.size(); ++k)
+        target += std::to_string(pressures[k]) + "," + std::to_string(stiffnesses[k]) + "\n";
+    folder.write("K.csv", target);
+    const json result = result_of(
+        rugosa("design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 --out r "
+               "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'",
+               folder.path()),
+        folder / "r");
+    const json &variant = result["variants"]["pipeline"], &summary = result["summary"];
+    const Recomputed design{variant["genome"]};
+    const Eigen::VectorXd z = design.heights(nodes), fine = design.heights(4 * nodes - 3);
+    const std::vector<double> checks{design.similarity(z), design.similarity(fine), design.similarity(z, 4),
+                                     design.similarity(fine, 4)};
+    const double lowest = *std::min_element(checks.begin(), checks.end());
+    const auto says = [&](const char* fact, const std::vector<double>& expected) {
+        const std::string text = std::string(fact) == "verdict" ? result["verdict"] : summary[fact];
+        const std::vector<double> found = numbers_in(text);
+        INFO(fact << ": " << text);
+        REQUIRE(found.size() == expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i)
+            CHECK(found[i] == Approx(expected[i]).epsilon(6e-3));
+    };
+    CAPTURE(checks);
+    REQUIRE(lowest < 0.99); // so that the screen names what is in the way
+
+    for (const auto& [key, value] : {std::pair("similarity", checks[0]),
+                                     {"similarity_refined", checks[1]},
+                                     {"similarity_stepped", checks[2]},
+                                     {"similarity_worst", lowest}})
+        if (variant.contains(key))
+            CHECK(variant[key].get<double>() == Approx(value).margin(1e-8));
+    CHECK(summary["lowest"].get<double>() == Approx(lowest).margin(1e-8));
+    const std::string page = rough::read_whole(folder / "r" / "report.html");
+    for (const double value : {0.99, checks[0], checks[1], lowest}) {
+        char cell[32];
+        std::snprintf(cell, sizeof cell, "%.5g", value);
+        CHECK_THAT(page, Catch::Contains("<td class=\"number\">" + std::string(cell)));
+    }
+    says("verdict", {lowest, 0.99});
+
+    const rough::Response own = design.response(z);
+    double largest = 0, at = 0;
+    for (const auto& [heights, times] : {std::pair(z, 1), {fine, 1}, {z, 4}, {fine, 4}}) {
+        const Eigen::VectorXd off = design.misfits(design.response(heights, times));
+        for (std::size_t k = 0; k < pressures.size(); ++k)
+            if (std::abs(off[static_cast<Index>(k)]) > std::abs(largest))
+                largest = off[static_cast<Index>(k)], at = pressures[k];
+    }
+    says("matched", {lowest, 100 * (1 - lowest)});
+    says("in_the_way", {100 * largest, 1e3 * at}); // kPa
+    says("not_asked_for", {100 * own.contact_fraction.tail(1)[0]});
+
+    // 1/K grows by (2 L/(pi E*)) ln 4 with the datum, in the target too.
+    const double compliance = 2 * length / (std::numbers::pi * modulus) * std::log(4);
+    const double with_datum =
+        1 - design.misfits(design.response(z, 1, 4 * length), compliance).cwiseAbs().maxCoeff();
+    says("worst_case", {checks[0], 4, checks[1], 4, checks[2], lowest, with_datum, 4});
+
+    rough::Body body;
+    body.effective_modulus = modulus;
+    const rough::Profile profile{z, length / static_cast<double>(nodes - 1)};
+    const double peak = solve_contact(profile, body, {own.displacement.tail(1)[0]}, {.states = true})
+                            .states[0]
+                            .pressure.maxCoeff();
+    says("yielding", {1e3 * peak, 100 * peak / modulus});
+
+    constexpr Index dense = 20001;
+    const auto extreme = [&](int order) { return design.heights(dense, order).cwiseAbs().maxCoeff(); };
+    const Eigen::VectorXd all = design.heights(dense);
+    says("making", {design.shortest_wave(), extreme(1), all.maxCoeff() - all.minCoeff(), 1 / extreme(2)});
+    says("carries_over", {length, length});
+
+    // "for 0.9, 1.2 nm rms at 8.33 µm correlation, 30 nm tilt, 4 % scale; none for 0.95: ... is 0.93"
+    std::smatch words;
+    const std::string machine = summary["machine"];
+    INFO(machine);
+    const std::regex sizes(
+        "for ([0-9.]+), ([0-9.]+) (\\S+) rms at ([0-9.]+) (\\S+) correlation, ([0-9.]+) (\\S+) "
+        "tilt, ([0-9.]+) % scale.*");
+    REQUIRE(std::regex_match(machine, words, sizes));
+    const auto number = [&](std::size_t i) { return std::stod(words[i]); };
+    const double level = number(1), noise = in_program_units(number(2), words[3]),
+                 tilt = in_program_units(number(6), words[7]), scale = number(8) / 100;
+    CHECK(in_program_units(number(4), words[5]) == Approx(length / 60).epsilon(6e-3));
+    const Eigen::VectorXd slope = Eigen::VectorXd::LinSpaced(nodes, 0, tilt), stretch = scale * z;
+    for (const Eigen::VectorXd& error : {slope, stretch}) {
+        const auto with = [&](double times) {
+            return std::min(design.similarity(z + times * error), design.similarity(z - times * error));
+        };
+        CHECK(with(0.99) >= level);
+        CHECK(with(1.03) < level);
+    }
+    int kept = 0;
+    for (std::uint64_t draw = 0; draw < 1000; ++draw)
+        kept += design.similarity(
+                    z + noise * rough::height_noise({nodes, length}, length / 60, 1000 + draw)) >= level;
+    CHECK(kept >= 920);
+    CHECK(kept <= 980);
+    if (const std::size_t rest = machine.find("is "); rest != std::string::npos)
+        CHECK(std::stod(machine.substr(rest + 3)) == Approx(checks[0]).epsilon(1e-3));
+    for (const json& one : variant["tolerance"]["levels"])
+        if (one["similarity"] == level)
+            CHECK(one["noise_rms_mm"].get<double>() == Approx(noise).epsilon(6e-3));
+}
