@@ -22,7 +22,7 @@ namespace app {
 
 namespace {
 
-/// The parameters --width, --base and --magnify.
+/// The parameters --width, --base, --magnify and --layer-height.
 Fields fields_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
@@ -30,6 +30,7 @@ Fields fields_of(rough::Extrusion& extrusion) {
                   "thickness of the solid below its lowest node, mm [the larger of height range and L/10]"),
          extrusion.base},
         {positive("magnify", "1", "factor on all lengths of the solid, for printing"), extrusion.magnify},
+        {positive("layer-height", "0.05", "height of the printer's layers, mm"), extrusion.layer},
     };
 }
 
@@ -207,7 +208,7 @@ Description described_map(const Settings& settings) {
 
 /// KIND.json: each parameter under its key (`Pa_mm`), and under `parameters` all rows that the page shows.
 nlohmann::json numbers_of(const Description& of, const Settings& settings, const std::string& name,
-                          const std::vector<std::string>& files) {
+                          const std::vector<std::string>& files, const rough::Extrusion& extrusion) {
     const auto cut_off = [&](const char* flag) {
         return settings.has(flag) ? nlohmann::json(settings.number(flag)) : nullptr;
     };
@@ -218,6 +219,7 @@ nlohmann::json numbers_of(const Description& of, const Settings& settings, const
                     {"lambda_s_mm", cut_off("lambda-s")},
                     {"lambda_c_mm", cut_off("lambda-c")},
                     {"version", RUGOSA_VERSION}});
+    numbers["print"] = print_note(*of.surface, extrusion);
     for (const rough::SurfaceParameter& one : of.rows)
         numbers[one.key()] = one.value;
     for (const auto* const all : {&of.rows, &of.requested})
@@ -271,7 +273,8 @@ void write_description(const Description& of, const Settings& settings, const ro
                                           {of.spectrum.wave_number, of.spectrum.density}, true));
     for (const std::string& solid : write_solids(solids, out.path(), of.kind))
         files.push_back(solid);
-    write_json(out.path() / (of.kind + ".json"), numbers_of(of, settings, source.filename().string(), files));
+    write_json(out.path() / (of.kind + ".json"),
+               numbers_of(of, settings, source.filename().string(), files, extrusion));
     if (settings.choice("pictures") == 0) {
         const PageSource page = page_source(out.path());
         for (const auto& [file, figure] : of.pictures)
@@ -285,6 +288,7 @@ void write_description(const Description& of, const Settings& settings, const ro
     say(of.account);
     print_parameters(of.rows, of.largest_height);
     print_parameters(of.requested, of.largest_height);
+    say(print_note(*of.surface, extrusion));
     say("written to " + out.path().string());
 }
 

@@ -25,6 +25,9 @@ struct Solids {
 };
 Solids solids_of(const rough::Profile& surface, const rough::Extrusion& extrusion);
 
+/// The size of a solid, the layer steps of its relief, and the effect of its magnification on stiffness.
+std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion);
+
 /// Writes NAME.stl and NAME.3mf, and prints which is left out and why. Returns the names of those written.
 std::vector<std::string> write_solids(const Solids& solids, const std::filesystem::path& folder,
                                       const std::string& name);

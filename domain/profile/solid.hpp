@@ -14,7 +14,8 @@ struct Extrusion {
     double width = 0; ///< along a profile's ridges, mm; 0: a quarter of its length
     double base = 0;  ///< thickness below the lowest node, mm; 0: the larger of the height range and a tenth
                       ///< of the length, or less so that single precision resolves the heights
-    double magnify = 1; ///< factor on all lengths, > 0
+    double magnify = 1;  ///< factor on all lengths, > 0
+    double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
 };
 
 /// A closed surface of triangles.

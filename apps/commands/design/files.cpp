@@ -181,8 +181,9 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
     if (run.setup.model.grid.is_2d())
         try { // a design is of use, even if its tile cannot be printed
-            write_solids(solids_of(sample(run.found.best.genome, run.setup.model.grid), {}), folder,
-                         "surface");
+            const rough::Profile tile = sample(run.found.best.genome, run.setup.model.grid);
+            write_solids(solids_of(tile, {}), folder, "surface");
+            say(print_note(tile, {}));
         } catch (const rough::InputError& error) {
             say(std::string("note: no solid of the surface is written: ") + error.what());
         }
