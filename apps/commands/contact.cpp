@@ -110,6 +110,7 @@ struct Pressed {
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
     rough::ResolutionBand band = {};         ///< for a scan or map
     rough::Index spot_width = 0;             ///< usual width at the last load in nodes; for a scan or map
+    std::string unresolved = {};             ///< warning of a scan or map; "": every contact is resolved
     std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
 };
 
@@ -124,8 +125,11 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     const auto& [response, account, contact] = pressed.result;
     if (pressed.is_measured) {
         pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
-        pressed.spot_width =
-            spot_width(contact, pressed_surface(pressed).shape(), pressed.model.grid.periodic);
+        const rough::Profile surface = pressed_surface(pressed);
+        pressed.spot_width = spot_width(contact, surface.shape(), pressed.model.grid.periodic);
+        pressed.unresolved = resolution_warning(surface, pressed.model, response);
+        if (!pressed.unresolved.empty())
+            pressed.warnings.push_back(pressed.unresolved);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::find(touching.begin(), touching.end(), node) != touching.end();
@@ -151,15 +155,14 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
             " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
 }
 
-bool is_resolved(const Pressed& pressed) { return pressed.spot_width >= rough::resolved_spot_nodes; }
-
 /// In words: the contact of a scan or map at the last load, and whether its spots are resolved.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
     const std::string width = "half of the contact is at most " + std::to_string(pressed.spot_width) +
                               (pressed.spot_width == 1 ? " node" : " nodes") +
-                              " wide: " + (is_resolved(pressed) ? "" : "not ") + "resolved";
+                              " wide: " + (pressed.spot_width < rough::resolved_spot_nodes ? "not " : "") +
+                              "resolved";
     if (!pressed.band.is_computed())
         return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
     return "contact " + readable(100 * low_area[last]) + " to " + percent(high_area[last]) + ", K " +
@@ -171,7 +174,7 @@ std::string resolution_note(const Pressed& pressed) {
 
 nlohmann::json resolution_json(const Pressed& pressed) {
     nlohmann::json values{{"spot_width_nodes", pressed.spot_width},
-                          {"is_resolved", is_resolved(pressed)},
+                          {"is_resolved", pressed.unresolved.empty()},
                           {"words", resolution_note(pressed)}};
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
@@ -213,9 +216,9 @@ Pressed pressed_area(const Settings& settings) {
     AreaScene scene = area_from(settings);
     rough::Model& model = scene.model;
     model = within_accuracy(loaded(model, settings), settings);
+    const bool is_measured = !settings.has("genome");
     rough::AccountedResponse result = respond_within(scene.map, model);
     model.contact.tolerance = result.account.tolerance;
-    const bool is_measured = !settings.has("genome");
     if (is_measured && model.grid.periodic)
         scene.notes.push_back(jump_note(scene.map));
     return {std::move(scene.map), std::move(model), std::move(result), std::move(scene.notes), is_measured};

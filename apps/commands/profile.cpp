@@ -83,6 +83,7 @@ struct Description {
     std::shared_ptr<const rough::Profile> surface;
     rough::Spectrum spectrum;
     std::string account;
+    std::string warning = {};                  ///< of a scan or map; "": none
     std::vector<rough::SurfaceParameter> rows; ///< parameters
     std::vector<rough::SurfaceParameter> requested = {};
     double largest_height;  ///< mm
@@ -119,6 +120,7 @@ Description described_profile(const Settings& settings) {
                     .surface = profile,
                     .spectrum = continuous_spectrum(*profile),
                     .account = account + (jump.empty() ? "" : "\n" + jump),
+                    .warning = source.genome ? "" : resolution_warning(*profile, false),
                     .rows = r.rows,
                     .largest_height = r[is_roughness ? "Rt" : "Pt"],
                     .numbers = {{"account", account},
@@ -183,6 +185,7 @@ Description described_map(const Settings& settings) {
                     .surface = map,
                     .spectrum = continuous_spectrum(*map, periodic),
                     .account = (measured ? settings.text("surface") + ": " : "") + read.account,
+                    .warning = measured ? resolution_warning(*map, periodic) : "",
                     .rows = areal.rows,
                     .largest_height = areal["Sz"],
                     .numbers = {{"account", read.account},
@@ -219,6 +222,8 @@ nlohmann::json numbers_of(const Description& of, const Settings& settings, const
                     {"lambda_s_mm", cut_off("lambda-s")},
                     {"lambda_c_mm", cut_off("lambda-c")},
                     {"version", RUGOSA_VERSION}});
+    if (!of.warning.empty())
+        numbers["warning"] = of.warning;
     numbers["print"] = print_note(*of.surface, extrusion);
     for (const rough::SurfaceParameter& one : of.rows)
         numbers[one.key()] = one.value;
@@ -285,6 +290,8 @@ void write_description(const Description& of, const Settings& settings, const ro
             }
         rough::write_atomically(page_of(page), render(page));
     }
+    if (!of.warning.empty())
+        say("warning: " + of.warning);
     say(of.account);
     print_parameters(of.rows, of.largest_height);
     print_parameters(of.requested, of.largest_height);

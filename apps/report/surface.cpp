@@ -2,8 +2,11 @@
 
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
+#include "domain/accuracy/resolution.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
+#include "domain/profile/roughness.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <cmath>
@@ -14,9 +17,14 @@ namespace app {
 namespace {
 
 constexpr rough::Index max_stl_nodes = 1'000'000, max_3mf_nodes = 100'000;
+constexpr rough::Index large_map = 1'000'000;
 constexpr double rounding = 1e-9;
 constexpr double min_nodes = 8; ///< nodes per wavelength
 constexpr double max_step = 3;  ///< step at the ends of a periodic surface, over that from node to node
+
+std::string nodes_in_words(rough::Index nodes) {
+    return std::to_string(nodes) + (nodes == 1 ? " node" : " nodes");
+}
 
 std::string step_note(const std::string& ends, double jump, double range) {
     return "note: " + ends + " differ by " + readable(jump) + " mm, " + percent(jump / range) +
@@ -45,6 +53,52 @@ std::string jump_note(const rough::Profile& surface) {
             along_y > max_step * rms(z.rightCols(rows - 1) - z.leftCols(rows - 1)))
             return step_note("the map's ends along y", along_y, range);
     return "";
+}
+
+std::string resolution_warning(const rough::Profile& surface, const rough::Model& model,
+                               const rough::Response& response) {
+    const rough::Index steps = response.steps(), stride = surface.nodes() > large_map ? (steps + 3) / 4 : 1;
+    std::vector<double> displacements, pressures;
+    for (rough::Index j = (steps - 1) % stride; j < steps; j += stride) {
+        displacements.push_back(response.displacement[j]);
+        pressures.push_back(response.pressure[j]);
+    }
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    const rough::ContactCurve curve =
+        solve_contact(surface, completed(model.body, model.grid.length), displacements, options);
+    std::size_t unresolved = 0;
+    double pressure = 0;
+    rough::Index widest = 0;
+    for (std::size_t j = 0; j < pressures.size(); ++j) {
+        const rough::Index width = spot_width(curve.states[j].nodes, surface.shape(), model.grid.periodic);
+        if (width >= rough::resolved_spot_nodes)
+            continue;
+        ++unresolved;
+        pressure = pressures[j];
+        widest = std::max(widest, width);
+    }
+    if (unresolved == 0)
+        return "";
+    return "contact spots are not resolved at " + std::to_string(unresolved) + " of " +
+           std::to_string(pressures.size()) + " loads, up to " + readable(pressure) +
+           " MPa: half of the contact there is at most " + nodes_in_words(widest) +
+           " wide, so its area depends on the node spacing; measure with a finer one";
+}
+
+std::string resolution_warning(const rough::Profile& surface, bool periodic) {
+    const double height = rough::material_height(surface.heights, 0.01);
+    std::vector<int> highest;
+    for (rough::Index i = 0; i < surface.nodes(); ++i)
+        if (surface.heights[i] >= height)
+            highest.push_back(static_cast<int>(i));
+    const rough::Index width = rough::spot_width(highest, surface.shape(), periodic);
+    if (width >= rough::resolved_spot_nodes)
+        return "";
+    return "contact spots are not resolved at light load: half of the highest 1 % of the nodes are in groups "
+           "at most " +
+           nodes_in_words(width) +
+           " wide, so their contact area depends on the node spacing; measure with a finer one";
 }
 
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {

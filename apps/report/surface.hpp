@@ -2,6 +2,7 @@
 
 #include "domain/mwm/genome.hpp"
 #include "domain/profile/solid.hpp"
+#include "domain/response/model.hpp"
 
 #include <filesystem>
 
@@ -15,6 +16,14 @@ std::string jump_note(const rough::Genome& genome, double length, double range);
 /// A note that opposite ends of measured heights differ, rms, by over three times the rms step from node to
 /// node along that direction. "" if they do not.
 std::string jump_note(const rough::Profile& surface);
+
+/// A warning that the contact spots of a measured surface are narrower than resolved_spot_nodes at some load
+/// steps of its response. "" if they are not. Solves the load steps again, about four of a large map.
+std::string resolution_warning(const rough::Profile& surface, const rough::Model& model,
+                               const rough::Response& response);
+
+/// The same warning for a surface that is not pressed, from the highest 1 % of its nodes.
+std::string resolution_warning(const rough::Profile& surface, bool periodic);
 
 /// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid);

@@ -54,6 +54,7 @@ struct DesignRun {
     rough::TrustOptions trust_options;
     rough::ToleranceOptions tolerance_options;
     std::vector<std::string> accounts; ///< how scans were read, and notes
+    std::string warning;               ///< that the contact of a scan or map is not resolved; "" if it is
     bool limits_given = false;         ///< whether a flag limits the shape
     std::optional<Production> from;    ///< if it is given, it is morphed and nothing is searched
 

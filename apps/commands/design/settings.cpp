@@ -2,6 +2,7 @@
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/units.hpp"
+#include "apps/report/surface.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/errors.hpp"
@@ -238,6 +239,9 @@ DesignRun design_from(const Settings& settings,
     rough::DesignSetup& setup = run.setup;
     take(settings, fields_of(setup));
     take_targets(settings, run);
+    if (setup.like)
+        run.warning = resolution_warning(*setup.like, completed(setup.model),
+                                         respond(*setup.like, completed(setup.model)));
     const rough::Grid& grid = setup.model.grid;
     if (grid.is_2d() && settings.has("database"))
         settings.refuse("database", "given with a map; omit it, as it is for profiles only");

@@ -372,7 +372,8 @@ bool is_found(const DesignRun& run) {
 
 Summary summary_of(const DesignRun& run) {
     Summary summary{is_found(run), verified_of(run), verdict_of(run, verified_of(run)), {}};
-    summary.facts = {{"moved", "Moved", run.morphed ? moved(*run.morphed) : ""},
+    summary.facts = {{"warning", "Warning", run.warning},
+                     {"moved", "Moved", run.morphed ? moved(*run.morphed) : ""},
                      {"matched", "Matched", matched(run)},
                      {"not_asked_for", "Not requested", not_asked_for(run)},
                      {"worst_case", "At worst", worst_case(run)},

@@ -135,7 +135,6 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     }
     const json of = json_in(folder / "c.json");
     const std::string words = of["resolution"]["words"];
-    CHECK(of["resolution"]["is_resolved"] == (of["resolution"]["spot_width_nodes"] >= 4));
     const std::string page = rough::read_whole(folder / "page.html");
     for (const std::string& part :
          {words, std::string("This is line contact"), std::string("Shaded: the band")})
@@ -150,6 +149,39 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     done(folder, "contact --genome g.json --out curve.csv");
     rows_of(folder / "curve.csv", curve_header);
     check_refused(rugosa(press + "--resolution some", folder.path()), "--resolution");
+}
+
+TEST_CASE("contact, profile and design warn of contact spots that are not resolved at any load") {
+    const Folder folder;
+    const auto write_scan = [&](double wavelength) { // in nodes
+        std::string scan;
+        for (int i = 0; i < 1000; ++i)
+            scan += std::to_string(std::cos(2 * M_PI * i / wavelength) + 0.2 * std::cos(0.037 * i)) + "\n";
+        folder.write("scan.txt", scan);
+    };
+    const std::string scan = "scan.txt --unit um --spacing 1 --force --out c";
+    const auto warns = [&](const std::string& command, const std::string& page) {
+        const Ended ended = rugosa(command, folder.path());
+        INFO(ended.err << ended.out);
+        REQUIRE((ended.code == 0 || ended.code == 3));
+        const bool shown = ended.out.find("arning: contact spots are not resolved") != std::string::npos;
+        CHECK(shown ==
+              (rough::read_whole(folder / page).find("contact spots are not resolved") != std::string::npos));
+        return shown;
+    };
+    const auto contact = [&](const std::string& loads) {
+        const bool shown =
+            warns("contact --report page.html " + loads + " --profile " + scan + ".csv", "page.html");
+        CHECK(json_in(folder / "c.json")["resolution"]["is_resolved"] == !shown);
+        return json_in(folder / "c.json")["resolution"]["spot_width_nodes"] >= 4 ? shown : !shown;
+    };
+    write_scan(250); // resolved under heavy loads only
+    CHECK(contact("--steps 400"));
+    CHECK_FALSE(contact("--pressures 0.002,0.003"));
+    CHECK_FALSE(warns("profile --profile " + scan, "c/report.html"));
+    write_scan(3);
+    CHECK(warns("profile --profile " + scan, "c/report.html"));
+    CHECK(warns("design --nodes 128 --pipeline 'own 1 | score' --like " + scan, "c/report.html"));
 }
 
 TEST_CASE("contact takes a material's elasticity and warns beyond its hardness or of outliers") {
