@@ -36,9 +36,11 @@ int exit_code(const DesignRun& run) {
 int repeat_verdict(const std::filesystem::path& result) {
     const auto before = rough::parsed_json(rough::read_whole(result), result.string());
     const nlohmann::json::json_pointer found("/summary/found"), verdict("/verdict");
-    if (before.contains(verdict) && before.at(verdict).is_string())
-        say(before.at(verdict).get<std::string>());
-    return before.contains(found) && before.at(found) == false ? 3 : 0;
+    if (!before.contains(verdict) || !before.at(verdict).is_string() || !before.contains(found) ||
+        !before.at(found).is_boolean())
+        rough::refuse(result.string(), ": has no verdict; start again with --force");
+    say(before.at(verdict).get<std::string>());
+    return before.at(found) ? 0 : 3;
 }
 
 /// Finds the smallest change of the controlled phases that brings a surface back to its target.
@@ -53,7 +55,12 @@ void morph_into(DesignRun& run) {
 int design(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
     DesignRun run = design_from(settings);
-    run.origin = {"design", RUGOSA_VERSION, line, run.options.seed, ga::thread_count(run.options.threads)};
+    run.origin = {"design",
+                  RUGOSA_VERSION,
+                  line,
+                  run.options.seed,
+                  ga::thread_count(run.options.threads),
+                  inputs_json(settings.files())};
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
@@ -66,7 +73,7 @@ int design(const Settings& settings, const std::string& line) {
          settings.is_on("force"),
          resume});
     const auto& folder = output.path();
-    if (resume && says_finished(folder, "checkpoint.cbor"))
+    if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
         return repeat_verdict(folder / "result.json");
     const bool pictures = settings.choice("pictures") == 0;
     for (const auto& account : run.accounts)
@@ -80,8 +87,9 @@ int design(const Settings& settings, const std::string& line) {
     const auto evaluator = design_evaluator(run.options.threads);
     run.options.evaluator = evaluator.get();
     const auto checkpoint = folder / "checkpoint.cbor";
-    run.options.checkpoints = rough::CheckpointOptions{
-        checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); }, checkpoint_interval()};
+    run.options.checkpoints =
+        rough::CheckpointOptions{checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); },
+                                 checkpoint_interval(), key_of(run.origin.inputs)};
     double best = -HUGE_VAL;
     const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
         for (const auto& individual : event.population)
@@ -122,7 +130,11 @@ int design(const Settings& settings, const std::string& line) {
     }
     if (!run.interrupted) {
         if (pictures) {
-            write_design_drawings(run, folder);
+            try {
+                write_design_drawings(run, folder);
+            } catch (const rough::InputError& error) { // the page has no pictures then
+                say(std::string("note: ") + error.what());
+            }
             rough::write_atomically(
                 folder / "report.html",
                 render(page_source(folder),
@@ -131,7 +143,7 @@ int design(const Settings& settings, const std::string& line) {
     }
     if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
-            std::filesystem::remove(folder / kept);
+            std::filesystem::remove(ga::held(folder / kept));
     tell_notes(run.found.notes);
     if (run.trust) {
         for (const auto& flag : run.trust->flags)

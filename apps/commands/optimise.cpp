@@ -6,6 +6,7 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
+#include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
@@ -23,6 +24,7 @@ struct SearchByChildren : OutsideSearch {
     const std::atomic<bool>* stop = nullptr;      ///< see ga::Budget
     std::filesystem::path checkpoint;             ///< file
     bool resume = false;                          ///< continue from the checkpoint
+    nlohmann::json inputs;                        ///< see Origin
     std::string description;                      ///< all that decides the result besides pipeline and seed
     std::function<void(const std::string&)> show; ///< progress
 };
@@ -111,7 +113,8 @@ std::vector<Setting> optimise_settings() {
 }
 
 json solution_json(const Solution& solution) {
-    json result = {{"genes", json::parse(solution.genes)}, {"objectives", solution.answer.objectives}};
+    json result = {{"genes", rough::parsed_json(solution.genes, "genes")},
+                   {"objectives", solution.answer.objectives}};
     const auto& violation = solution.answer.violation;
     if (violation.size() > 1)
         result["violation"] = violation;
@@ -147,11 +150,17 @@ SearchByChildren search_from(const Settings& settings) {
     SearchByChildren search;
     take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
-    split_command(settings.text("evaluate"));
     search.minimise = settings.text("minimise");
     if (search.minimise != "all") // the number of objectives is not known yet
         minimised(search.minimise, 1000);
-    search.description = json({settings.text("genes"), settings.text("evaluate"), search.minimise}).dump();
+    std::vector<std::filesystem::path> files = settings.files();
+    for (const std::string& word : split_command(settings.text("evaluate")))
+        if (std::error_code none; std::filesystem::is_regular_file(word, none))
+            files.emplace_back(word);
+    search.inputs = inputs_json(files);
+    search.description = json({RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"),
+                               settings.text("evaluate"), search.minimise})
+                             .dump();
     search.resume = settings.is_on("resume");
     if (search.resume && !settings.has("out"))
         throw rough::InputError("--resume: given without --out; name the folder of the interrupted run");
@@ -170,7 +179,7 @@ int optimise(const Settings& settings, const std::string& line) {
                                search.resume});
     const auto& folder = output.path();
     search.checkpoint = folder / "checkpoint.cbor";
-    if (search.resume && says_finished(folder, "checkpoint.cbor"))
+    if (search.resume && says_finished(folder, "checkpoint.cbor", search.inputs))
         return 0;
 
     const Interrupt interrupt;
@@ -193,14 +202,14 @@ int optimise(const Settings& settings, const std::string& line) {
         search.stopped = children.trouble();
     const BestKnown& record = children.record;
     if (record.best() || interrupt.asked()) {
-        json result = origin_json({"optimise", RUGOSA_VERSION, line, search.seed, threads});
+        json result = origin_json({"optimise", RUGOSA_VERSION, line, search.seed, threads, search.inputs});
         result.update(outside_json(search, record, settings));
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);
     }
     if (search.stopped.empty())
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
-            std::filesystem::remove(folder / kept);
+            std::filesystem::remove(ga::held(folder / kept));
     if (!children.trouble().empty())
         throw rough::InputError(children.trouble() +
                                 (record.best() ? "; the best so far is in " + folder.string() : ""));

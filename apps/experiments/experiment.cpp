@@ -7,6 +7,7 @@
 #include "apps/report/result.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "ga/base/held_folder.hpp"
 #include "ga/base/parallel.hpp"
 
 namespace app {
@@ -57,16 +58,19 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     const OutputFolder output(request.out, request.name,
                               {names, request.inputs, request.force, request.resume});
     const std::filesystem::path& folder = output.path();
-    if (request.resume && says_finished(folder, "checkpoints"))
+    const Origin origin{experiment.kind,
+                        RUGOSA_VERSION,
+                        request.command,
+                        settings.whole<std::uint64_t>("experiment.seed"),
+                        ga::thread_count(settings.whole<int>("experiment.threads")),
+                        inputs_json(settings.files())};
+    if (request.resume && says_finished(folder, "checkpoints", origin.inputs))
         return 0;
 
     const Interrupt interrupt;
     Findings found;
     {
         Progress progress;
-        const Origin origin{experiment.kind, RUGOSA_VERSION, request.command,
-                            settings.whole<std::uint64_t>("experiment.seed"),
-                            ga::thread_count(settings.whole<int>("experiment.threads"))};
         found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
         output.restored();
         if (!found.result.is_null())
@@ -77,7 +81,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
             rough::write_atomically(folder / request.page, render(page_source(folder)));
         }
         if (experiment.resumes && !goes_on)
-            std::filesystem::remove_all(folder / "checkpoints");
+            std::filesystem::remove_all(ga::held(folder / "checkpoints"));
     }
     say(folder.string() + ": " +
         (found.result.is_null() ? "interrupted before the first result, nothing written"

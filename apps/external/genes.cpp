@@ -82,7 +82,9 @@ std::vector<double> rounded(const Genes& genes, std::vector<double> numbers) {
     for (const Genes::Part& part : genes.parts)
         for (std::size_t i = 0; i < part.count && g < numbers.size(); ++i, ++g)
             if (part.is_whole)
-                numbers[g] = std::clamp(std::round(numbers[g]), part.lower, part.upper) + 0.0; // no -0
+                numbers[g] = numbers[g] >= part.lower                                 // also if it is NaN
+                                 ? std::min(std::round(numbers[g]), part.upper) + 0.0 // no -0
+                                 : part.lower;
     return numbers;
 }
 

@@ -57,6 +57,13 @@ struct OutsideProblem {
         else
             return genes_text(genome);
     }
+    bool valid(const G& genome) const {
+        if constexpr (std::same_as<G, std::vector<double>>)
+            if (!std::ranges::all_of(genome, [](double gene) { return std::isfinite(gene); }))
+                return false;
+        return genome.size() == count;
+    }
+    bool valid_outcome(const Answer& answer) const { return is_valid(answer, list.size()); }
     const std::vector<double>& violation(const Answer& answer) const { return answer.violation; }
     std::size_t bytes(const Answer& answer) const {
         return (answer.objectives.size() + answer.violation.size()) * sizeof(double);

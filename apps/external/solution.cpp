@@ -1,6 +1,10 @@
 #include "apps/external/solution.hpp"
 
+#include "domain/errors.hpp"
+#include "domain/text/json.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 
@@ -11,6 +15,13 @@ std::vector<double> violation_from(const json& answer) {
         return {};
     const json& violation = answer.at("violation");
     return violation.is_array() ? violation.get<std::vector<double>>() : std::vector{violation.get<double>()};
+}
+
+bool is_valid(const Answer& answer, std::size_t objectives) {
+    const auto finite = [](const std::vector<double>& values) {
+        return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+    };
+    return answer.objectives.size() == objectives && finite(answer.objectives) && finite(answer.violation);
 }
 
 double violated(const Answer& answer) {
@@ -59,6 +70,21 @@ void BestKnown::take(const Solution& solution) {
     }
     std::erase_if(front_, [&](const Solution& other) { return dominates(solution.answer, other.answer); });
     front_.push_back(solution);
+}
+
+bool BestKnown::is_valid() const {
+    const auto is_solution = [this](const Solution& solution) {
+        try {
+            const json genes = rough::parsed_json(solution.genes, "genes");
+            return genes.is_array() &&
+                   std::all_of(genes.begin(), genes.end(),
+                               [](const json& gene) { return gene.is_primitive(); }) &&
+                   app::is_valid(solution.answer, minimise.size());
+        } catch (const rough::InputError&) {
+            return false;
+        }
+    };
+    return (!best() || is_solution(best_)) && std::ranges::all_of(front_, is_solution);
 }
 
 std::vector<Solution> BestKnown::front() const {

@@ -16,6 +16,8 @@ struct Answer {
 /// The answer's "violation", a number or an array; empty if it is missing. Throws nlohmann's exceptions on
 /// other types.
 std::vector<double> violation_from(const nlohmann::json& answer);
+/// Whether it has this many objectives, and all its numbers are finite.
+bool is_valid(const Answer& answer, std::size_t objectives);
 /// The sum of the positive violations.
 double violated(const Answer& answer);
 
@@ -45,7 +47,10 @@ class BestKnown {
     /// The non-dominated solutions, sorted by the first objective; empty for one objective.
     std::vector<Solution> front() const;
 
-    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, minimise, best_, front_)
+    /// Whether every solution has genes and an answer to each objective; false after reading another file.
+    bool is_valid() const;
+
+    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, best_, front_)
 
   private:
     bool is_better(const Solution& a, const Solution& b) const;

@@ -4,16 +4,22 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "ga/base/held_folder.hpp"
+#include "ga/problem/fingerprint.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cinttypes>
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <fstream>
 #include <set>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
 
@@ -115,9 +121,12 @@ void OutputFolder::lock() {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     if (is_taken())
         refuse("--out: ", path_.string(), " is in use by another run; choose another folder, or wait");
+    if (locked_ >= 0)
+        ga::hold_folder(path_, locked_);
 }
 
 OutputFolder::~OutputFolder() {
+    ga::release_folder(path_);
     if (locked_ >= 0)
         close(locked_);
     std::error_code not_empty;
@@ -126,20 +135,32 @@ OutputFolder::~OutputFolder() {
 }
 
 const fs::path& OutputFolder::restored() const {
+    struct stat own {};
+    struct stat there {};
     std::error_code error;
-    if (!fs::exists(path_, error) && fs::create_directories(path_, error))
-        say("note: " + path_.string() + " was removed during the run; the results are in a new one");
+    if (fstat(locked_, &own) != 0)
+        return path_;
+    if (own.st_nlink == 0) {
+        fs::create_directories(path_, error);
+        const int fresh = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        if (fresh >= 0 && dup3(fresh, locked_, O_CLOEXEC) >= 0 && close(fresh) == 0)
+            say("note: " + path_.string() + " was removed during the run; the results are in a new one");
+    } else if (stat(path_.c_str(), &there) != 0 || there.st_ino != own.st_ino || there.st_dev != own.st_dev) {
+        say("note: " + path_.string() + " was moved during the run; the results are in " +
+            fs::read_symlink("/proc/self/fd/" + std::to_string(locked_), error).string());
+    }
     return path_;
 }
 
 fs::path subfolder(const fs::path& folder, const std::string& name) {
-    const fs::path path = folder / name;
+    const fs::path path = ga::held(folder / name);
     std::error_code error;
     if (!fs::is_symlink(path, error))
         fs::create_directory(path, error);
     if (fs::is_symlink(path, error) || !fs::is_directory(path, error))
-        refuse(path.string(), ": it is a file or symbolic link; remove it or choose another folder");
-    return path;
+        refuse((folder / name).string(),
+               ": it is a file or symbolic link; remove it or choose another folder");
+    return folder / name;
 }
 
 void expect_distinct(const std::vector<std::string>& names, const std::vector<std::string>& written,
@@ -151,9 +172,40 @@ void expect_distinct(const std::vector<std::string>& names, const std::vector<st
             refuse(where, ": '", name, "' is given as a name twice or used by the run; choose another name");
 }
 
-bool says_finished(const fs::path& folder, const std::string& checkpoint) {
-    if (!fs::exists(folder / "result.json") || fs::exists(folder / checkpoint))
+nlohmann::json inputs_json(const std::vector<fs::path>& files) {
+    const auto hexadecimal = [](const ga::Fingerprint& print) {
+        char text[33];
+        std::snprintf(text, sizeof text, "%016" PRIx64 "%016" PRIx64, print.high, print.low);
+        return std::string(text);
+    };
+    auto inputs = nlohmann::json::array();
+    std::string piece(1 << 20, '\0');
+    for (const fs::path& file : files) {
+        std::ifstream in(file, std::ios::binary);
+        std::string prints;
+        while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0)
+            prints += hexadecimal(ga::fingerprint(piece.data(), static_cast<std::size_t>(in.gcount())));
+        inputs.push_back({{"file", file.string()},
+                          {"fingerprint", hexadecimal(ga::fingerprint(std::string_view(prints)))}});
+    }
+    return inputs;
+}
+
+std::string key_of(const nlohmann::json& inputs) {
+    std::string key;
+    for (const nlohmann::json& input : inputs)
+        key += input.is_object() ? input.value("fingerprint", nlohmann::json()).dump() : "?";
+    return key;
+}
+
+bool says_finished(const fs::path& folder, const std::string& checkpoint, const nlohmann::json& inputs) {
+    const fs::path file = folder / "result.json";
+    if (!fs::exists(file) || fs::exists(folder / checkpoint))
         return false;
+    const auto result = rough::parsed_json(rough::read_whole(file), file.string());
+    if (!result.is_object() || key_of(result.value("inputs", nlohmann::json())) != key_of(inputs))
+        refuse(file.string(),
+               ": made from other input files; give the same ones, or start again with --force");
     say(folder.string() + ": the run is finished and needs no --resume; --force restarts it");
     return true;
 }

@@ -30,7 +30,8 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
-    /// The path of the folder, which is made again if it was removed during the run.
+    /// The path of the folder. While this object lives, its files are those of the locked folder, even if
+    /// another one, or a link, is at its path. It is made again if it was removed during the run.
     const std::filesystem::path& restored() const;
 
   private:
@@ -53,8 +54,15 @@ std::filesystem::path subfolder(const std::filesystem::path& folder, const std::
 void expect_distinct(const std::vector<std::string>& names, const std::vector<std::string>& written,
                      const std::string& where);
 
+/// Names of files and fingerprints of their contents, as `inputs` of result.json.
+nlohmann::json inputs_json(const std::vector<std::filesystem::path>& files);
+/// The fingerprints, which a resumed run must share.
+std::string key_of(const nlohmann::json& inputs);
+
 /// Whether a folder holds a finished result, with no checkpoint to resume from. Prints a line if it does.
-bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint);
+/// Throws rough::InputError if the result was made from other inputs.
+bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint,
+                   const nlohmann::json& inputs);
 
 /// Minimum number of seconds between two checkpoints of a run: 1, or the variable RUGOSA_CHECKPOINTS of the
 /// environment.

@@ -21,6 +21,7 @@ struct Origin {
     std::string version, command; ///< version of the program; the command as it was typed
     std::uint64_t seed = 1;
     int threads = 1;
+    nlohmann::json inputs = nlohmann::json::array(); ///< files that it reads, by inputs_json()
 };
 
 /// A genome, scaled by Eq. 11, and its response, whose last pressure is p_max.

@@ -156,7 +156,8 @@ json origin_json(const Origin& origin) {
             {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"vectors", build.vectors}}},
             {"command", origin.command},
             {"seed", origin.seed},
-            {"threads", origin.threads}};
+            {"threads", origin.threads},
+            {"inputs", origin.inputs}};
 }
 
 json result_json(const Record& record) {

@@ -290,7 +290,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
                              .budget = {options.evaluations, for_pipeline, options.stop}};
     std::optional<ga::Checkpoints<DesignProblem>> checkpoints;
     if (options.checkpoints) {
-        checkpoints.emplace(options.checkpoints->file, json_text(description(setup), true),
+        checkpoints.emplace(options.checkpoints->file,
+                            RUGOSA_VERSION " " + options.checkpoints->inputs +
+                                json_text(description(setup), true),
                             options.checkpoints->resume, options.checkpoints->interval);
         checkpoints->keep("seen", seen.members);
         checkpoints->keep("verified", verified_so_far.members);

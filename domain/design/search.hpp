@@ -23,7 +23,8 @@ struct CheckpointOptions {
     bool resume = false;        ///< continue from the file if it exists
     /// Adds values of observers to the checkpoints.
     std::function<void(ga::Checkpoints<DesignProblem>&)> add_values = {};
-    double interval = 1; ///< minimum time between two checkpoints, s
+    double interval = 1;     ///< minimum time between two checkpoints, s
+    std::string inputs = {}; ///< fingerprints of the files that the run reads
 };
 
 /// Pipeline, start and budget of a search.

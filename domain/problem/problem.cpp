@@ -103,6 +103,22 @@ DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Resp
     return outcome;
 }
 
+bool DesignProblem::valid(const Genome& genome) const {
+    try {
+        validate(genome, "genome");
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+bool DesignProblem::valid_outcome(const Outcome& outcome) const {
+    Genome genome = outcome.genome;
+    genome.scale = 1; // an outcome of an impossible scale has failed
+    return valid(genome) &&
+           std::ranges::equal(outcome.misfits, setup_->targets, {}, &Eigen::VectorXd::size, &Target::points);
+}
+
 std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }
 
 Genome DesignProblem::settled(Genome genome, const Outcome& outcome) const {

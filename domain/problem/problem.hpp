@@ -77,6 +77,9 @@ class DesignProblem {
     /// The objectives above.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
+    bool valid(const Genome& genome) const;           ///< validate() accepts it
+    bool valid_outcome(const Outcome& outcome) const; ///< misfits to each point of each target
+
     /// The bits of the genome that its outcome depends on (key_of).
     std::string key(const Genome& genome) const;
     /// The genome, under Eq. 11 with the scale of its outcome.

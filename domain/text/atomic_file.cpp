@@ -1,6 +1,7 @@
 #include "domain/text/atomic_file.hpp"
 
 #include "domain/errors.hpp"
+#include "ga/base/held_folder.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -75,24 +76,25 @@ std::filesystem::path without_links(std::filesystem::path path) {
     return path;
 }
 
-void write_atomically(const std::filesystem::path& path, std::string_view content) {
+void write_atomically(const std::filesystem::path& name, std::string_view content) {
+    const std::filesystem::path path = ga::held(name);
     struct stat there {};
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
         const Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
         if (device.get() < 0)
-            refuse(path, "written", errno);
-        return write_all(device.get(), content, path);
+            refuse(name, "written", errno);
+        return write_all(device.get(), content, name);
     }
     std::string draft = path.string() + ".XXXXXX";
     // mkostemp opens exclusively: it never opens an existing file or link.
     const Descriptor file(mkostemp(draft.data(), O_CLOEXEC));
     if (file.get() < 0)
-        refuse(path, "written", errno);
+        refuse(name, "written", errno);
     try {
-        write_all(file.get(), content, path);
+        write_all(file.get(), content, name);
         if (fchmod(file.get(), mode_for(path)) != 0 || fsync(file.get()) != 0 ||
             std::rename(draft.c_str(), path.c_str()) != 0)
-            refuse(path, "written", errno);
+            refuse(name, "written", errno);
     } catch (...) {
         unlink(draft.c_str());
         throw;
@@ -106,7 +108,7 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
 
 std::string read_whole(const std::filesystem::path& path, std::size_t most,
                        const std::function<void(std::string_view)>& expect) {
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const Descriptor file(open(ga::held(path).c_str(), O_RDONLY | O_CLOEXEC));
     struct stat there {};
     if (file.get() < 0 || fstat(file.get(), &there) != 0)
         refuse(path, "read", errno);

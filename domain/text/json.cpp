@@ -1,8 +1,7 @@
 #include "domain/text/json.hpp"
 
 #include "domain/errors.hpp"
-
-#include <nlohmann/json.hpp>
+#include "ga/checkpoint/bounded_json.hpp"
 
 #include <algorithm>
 
@@ -13,16 +12,13 @@ std::string json_text(const nlohmann::json& value, bool one_line) {
 }
 
 nlohmann::json parsed_json(std::string_view text, const std::string& where) {
-    constexpr int max_depth = 64; // brackets; code that visits a value recurses once per level
-    using Event = nlohmann::json::parse_event_t;
-    const auto expect_shallow = [&](int depth, Event event, const nlohmann::json&) {
-        if (depth >= max_depth && (event == Event::object_start || event == Event::array_start))
-            throw InputError(where + ": brackets are more than " + std::to_string(max_depth) +
-                             " deep; nest fewer");
-        return true;
-    };
+    constexpr std::ptrdiff_t max_values = 3'000'000; // each takes 16 bytes or more
+    if (std::count(text.begin(), text.end(), ',') > max_values)
+        throw InputError(where + ": more than 3 million values; give fewer");
     try {
-        return nlohmann::json::parse(text, expect_shallow);
+        if (auto read = ga::bounded_json(text))
+            return std::move(*read);
+        throw InputError(where + ": brackets are more than 64 deep; nest fewer");
     } catch (const nlohmann::json::exception& error) {
         std::string detail = error.what(); // "[json.exception.parse_error.101] parse error at line 1, …"
         std::replace(detail.begin(), detail.end(), '\n', ' ');

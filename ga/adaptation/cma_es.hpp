@@ -213,13 +213,17 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
 inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     const auto numbers = [](const nlohmann::json& from, Eigen::Index count) {
         const auto all = from.get<std::vector<double>>();
-        expect_fit(all.size() == static_cast<std::size_t>(count));
+        expect_fit(all.size() == static_cast<std::size_t>(count) &&
+                   std::all_of(all.begin(), all.end(), [](double each) { return std::isfinite(each); }));
         return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(all.data(), count));
     };
     const auto moving = j.at(0).get<std::vector<double>>();
     expect_fit(moving.size() % 3 == 0);
-    for (std::size_t i = 0; i < moving.size(); i += 3)
+    for (std::size_t i = 0; i < moving.size(); i += 3) {
+        expect_fit(moving[i] >= (i > 0 ? moving[i - 3] + 1 : 0) && moving[i] < 1e9 &&
+                   moving[i + 1] < moving[i + 2]);
         s.moving.push_back({static_cast<std::size_t>(moving[i]), moving[i + 1], moving[i + 2]});
+    }
     const auto n = static_cast<Eigen::Index>(s.moving.size());
     s.first = numbers(j.at(1), n);
     const auto& c = j.at(2);
@@ -234,7 +238,9 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     CmaPlan& p = s.plan;
     read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
     read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.most);
-    expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2));
+    constexpr std::size_t most = 10'000'000; // children
+    expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.cloud.sigma > 0 &&
+                                    s.run.lambda <= most && s.plan.usual <= most));
     j.at(6).get_to(s.children);
     s.ended = j.at(7);
     j.at(8).get_to(s.mirrored);

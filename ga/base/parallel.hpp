@@ -6,8 +6,33 @@
 
 #include <cstddef>
 #include <exception>
+#include <latch>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace ga {
+
+/// Throws std::system_error, once, if the system does not give that many threads: OpenMP would end the
+/// program.
+inline void expect_threads(int threads) {
+    static std::mutex guard;
+    static int given = 1;
+    const std::lock_guard lock(guard);
+    if (threads <= given)
+        return;
+    std::latch all(threads);
+    std::vector<std::jthread> started;
+    try {
+        while (std::ssize(started) < threads)
+            started.emplace_back([&] { all.arrive_and_wait(); });
+    } catch (const std::system_error&) {
+        all.count_down(threads - std::ssize(started));
+        throw;
+    }
+    given = threads;
+}
 
 /// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. An exception does not stop the
 /// other jobs; that of the smallest i is thrown again at the end.
@@ -30,6 +55,7 @@ void parallel_for(std::size_t n, int threads, Job job) {
         for (std::size_t i = 0; i < n; ++i)
             guarded(i);
     } else {
+        expect_threads(threads);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
         for (std::size_t i = 0; i < n; ++i)
             guarded(i);

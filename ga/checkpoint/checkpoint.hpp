@@ -1,9 +1,10 @@
 #pragma once
 
 #include "ga/base/errors.hpp"
+#include "ga/base/held_folder.hpp"
+#include "ga/checkpoint/bounded_json.hpp"
 #include "ga/pipeline/run.hpp"
 #include "ga/problem/fingerprint.hpp"
-#include "ga/problem/permutation.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -34,7 +35,7 @@ inline std::string seal_of(std::string_view bytes) {
 /// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or was
 /// altered.
 inline std::string opened(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream(held(file), std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(stream), {}};
     const std::size_t head = seal_of({}).size();
     if (!stream.is_open() || all.size() < head ||
@@ -46,8 +47,9 @@ inline std::string opened(const std::filesystem::path& file) {
 
 /// Writes a sealed file and keeps the previous one as "FILE.before". The new file is on the disk before it
 /// gets the name; symbolic links are not followed. Returns the error in words, or an empty text.
-inline std::string seal(const std::filesystem::path& file, std::string_view bytes) {
-    const std::filesystem::path draft = file.string() + ".tmp", before = file.string() + ".before";
+inline std::string seal(const std::filesystem::path& name, std::string_view bytes) {
+    const std::filesystem::path file = held(name), draft = file.string() + ".tmp",
+                                before = file.string() + ".before";
     ::unlink(draft.c_str());
     const int descriptor = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0)
@@ -87,24 +89,13 @@ inline std::string seal(const std::filesystem::path& file, std::string_view byte
     return "";
 }
 
-/// Reads CBOR that is nested at most as deep as a checkpoint. Throws UsageError, with the file's name, if it
-/// is deeper, and nlohmann's exceptions if it is not CBOR.
+/// Reads CBOR. Throws UsageError, with the file's name, if it nests too deep (bounded_json), and nlohmann's
+/// exceptions if it is not CBOR.
 inline nlohmann::json read_cbor(const std::string& bytes, const std::filesystem::path& file) {
-    /// Builds the value like nlohmann's reader, and counts the depth.
-    struct Bounded : nlohmann::detail::json_sax_dom_parser<nlohmann::json> {
-        using Base = nlohmann::detail::json_sax_dom_parser<nlohmann::json>;
-        using Base::Base;
-        std::size_t depth = 0;
-        bool start_object(std::size_t n) { return ++depth <= 64 && Base::start_object(n); }
-        bool start_array(std::size_t n) { return ++depth <= 64 && Base::start_array(n); }
-        bool end_object() { return --depth, Base::end_object(); }
-        bool end_array() { return --depth, Base::end_array(); }
-    };
-    nlohmann::json j;
-    Bounded reader(j, true);
-    if (!nlohmann::json::sax_parse(bytes, &reader, nlohmann::json::input_format_t::cbor))
+    auto read = bounded_json(bytes, nlohmann::json::input_format_t::cbor);
+    if (read.is_discarded())
         throw UsageError("checkpoint '" + file.string() + "' nests too deep; give one that a run wrote");
-    return j;
+    return read;
 }
 
 using nlohmann::json;
@@ -207,6 +198,57 @@ void from_json(const json& j, Snapshot<G>& snapshot) {
 }
 ///@}
 
+/// Whether a value from a file can be one of a run of the problem, so that stages need not check it: genomes
+/// by `is_valid`, fitnesses by their policy, counters by their range, observers' values by their
+/// `is_valid()`.
+template <Problem P, class T>
+bool can_be_kept(const P& problem, const T& value) {
+    using G = typename P::Genome;
+    const auto each = [&](const auto&... parts) { return (can_be_kept(problem, parts) && ...); };
+    const auto finite = [](const std::vector<double>& numbers) {
+        return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+    };
+    if constexpr (std::same_as<T, G>) {
+        return is_valid(problem, value);
+    } else if constexpr (std::same_as<T, Fitness>) {
+        if (!value.known() || value.has_failed())
+            return true;
+        const std::string& policy = value.objective(); // "f1" or "pareto f1 f2"
+        const auto objectives = static_cast<std::size_t>(std::ranges::count(policy, ' '));
+        const bool scored =
+            objectives > 0
+                ? value.values().size() == objectives && finite(value.values())
+                : !value.several() && std::isfinite(value.value()) &&
+                      std::ranges::any_of(problem.objectives(), [&](const auto& objective) {
+                          return objective.name == policy && objective.minimise == value.minimises();
+                      });
+        return scored && finite(value.violations()) && finite({value.violation()}) &&
+               value.violation() >= 0 && value.replicates() > 0;
+    } else if constexpr (std::same_as<T, Individual<G>>) {
+        if (!each(value.genome, value.fitness) || (value.origin && !each(*value.origin)))
+            return false;
+        if constexpr (HasGenes<P>) // refinement reads the bounds of the origin
+            return !value.origin ||
+                   genes_of(problem, *value.origin).size() == genes_of(problem, value.genome).size();
+        else
+            return true;
+    } else if constexpr (std::same_as<T, Frame<G>>) {
+        return each(value.population, value.kept);
+    } else if constexpr (std::same_as<T, Counters>) {
+        const auto counts = [](auto... numbers) { return ((numbers >= 0 && numbers <= 1L << 53) && ...); };
+        return counts(value.asked, value.evaluations, value.remembered, value.gradients, value.failures);
+    } else if constexpr (std::same_as<T, Snapshot<G>>) {
+        return each(value.frames, value.counters) && (!value.best || each(*value.best)) &&
+               finite({value.seconds}) && value.seconds >= 0;
+    } else if constexpr (requires { value.is_valid(); }) {
+        return value.is_valid();
+    } else if constexpr (std::ranges::range<T> && !std::convertible_to<T, std::string_view>) {
+        return std::ranges::all_of(value, [&](const auto& part) { return can_be_kept(problem, part); });
+    } else {
+        return true;
+    }
+}
+
 /// Outcomes that a checkpoint can store. Others are evaluated again after a resume, which affects the count
 /// of evaluations but not a result.
 template <class Outcome>
@@ -240,44 +282,52 @@ class Checkpoints : public Checkpointer<P> {
     /// is resumed, before its first stage. The value must outlive the run.
     template <class T>
     void keep(const std::string& name, T& value) {
-        kept_.push_back(
-            {name, [&value] { return json(value); }, [&value](const json& j) { value = j.get<T>(); }});
+        kept_.push_back({name, [&value] { return json(value); },
+                         [&value](const json& j, const P& problem) {
+                             j.get_to(value);
+                             expect_valid(can_be_kept(problem, value));
+                         }});
     }
 
     std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) override {
         run_ = run;
-        const std::filesystem::path before = file_.string() + ".before";
+        const std::filesystem::path file = held(file_), before = file.string() + ".before";
         if (!resume_) {
             std::error_code none;
             std::filesystem::remove(before, none); // left by another run
         }
-        if (!resume_ || !(std::filesystem::exists(file_) || std::filesystem::exists(before)))
+        if (!resume_ || !(std::filesystem::exists(file) || std::filesystem::exists(before)))
             return std::nullopt;
         std::string bytes;
         try {
-            bytes = opened(std::filesystem::exists(file_) ? file_ : before);
+            bytes = opened(std::filesystem::exists(file) ? file_ : before);
         } catch (const UsageError& damaged) {
             if (!std::filesystem::exists(before))
                 throw;
             bytes = opened(before);
-            std::filesystem::rename(before, file_); // the next write renames this file to FILE.before
+            std::filesystem::rename(before, file); // the next write renames this file to FILE.before
             trouble_ = std::string(damaged.what()) + "; went on from the one before";
         }
         try {
             const json j = read_cbor(bytes, file_);
             if (j.at("version") != version || j.at("run") != run_ || j.at("description") != description_)
                 throw UsageError("checkpoint '" + file_.string() +
-                                 "' is of another run; use the same pipeline, seed, start and settings");
+                                 "' is of another run; use the same version, pipeline, seed, start, settings "
+                                 "and input files");
             for (const auto& value : kept_)
-                value.read(j.at("kept").at(value.name));
+                value.read(j.at("kept").at(value.name), ledger.problem());
             recall(j, ledger);
             auto snapshot = j.at("snapshot").get<Taken>();
             if (!j.at("answer").is_null())
                 answer_ = j.at("answer").get<Population<Genome>>();
+            expect_valid(can_be_kept(ledger.problem(), snapshot) &&
+                         (!answer_ || can_be_kept(ledger.problem(), *answer_)));
             return snapshot;
-        } catch (const json::exception& error) {
-            throw UsageError("checkpoint '" + file_.string() + "' is malformed (" + error.what() +
-                             "); give one that a run wrote");
+        } catch (const json::exception&) {
+            throw UsageError("checkpoint '" + file_.string() + "' has other parts than a run writes" +
+                             advice);
+        } catch (const Invalid&) {
+            throw UsageError("checkpoint '" + file_.string() + "' has values that no run writes" + advice);
         }
     }
     std::optional<Population<Genome>> answer() const override { return answer_; }
@@ -307,13 +357,20 @@ class Checkpoints : public Checkpointer<P> {
     }
 
   private:
-    static constexpr int version = 3;
+    static constexpr int version = 4;
 
     struct Kept {
         std::string name;
         std::function<json()> write;
-        std::function<void(const json&)> read;
+        std::function<void(const json&, const P&)> read;
     };
+
+    struct Invalid {};
+    static void expect_valid(bool valid) {
+        if (!valid)
+            throw Invalid{};
+    }
+    static constexpr const char* advice = "; use one that this version has written, or start again";
 
     static json stored(const typename Table<Evaluation<Outcome>>::Entry& entry) {
         if (const Outcome* outcome = std::get_if<Outcome>(&entry.value))
@@ -338,12 +395,15 @@ class Checkpoints : public Checkpointer<P> {
     }
     static void recall(const json& j, Ledger<P>& ledger) {
         if constexpr (Storable<Outcome>) {
-            const auto each = [](const json& list, auto take) {
+            const auto each = [&ledger](const json& list, auto take) {
                 for (const json& entry : list) {
                     const Fingerprint print{entry.at(0), entry.at(1)};
-                    if (entry.size() == 3)
-                        take(print, Evaluation<Outcome>(entry.at(2).get<Outcome>()));
-                    else
+                    if (entry.size() == 3) {
+                        auto outcome = entry.at(2).get<Outcome>();
+                        if constexpr (ValidatesOutcomes<P>)
+                            expect_valid(ledger.problem().valid_outcome(outcome));
+                        take(print, Evaluation<Outcome>(std::move(outcome)));
+                    } else
                         take(print, Evaluation<Outcome>(reason(entry.at(3).get<std::string>())));
                 }
             };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ga/base/held_folder.hpp"
 #include "ga/base/number.hpp"
 #include "ga/observers/progress.hpp"
 
@@ -15,7 +16,8 @@ namespace ga {
 class Log {
   public:
     /// `file` appears when the log is closed.
-    explicit Log(std::filesystem::path file) : file_(std::move(file)), part_(file_.string() + ".part") {}
+    explicit Log(std::filesystem::path file)
+        : name_(std::move(file)), file_(held(name_)), part_(file_.string() + ".part") {}
     Log(const Log&) = delete;
 
     std::uint64_t position = 0; ///< bytes of the table so far
@@ -58,7 +60,7 @@ class Log {
 
   private:
     std::string cannot_be_written() const {
-        return "log '" + file_.string() + "' cannot be written; the run continued without it";
+        return "log '" + name_.string() + "' cannot be written; the run continued without it";
     }
     void append(const std::string& text) {
         if (!trouble.empty())
@@ -84,10 +86,12 @@ class Log {
         std::error_code error;
         if (!std::filesystem::exists(part_))
             std::filesystem::rename(file_, part_, error);
+        if (!error && std::filesystem::file_size(part_, error) < position)
+            error = std::make_error_code(std::errc::invalid_seek);
         if (!error)
             std::filesystem::resize_file(part_, position, error);
         if (error)
-            throw UsageError("log '" + file_.string() + "' cannot be continued (" + error.message() +
+            throw UsageError("log '" + name_.string() + "' cannot be continued (" + error.message() +
                              "); use the one that was written with the checkpoint");
     }
     void put(const std::string& text) {
@@ -95,7 +99,7 @@ class Log {
         position += text.size();
     }
 
-    std::filesystem::path file_, part_;
+    std::filesystem::path name_, file_, part_;
     std::ofstream stream_;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/problem/permutation.hpp"
 
 #include <set>
 
@@ -83,16 +82,6 @@ template <class G>
     return best_of(strict(std::move(in_hand)), everyone);
 }
 
-/// Throws UsageError if the numbers are not 0 to n - 1, each once.
-[[gnu::cold]] inline void expect_permutation(const Permutation& permutation) {
-    std::vector<char> seen(permutation.order.size(), 0);
-    for (const auto number : permutation.order)
-        if (number >= seen.size() || std::exchange(seen[number], char{1}))
-            throw UsageError("a start of " + std::to_string(seen.size()) + " numbers has " +
-                             std::to_string(number) + " twice or out of range; give each from 0 to " +
-                             std::to_string(seen.size() - 1) + " once");
-}
-
 /// Makes identities unique; returns the first free one.
 template <class G>
 [[gnu::cold]] Identity with_identities_unique(Population<G>& population) {
@@ -131,9 +120,12 @@ template <Problem P, class G = typename P::Genome>
 run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
           const RunOptions& options, std::vector<Observer<G>> observers, Checkpointer<P>* checkpointer) {
     check(stage, problem, population);
-    if constexpr (std::same_as<G, Permutation>)
-        for (const auto& individual : population)
-            expect_permutation(individual.genome);
+    for (std::size_t i = 0; i < population.size(); ++i)
+        if (!is_valid(problem, population[i].genome))
+            throw UsageError(
+                "start " + std::to_string(i + 1) +
+                " is not a genome of the problem; give one of its length, with finite numbers or "
+                "each of 0 to n - 1 once");
     const Identity next = with_identities_unique(population);
     Ledger<P> ledger(problem, evaluator, options.memory_bytes, options.budget);
     Context<P> context(ledger, StagePosition<G>(options.variant, options.seed), next,

@@ -2,7 +2,9 @@
 
 #include "ga/base/random.hpp"
 
+#include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace ga {
@@ -16,6 +18,13 @@ struct Permutation {
     std::size_t size() const { return order.size(); } ///< n
     /// Equal in the same order.
     bool operator==(const Permutation&) const = default;
+    /// Whether it contains each of 0 .. n-1 once.
+    bool is_valid() const {
+        std::vector<char> seen(order.size(), 0);
+        return std::all_of(begin(), end(), [&](std::uint32_t number) {
+            return number < seen.size() && !std::exchange(seen[number], char{1});
+        });
+    }
 
     /// Any order with equal probability.
     static Permutation random(std::size_t n, Stream& stream) {

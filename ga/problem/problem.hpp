@@ -2,7 +2,10 @@
 
 #include "ga/base/errors.hpp"
 #include "ga/problem/fingerprint.hpp"
+#include "ga/problem/permutation.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <functional>
 #include <memory>
@@ -53,6 +56,18 @@ template <class P>
 concept Settling = requires(const P& problem, const typename P::Genome& genome,
                             const typename P::Outcome& outcome) {
     { problem.settled(genome, outcome) } -> std::same_as<typename P::Genome>;
+};
+
+/// Optional: whether operators can work with a genome from outside the run, e.g. by its length and numbers.
+template <class P>
+concept ValidatesGenomes = requires(const P& problem, const typename P::Genome& genome) {
+    { problem.valid(genome) } -> std::same_as<bool>;
+};
+
+/// Optional: whether the objectives can read an outcome from a file, e.g. by its size.
+template <class P>
+concept ValidatesOutcomes = requires(const P& problem, const typename P::Outcome& outcome) {
+    { problem.valid_outcome(outcome) } -> std::same_as<bool>;
 };
 
 /// Optional: a genome as a vector of real genes, and back.
@@ -228,6 +243,8 @@ constexpr bool members_fit() {
                           " (ga/problem/problem.hpp) asks for");
     GA_MEMBER_FITS(key, Keyed)
     GA_MEMBER_FITS(settled, Settling)
+    GA_MEMBER_FITS(valid, ValidatesGenomes)
+    GA_MEMBER_FITS(valid_outcome, ValidatesOutcomes)
     GA_MEMBER_FITS(genes, ConvertsGenes)
     GA_MEMBER_FITS(with_genes, ConvertsGenes)
     GA_MEMBER_FITS(sensitivity, Sensitive)
@@ -243,6 +260,24 @@ constexpr bool members_fit() {
     GA_MEMBER_FITS(descriptors, Describing)
 #undef GA_MEMBER_FITS
     return true;
+}
+
+/// Whether a genome from outside the run may enter it: a start, one of a checkpoint or one that another
+/// language has made. A permutation has each number once, bounds refer to genes that exist, and the problem's
+/// `valid` holds.
+template <Problem P>
+bool is_valid(const P& problem, const typename P::Genome& genome) {
+    if constexpr (std::same_as<typename P::Genome, Permutation>)
+        if (!genome.is_valid())
+            return false;
+    if constexpr (ValidatesGenomes<P>)
+        return problem.valid(genome);
+    else if constexpr (Bounded<P> && std::same_as<typename P::Genome, std::vector<double>>)
+        return std::ranges::all_of(checked_bounds(problem, genome), [&](const Variable& variable) {
+            return variable.gene < genome.size() && std::isfinite(genome[variable.gene]);
+        });
+    else
+        return true;
 }
 
 /// The fingerprint under which the genome's outcome is remembered.

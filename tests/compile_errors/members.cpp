@@ -9,6 +9,8 @@ struct Misfit {
     double evaluate(const Genome& genome) const { return genome[0]; }
     const std::vector<ga::Objective<double>>& objectives() const { return list; }
     std::vector<ga::Variable> bounds() const { return {{0, -1, 1}}; }
+    int valid(const Genome&) const { return 1; }
+    bool valid_outcome() const { return true; }
     bool mutate(Genome&, ga::Stream&) const { return false; }
     void cross_uniform(Genome&, Genome&) const {}
     void cross_points(Genome&, Genome&, ga::Stream&) const {}

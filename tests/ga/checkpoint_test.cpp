@@ -213,8 +213,9 @@ TEST_CASE("a checkpoint of another run is refused") {
     const fs::path file = folder / "run";
     Checkpoints<Reals> kept(file, "a", false), same(file, "a", true), other(file, "b", true);
     run("sample 3 | score", Reals{}, {}, {}, {}, &kept);
-    const std::string message = "checkpoint '" + file.string() +
-                                "' is of another run; use the same pipeline, seed, start and settings";
+    const std::string message =
+        "checkpoint '" + file.string() +
+        "' is of another run; use the same version, pipeline, seed, start, settings and input files";
     CHECK_THROWS_WITH(run("sample 3 | score", Reals{}, {}, {}, {}, &other), message);
     CHECK_THROWS_WITH(run("sample 4 | score", Reals{}, {}, {}, {}, &same), message);
     CHECK_THROWS_WITH(run("sample 3 | score", Reals{}, {}, {.seed = 2}, {}, &same), message);
@@ -282,6 +283,49 @@ TEST_CASE("a forged checkpoint that nests too deep or does not fit is refused") 
         CHECK_THROWS_WITH(forged(file, altered, evolving),
                           "the checkpoint does not fit its pipeline; use one that this pipeline has written");
     }
+}
+
+TEST_CASE("a checkpoint with a genome, fitness, outcome or count that no run writes is refused") {
+    const tests::Folder folder;
+    const fs::path file = folder / "run";
+    const std::string pipeline =
+        "sample 8 | pareto squares first | repeat 6 { mutate 1 | pareto squares first | plus 8 }";
+    const json good = stopped(file, pipeline);
+    const std::string one = "/snapshot/0/1/2/0/0", other = "/snapshot/3";
+    const double nan = std::nan("");
+    for (const auto& [place, value] : std::vector<std::pair<std::string, json>>{
+             {one + "/0", Vector(5)},
+             {one + "/0/3", nan},
+             {one + "/3/0", "pareto squares"},
+             {one + "/3/1", Vector(1)},
+             {one + "/3/1/0", nan},
+             {one + "/3/2", -1},
+             {one + "/4", Vector(7)},
+             {one + "/4", Vector(5)},
+             {other + "/0", Vector(5)},
+             {other + "/3/0", "second"},
+             {other + "/3/1", nan},
+             {other + "/3/3", Vector{1, nan}},
+             {other + "/3/4", true},
+             {other + "/3/5", 0},
+             {"/snapshot/1/0", -1},
+             {"/snapshot/1/1", std::numeric_limits<long>::max()},
+             {"/snapshot/5", -1},
+             {"/answer", json::array({good["snapshot"][3], good["snapshot"][0][1][2][0][0]})}}) {
+        CAPTURE(place, value);
+        json altered = good;
+        altered[json::json_pointer(place)] = value;
+        if (place == "/answer")
+            altered[place.substr(1)][0][0] = Vector(5);
+        CHECK_THROWS_WITH(forged(file, altered, pipeline),
+                          "checkpoint '" + file.string() +
+                              "' has values that no run writes; use one that this version has written, or "
+                              "start again");
+    }
+    json other_parts = good;
+    other_parts["snapshot"] = "text";
+    CHECK_THROWS_WITH(forged(file, other_parts, pipeline),
+                      Catch::Contains("has other parts than a run writes"));
 }
 
 TEST_CASE("a forged state of an operator that learns is refused or harmless") {

@@ -213,11 +213,12 @@ class Paper {
         const std::string name = title + "-" + variant.name;
         std::error_code none; // without these folders the run continues
         for (const char* folder : {"checkpoints", "log"})
-            std::filesystem::create_directories(conditions_.folder / folder, none);
+            std::filesystem::create_directories(ga::held(conditions_.folder / folder), none);
         std::vector<StageRecord> stages;
         ga::Log log(conditions_.folder / "log" / (name + ".csv"));
         ga::Checkpoints<DesignProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
-                                                   rough::json_text(description(problem.setup()), true),
+                                                   RUGOSA_VERSION + key_of(run_.origin.inputs) +
+                                                       rough::json_text(description(problem.setup()), true),
                                                    conditions_.resume, checkpoint_interval());
         checkpoints.keep("stages", stages);
         checkpoints.keep("log", log.position);

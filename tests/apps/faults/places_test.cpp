@@ -15,11 +15,13 @@ const std::string design =
     "--pipeline 'sample 30 | score | repeat 40 { tournament 2 | cross uniform | mutate 0.1 | score } | best "
     "1' ";
 
-/// Runs the program in a folder "o" that is renamed as soon as it holds a checkpoint.
-Ended without_its_folder(const Folder& folder, const std::string& words, const std::string& checkpoint) {
-    const fs::path script = folder.write(
-        "gone.sh", keeping + "'" RUGOSA_PROGRAM "' " + words + " --out o >log 2>err & child=$!\n" +
-                       "until [ -s " + checkpoint + " ]; do sleep 0.002; done\nmv o gone; wait $child\n");
+/// Runs the program in a folder "o", and a command of the shell as soon as it holds a checkpoint.
+Ended disturbed(const Folder& folder, const std::string& words, const std::string& checkpoint,
+                const std::string& command) {
+    const fs::path script =
+        folder.write("gone.sh", keeping + "'" RUGOSA_PROGRAM "' " + words +
+                                    " --out o >log 2>err & child=$!\n" + "until [ -s " + checkpoint +
+                                    " ]; do sleep 0.002; done\n" + command + "; wait $child\n");
     const int status =
         std::system(("cd '" + folder.path().string() + "' && bash '" + script.string() + "'").c_str());
     return {WEXITSTATUS(status), rough::read_whole(folder / "log"), rough::read_whole(folder / "err"), 0};
@@ -53,7 +55,8 @@ TEST_CASE("a checkpoint without room on the disk is reported once, and the resul
 TEST_CASE("a run whose folder is removed continues and writes its result to a new one") {
     const Folder folder;
     const Ended whole = rugosa(design + "--out whole", folder.path());
-    const Ended gone = without_its_folder(folder, design, "o/checkpoint.cbor");
+    const Ended gone =
+        disturbed(folder, design, "o/checkpoint.cbor", "until rm -r o 2>/dev/null; do :; done");
     INFO(gone.err);
     CHECK(gone.code == whole.code);
     CHECK_THAT(gone.out, Catch::Contains("cannot be written") && Catch::Contains("new"));
@@ -61,4 +64,20 @@ TEST_CASE("a run whose folder is removed continues and writes its result to a ne
     for (auto* result : {&found, &expected})
         (*result)["variants"]["pipeline"].erase("notes");
     CHECK(found == expected);
+}
+
+TEST_CASE("a run whose folder is replaced by a link writes to its folder, not to the link's") {
+    const Folder folder;
+    fs::create_directory(folder / "other");
+    const std::vector<std::string> names{"result.json", "genome.json", "answer.csv", "checkpoint.cbor"};
+    for (const std::string& name : names)
+        folder.write("other/" + name, "precious");
+    const Ended ended = disturbed(folder, design, "o/checkpoint.cbor", "mv o own; ln -s other o");
+    INFO(ended.err);
+    CHECK((ended.code == 0 || ended.code == 3));
+    CHECK_THAT(ended.out, Catch::Contains("was moved") && Catch::Contains("own"));
+    for (const std::string& name : names)
+        CHECK(rough::read_whole(folder / "other" / name) == "precious");
+    CHECK(std::distance(fs::directory_iterator(folder / "other"), {}) == 4);
+    CHECK(result_in(folder / "own").contains("variants"));
 }

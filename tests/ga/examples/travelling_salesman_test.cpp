@@ -36,13 +36,15 @@ struct Salesman {
             {"short", [](const double& length) { return -length; }}};
         return list;
     }
+    bool valid(const Permutation& tour) const { return tour.size() == towns.size(); }
+    bool valid_outcome(const double& length) const { return length >= 0; }
     Permutation sample(Stream& stream) const { return Permutation::random(towns.size(), stream); }
 };
 
 const auto pipeline = sample(100) | score() |
                       until({.generations = 600, .stagnation = 100},
                             tournament(4) | cross(order(), 0.3) | mutate(0.03, reverse()) | score() | plus());
-const auto nobody = population<Permutation>({{}});
+const Population<Permutation> nobody;
 
 } // namespace
 
@@ -80,9 +82,31 @@ TEST_CASE("a run of permutations resumes to the uninterrupted result, in any mem
     }
 }
 
+TEST_CASE("a checkpoint whose tours or lengths are forged is refused") {
+    const tests::Folder folder;
+    const Salesman problem{{{0, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 2}}};
+    const Stage<Salesman> breeding =
+        sample(20) | score() | repeat(8, tournament(4) | cross(order()) | score() | plus());
+    Checkpoints<Salesman> checkpoints(folder / "run", "", false);
+    run(breeding, problem, {}, {.budget = {.evaluations = 30}}, {}, &checkpoints);
+    const json good = json::from_cbor(opened(folder / "run"));
+    const std::string tour = "/snapshot/0/1/2/0/0/0"; // at the start of a generation
+    for (const auto& [place, value] : std::vector<std::pair<std::string, json>>{{tour, {0, 1, 2, 3, 1000000}},
+                                                                                {tour, {0, 1, 2, 3, 3}},
+                                                                                {tour, {0, 1, 2, 3, 4, 5}},
+                                                                                {"/memory/1/0/2", -1}}) {
+        json altered = good;
+        altered[json::json_pointer(place)] = value;
+        const auto bytes = json::to_cbor(altered);
+        seal(folder / "run", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        Checkpoints<Salesman> resume(folder / "run", "", true);
+        CHECK_THROWS_WITH(run(breeding, problem, {}, {}, {}, &resume), Catch::Contains("that no run writes"));
+    }
+}
+
 TEST_CASE("a start that is not a permutation is refused") {
     for (const Permutation& wrong : {Permutation{{0, 1, 5}}, Permutation{{1, 1, 2}}})
         CHECK_THROWS_WITH(
             run(score() | best(1), Salesman{{{0, 0}, {1, 0}, {2, 0}}}, population<Permutation>({wrong})),
-            Catch::Contains("give each from 0 to 2 once"));
+            Catch::Contains("start 1 is not a genome") && Catch::Contains("each of 0 to n - 1 once"));
 }
