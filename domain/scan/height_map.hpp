@@ -2,6 +2,7 @@
 
 #include "domain/numerics/grid.hpp"
 #include "domain/scan/unit.hpp"
+#include "domain/text/lines.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -49,7 +50,7 @@ std::optional<HeightMap> binary_map(const std::string& bytes, const std::string&
 /// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
 /// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Returns
 /// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
-std::optional<HeightMap> text_map(const std::vector<std::string_view>& lines, const std::string& file);
+std::optional<HeightMap> text_map(const Lines& lines, const std::string& file);
 
 /// Reads an X3P file (ISO 25178-72, ISO 5436-2): a zip archive of main.xml and usually binary heights, x and
 /// y incremental, lengths in metres. Its check sums are verified. Throws InputError with one line if it

@@ -115,19 +115,32 @@ Map map_of_matrix(const Table& table, const MapLayout& layout, double unit, cons
 
 } // namespace
 
-Map read_map(const std::filesystem::path& path, const MapLayout& layout) {
+namespace {
+
+Map read_any(const std::filesystem::path& path, const MapLayout& layout) {
     const double unit = layout.unit.empty() ? 1 : length_unit_named(layout.unit, "unit").in_mm;
     const std::string file = path.string();
     std::string bytes = read_whole(path);
     if (auto read = binary_map(bytes, file))
         return map_of(std::move(*read), layout, unit, file);
-    const std::vector<std::string_view> lines = text_lines(bytes, file);
+    const Lines lines = text_lines(bytes, file);
     if (auto read = text_map(lines, file))
         return map_of(std::move(*read), layout, unit, file);
     const Table table = read_table(lines, file, false);
     constexpr std::size_t points = 3;
     return table.columns == points && !(layout.spacing > 0) ? map_of_points(table, unit, file)
                                                             : map_of_matrix(table, layout, unit, file);
+}
+
+} // namespace
+
+Map read_map(const std::filesystem::path& path, const MapLayout& layout) {
+    Map map = read_any(path, layout);
+    const Profile& of = map.heights;
+    if (!std::isfinite(of.spacing * static_cast<double>(of.nodes()) * of.row_spacing))
+        refuse_value("spacing", of.spacing, " mm x ", of.row_spacing,
+                     " mm is too large for an area; check the unit");
+    return map;
 }
 
 std::string vtk(const Profile& map) {

@@ -306,9 +306,10 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     return points;
 }
 
-Points points_of(const std::vector<std::string_view>& lines, const ScanOptions& options,
-                 const std::string& file, Account& account) {
-    const bool spacing_named = std::any_of(lines.begin(), lines.end(), names_spacing);
+Points points_of(const Lines& lines, const ScanOptions& options, const std::string& file, Account& account) {
+    bool spacing_named = false;
+    for (const std::string_view line : lines)
+        spacing_named = spacing_named || names_spacing(line);
     Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
     const Header header = read_header(table, file);
     take_row(table, options.row, file, account);

@@ -72,7 +72,7 @@ struct Guess {
 };
 
 /// The dialect that reads the most lines as rows, with their commonest width.
-Guess best_guess(const std::vector<std::string_view>& lines, bool one_column) {
+Guess best_guess(const Lines& lines, bool one_column) {
     using enum Dialect::Separator;
     // The end of a file is its table, and a thousand lines of it show the dialect.
     std::vector<std::string_view> sample;
@@ -258,7 +258,7 @@ std::vector<std::optional<LengthUnit>> column_units(std::string_view line,
 
 } // namespace
 
-Table read_table(const std::vector<std::string_view>& lines, const std::string& file, bool one_column) {
+Table read_table(const Lines& lines, const std::string& file, bool one_column) {
     const Guess guess = best_guess(lines, one_column);
     if (guess.rows == 0)
         refuse(file, ": contains no numbers; give lines of x and height");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/scan/unit.hpp"
+#include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
 
 #include <optional>
@@ -36,7 +37,7 @@ struct Table {
 /// Comments (# % ! // *) and blank lines are skipped, trailing separators ignored. In a table of up to three
 /// columns, a shorter row has missing values at its end. Throws InputError with file and line on a line that
 /// is not a row and on a short row of a matrix. The limits are 1e7 rows and 2e7 numbers.
-Table read_table(const std::vector<std::string_view>& lines, const std::string& file, bool one_column);
+Table read_table(const Lines& lines, const std::string& file, bool one_column);
 
 /// A length in a header; the unit may be missing.
 struct HeaderLength {

@@ -12,9 +12,7 @@ namespace {
 /// The lines of a file, one after another, without blank ones and the control characters of record ends.
 class Reader {
   public:
-    Reader(const std::vector<std::string_view>& lines, const std::string& file) : lines_(lines), file_(file) {
-        skip_blank();
-    }
+    Reader(const Lines& lines, const std::string& file) : lines_(lines), file_(file) { skip_blank(); }
     bool done() const { return at_ == lines_.size(); }
     const std::string& text() const { return text_; }
     const std::string& file() const { return file_; }
@@ -61,7 +59,7 @@ class Reader {
                 return;
         }
     }
-    const std::vector<std::string_view>& lines_;
+    const Lines& lines_;
     const std::string& file_;
     std::size_t at_ = 0;
     std::string text_;
@@ -238,16 +236,15 @@ HeightMap sigma_surf(Reader in) {
 
 } // namespace
 
-std::optional<HeightMap> text_map(const std::vector<std::string_view>& lines, const std::string& file) {
+std::optional<HeightMap> text_map(const Lines& lines, const std::string& file) {
     const Reader in(lines, file);
     if (in.starts("ISO 5436"))
         return softgauge(in);
     if (in.starts("SigmaSurf_Data"))
         return sigma_surf(in);
-    const auto is_x_scale = [](std::string_view line) { return lower(trim(line)).starts_with("xscale"); };
-    const auto head_end = lines.begin() + static_cast<long>(std::min<std::size_t>(lines.size(), 30));
-    if (in.starts("a") && std::any_of(lines.begin(), head_end, is_x_scale))
-        return surface_data_file(in);
+    for (std::size_t i = 0; in.starts("a") && i < std::min<std::size_t>(lines.size(), 30); ++i)
+        if (lower(trim(lines[i])).starts_with("xscale"))
+            return surface_data_file(in);
     Reader second = in;
     second.next();
     if (is_ptb_axis(second.text()))

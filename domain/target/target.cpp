@@ -35,7 +35,7 @@ constexpr std::array<QuantityRow, 5> quantities{
 
 const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<std::size_t>(quantity)); }
 
-constexpr std::size_t max_bytes = 16'000'000;
+constexpr std::size_t max_bytes = 16'000'000, max_points = 1'000'000;
 constexpr const char* expected_columns =
     "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
     "conductance, or displacement_mm with contact_fraction or pressure_MPa, in these or other units (load_N, "
@@ -241,6 +241,8 @@ TargetTable read_target_table(const std::filesystem::path& file) {
                        : separator == Separator::tab     ? "tabs"
                                                          : "commas",
                        " between");
+            if (table.rows.size() == max_points)
+                refuse(where, ": more than ", max_points, " points; give fewer");
             table.rows.emplace_back();
             for (const auto cell : cells)
                 table.rows.back().push_back(number_in(cell, separator, where));

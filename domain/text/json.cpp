@@ -16,8 +16,8 @@ nlohmann::json parsed_json(std::string_view text, const std::string& where) {
     if (std::count(text.begin(), text.end(), ',') > max_values)
         throw InputError(where + ": more than 3 million values; give fewer");
     try {
-        if (auto read = ga::bounded_json(text))
-            return std::move(*read);
+        if (auto read = ga::bounded_json(text); !read.is_discarded())
+            return read;
         throw InputError(where + ": brackets are more than 64 deep; nest fewer");
     } catch (const nlohmann::json::exception& error) {
         std::string detail = error.what(); // "[json.exception.parse_error.101] parse error at line 1, …"

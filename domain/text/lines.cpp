@@ -87,25 +87,25 @@ void expect_text(std::string_view head, const std::string& file) {
         refuse_binary(head, file);
 }
 
-std::vector<std::string_view> text_lines(std::string& bytes, const std::string& file) {
+Lines text_lines(std::string& bytes, const std::string& file) {
     bytes = to_utf8(std::move(bytes));
     if (bytes.starts_with("ISO 5436")) // softgauges end their fields with it
         std::replace(bytes.begin(), bytes.end(), '\0', ' ');
     if (bytes.find('\0') != std::string::npos)
         refuse_binary(bytes, file);
     const std::string_view text = bytes;
-    std::vector<std::string_view> lines;
+    std::vector<std::uint32_t> starts;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
-        if (lines.size() == max_lines)
+        if (starts.size() == max_lines)
             throw InputError(file + ": more than " + std::to_string(max_lines) +
                              " lines; give a smaller file");
-        lines.push_back(text.substr(start, end - start));
+        starts.push_back(static_cast<std::uint32_t>(start));
         const std::size_t next = std::min(text.find_first_not_of('\r', end), text.size());
         const bool carriage_returns_end_with_line_feed = next < text.size() && text[next] == '\n';
         start = carriage_returns_end_with_line_feed ? next + 1 : end + 1;
     }
-    return lines;
+    return {text, std::move(starts)};
 }
 
 } // namespace rough

@@ -19,7 +19,8 @@ class Zip {
     Zip(const std::string& bytes, std::string file);
 
     /// Passes an entry's bytes to `take`, piece by piece. False if it does not exist. Throws InputError
-    /// on an entry of more than `max_size` bytes, before it is unpacked, and on a damaged entry.
+    /// on an entry of more than `max_size` bytes, or of more than 40 MB and 20 times the archive, before it
+    /// is unpacked, and on a damaged entry.
     bool read(const std::string& name, std::size_t max_size,
               const std::function<void(std::string_view)>& take) const;
     /// An entry's bytes as read() passes them, or nothing.
@@ -31,6 +32,7 @@ class Zip {
     };
     std::unique_ptr<zip, Discard> archive_;
     std::string file_;
+    std::size_t max_unpacked_;
 };
 
 /// The bytes of a zip archive of entries (name, content). All are dated 1980-01-01, so that equal entries

@@ -2,14 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
+#include <string_view>
 
 namespace ga {
 
-/// A value in JSON or CBOR; nothing if its arrays and objects are more than 64 deep, because code that visits
-/// a value recurses once per level. Throws nlohmann's exceptions on other bytes. (The callback of
+/// A value in JSON or CBOR; a discarded one if its arrays and objects are more than 64 deep, because code
+/// that visits a value recurses once per level. Throws nlohmann's exceptions on other bytes. (The callback of
 /// nlohmann::json::parse takes quadratic time.)
-inline std::optional<nlohmann::json>
+inline nlohmann::json
 bounded_json(std::string_view bytes,
              nlohmann::json::input_format_t format = nlohmann::json::input_format_t::json) {
     /// Builds the value like nlohmann's reader, and counts the depth.
@@ -24,7 +24,9 @@ bounded_json(std::string_view bytes,
     };
     nlohmann::json value;
     Bounded reader(value, true);
-    return nlohmann::json::sax_parse(bytes, &reader, format) ? std::optional(std::move(value)) : std::nullopt;
+    if (!nlohmann::json::sax_parse(bytes, &reader, format))
+        value = nlohmann::json::value_t::discarded;
+    return value;
 }
 
 } // namespace ga

@@ -26,8 +26,8 @@ TEST_CASE("a comma before a blank separates columns, a decimal comma does not") 
 
 TEST_CASE("UTF-16 beyond 65536 is read as UTF-8, and an unpaired surrogate as a replacement") {
     std::string clef("\xFE\xFF\xD8\x34\xDD\x1E\x00!", 8), half("\xFF\xFE\x34\xD8!\x00", 6);
-    CHECK(text_lines(clef, "clef") == std::vector<std::string_view>{"\xF0\x9D\x84\x9E!"});
-    CHECK(text_lines(half, "half") == std::vector<std::string_view>{"\xEF\xBF\xBD!"});
+    CHECK(text_lines(clef, "clef")[0] == "\xF0\x9D\x84\x9E!");
+    CHECK(text_lines(half, "half")[0] == "\xEF\xBF\xBD!");
 }
 
 TEST_CASE("bytes outside UTF-8 become replacement characters in JSON, other text stays") {
