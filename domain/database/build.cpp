@@ -43,7 +43,10 @@ class Batches {
         return last_.first + handed_out_++;
     }
     void take(std::uint64_t genome, Response response) {
-        const auto found = std::prev(open_.upper_bound(genome));
+        const auto after = open_.upper_bound(genome);
+        const auto found = after == open_.begin() ? open_.end() : std::prev(after);
+        if (found == open_.end() || genome - found->first >= found->second.span.count)
+            refuse("genome ", genome, ": computed but not requested; run one program on all ranks");
         auto& [span, responses, missing] = found->second;
         responses[genome - span.first] = std::move(response);
         if (--missing > 0)
@@ -105,7 +108,8 @@ Computing on_threads(int threads) {
 }
 
 void build(GenomeStore& store, const BuildOptions& options) {
-    validate(store.setup().law);
+    for (const Span& span : store.batches()) // nothing is appended to a damaged file
+        store.batch(span);
     Batches batches(store, options);
     const Computing computing = options.computing ? options.computing : on_threads(options.threads);
     computing(store.setup(),

@@ -114,6 +114,9 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     visit_law(setup.law, read);
     const auto within = [](double value, double above, double to) { return value > above && value <= to; };
     constexpr double largest = std::numeric_limits<double>::max();
+    constexpr Index max_nodes = 10'000; // a query solves on grids of four times as many
+    if (model.grid.nodes > max_nodes)
+        refuse(where, ": nodes ", model.grid.nodes, " are too many for a database; give at most ", max_nodes);
     if (!within(static_cast<double>(model.grid.nodes), 1, 1e7) || !within(model.grid.length, 0, largest) ||
         !within(model.body.effective_modulus, 0, largest) || !within(model.loading.steps, 0, 1e6) ||
         !within(model.loading.reach, 0, 1))

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 namespace rough {
@@ -137,6 +138,7 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
                                          "database's responses are scaled to other lengths");
     validate(setup.law);
     const Fields wanted = fields(setup);
+    setup_from(wanted, file.string()); // throws before a file is made
     Sqlite sqlite(file, Sqlite::Access::create);
     {
         Transaction transaction(sqlite);
@@ -281,6 +283,13 @@ std::vector<double> GenomeStore::numbers(const char* table, const Span& span, st
         refuse_changed(*sqlite_, "a batch of ", row.bytes(0).size(), " bytes in place of ", size);
     std::vector<double> values(count);
     std::memcpy(values.data(), row.bytes(0).data(), size);
+    // All numbers of a genome without a response are NaN (response_for).
+    for (std::size_t i = 0; i < count; i += per_genome) {
+        const Eigen::Map<const Eigen::ArrayXd> part(values.data() + i, static_cast<Eigen::Index>(per_genome));
+        if (!part.isFinite().all() && !part.isNaN().all())
+            refuse_changed(*sqlite_, "the ", table, " of genomes from ", span.first,
+                           " has numbers that are not finite");
+    }
     return values;
 }
 
