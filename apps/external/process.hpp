@@ -7,9 +7,13 @@
 namespace app {
 
 /// Starts a program without a shell, with these descriptors as its standard streams. It leads a process
-/// group, so that its children can be killed too, and SIGPIPE has the default action. Returns 0 or an error
-/// number.
+/// group, so that its children can be killed too, and SIGPIPE has the default action. A supervisor, another
+/// process, kills the group when this process has ended, even by SIGKILL. Returns 0 or an error number.
 int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err);
+
+/// Kills the group of a process that has ended or not, for example by SIGTERM; the supervisor forgets it
+/// after SIGKILL.
+void end_group(pid_t process, int signal);
 
 /// Whether a process ends within a time. If it does, `status` is that of waitpid.
 bool process_ended_within(double seconds, pid_t process, int& status);

@@ -95,7 +95,7 @@ std::string figure_document(const FigureScript& figure) {
         throw failure("it was not found; install the Debian package gnuplot-nox");
     int status = 0;
     if (!process_ended_within(figure.seconds, child, status)) {
-        kill(-child, SIGKILL);
+        end_group(child, SIGKILL);
         waitpid(child, &status, 0);
         throw failure("it did not end in time");
     }

@@ -14,8 +14,9 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <poll.h>
+#include <sstream>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -25,7 +26,9 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t longest_line = 16'000'000;
+constexpr std::size_t longest_line = 16'000'000, max_objectives = 1000;
+/// Bytes of standard error after which only the last ones are kept.
+constexpr off_t max_log = 10'000'000, kept_log = 100'000;
 
 /// The ends of a new pipe: to read from, to write to.
 std::array<int, 2> new_pipe() {
@@ -131,7 +134,7 @@ std::string Child::end(double patience) {
         return {};
     int status = 0;
     const bool by_itself = process_ended_within(patience, process_, status);
-    kill(-process_, SIGKILL);
+    end_group(process_, SIGKILL);
     if (!by_itself)
         waitpid(process_, &status, 0);
     process_ = 0;
@@ -153,7 +156,7 @@ std::string clipped(const std::string& line) {
 
 Children::Children(const std::string& command, int count, double seconds, std::filesystem::path log)
     : text_(command), command_(split_command(command)), seconds_(seconds), log_file_(std::move(log)),
-      log_(open(log_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)),
+      log_(open(log_file_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)),
       children_(static_cast<std::size_t>(count)) {
     if (log_ < 0)
         throw rough::InputError(log_file_.string() + ": cannot be written; choose another --out");
@@ -164,6 +167,7 @@ Children::~Children() {
         if (child)
             child->close_input();
     children_.clear();
+    bound_log();
     close(log_);
     std::error_code none;
     if (std::filesystem::is_empty(log_file_, none))
@@ -173,7 +177,10 @@ Children::~Children() {
 std::vector<std::optional<Answer>> Children::ask(std::span<const std::string> genes, const ga::Watch& watch) {
     std::vector<std::optional<Answer>> answers(genes.size());
     std::atomic<std::size_t> next = 0;
-    const auto stops = [&] { return has_trouble_ || watch.expired(); };
+    const auto stops = [&] {
+        bound_log();
+        return has_trouble_ || watch.expired();
+    };
     const auto work = [&](std::unique_ptr<Child>& child) {
         for (std::size_t i; !stops() && (i = next++) < genes.size();)
             answers[i] = genes[i] == first_.genes ? first_.answer : answer_of(child, genes[i], stops);
@@ -242,16 +249,13 @@ std::optional<Answer> Children::read(const std::string& line, long id, std::stri
             return std::nullopt;
         }
         Answer answer{j["objectives"].get<std::vector<double>>(), violation_from(j)};
-        const auto finite = [](const std::vector<double>& values) {
-            return std::all_of(values.begin(), values.end(),
-                               [](double value) { return std::isfinite(value); });
-        };
-        if (answer.objectives.empty() || (objectives() != 0 && answer.objectives.size() != objectives()))
+        if (answer.objectives.empty() || answer.objectives.size() > max_objectives ||
+            (objectives() != 0 && answer.objectives.size() != objectives()))
             fault = std::to_string(answer.objectives.size()) + " objectives";
         else if (!first_.genes.empty() && answer.violation.size() != first_.answer.violation.size())
             fault = std::to_string(answer.violation.size()) + " violations, " +
                     std::to_string(first_.answer.violation.size()) + " in the first answer";
-        else if (!finite(answer.objectives) || !finite(answer.violation))
+        else if (!is_valid(answer, answer.objectives.size()))
             fault = "not finite";
         else
             return answer;
@@ -270,8 +274,28 @@ void Children::give_up(const std::string& message) {
         trouble_ = message;
 }
 
-std::string Children::log_end() const {
-    std::ifstream in(log_file_);
+std::string Children::log_tail() const {
+    struct stat there {};
+    fstat(log_, &there);
+    std::string tail(static_cast<std::size_t>(std::min(there.st_size, kept_log)), '\0');
+    const ssize_t size = pread(log_, tail.data(), tail.size(), std::max<off_t>(0, there.st_size - kept_log));
+    tail.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    return tail;
+}
+
+void Children::bound_log() {
+    struct stat there {};
+    if (fstat(log_, &there) != 0 || there.st_size <= max_log)
+        return;
+    const std::lock_guard lock(trouble_mutex_);
+    const std::string tail = "(the beginning is left out)\n" + log_tail();
+    if (ftruncate(log_, 0) == 0) [[maybe_unused]]
+        const ssize_t kept = write(log_, tail.data(), tail.size());
+}
+
+std::string Children::log_end() {
+    bound_log();
+    std::istringstream in(log_tail());
     std::string line, last;
     while (std::getline(in, line))
         if (line.find_first_not_of(" \t\r") != std::string::npos)

@@ -58,7 +58,8 @@ class Children {
     /// @param command  the program, split by split_command
     /// @param count    maximum number of copies
     /// @param seconds  maximum time for one evaluation
-    /// @param log      file for what they write to standard error; removed if it stays empty
+    /// @param log      file for what they write to standard error; removed if it stays empty; beyond 10 MB,
+    ///                 only its end is kept
     Children(const std::string& command, int count, double seconds, std::filesystem::path log);
     ~Children();
     Children(const Children&) = delete;
@@ -78,7 +79,9 @@ class Children {
                                     const std::function<bool()>& stops);
     std::optional<Answer> read(const std::string& line, long id, std::string& fault) const;
     void give_up(const std::string& message);
-    std::string log_end() const;
+    std::string log_tail() const;
+    void bound_log();
+    std::string log_end();
 
     std::string text_;
     Words command_;

@@ -198,3 +198,22 @@ TEST_CASE("an interrupted run ends its children and writes the best so far") {
               desk.path()) == 130);
     CHECK(desk.result("out")["best"]["objectives"][0] == 3);
 }
+
+TEST_CASE("children of a killed run end, and so do the processes that they started") {
+    const Desk desk;
+    desk.write("forks.sh", "sleep 1000 & echo $$ $! >begun; read line; sleep 1000\n");
+    desk.write("kill.sh",
+               "'" RUGOSA_PROGRAM "' optimise --genes bits:9 --evaluate 'sh forks.sh' --out out >log & "
+               "until [ -s begun ]; do sleep 0.02; done; kill -KILL $!; for process in $(cat begun); do\n"
+               "while grep -qs 'State:.[^Z]' /proc/$process/status; do sleep 0.02; done; done\n");
+    CHECK(std::system(("cd '" + desk.path().string() + "' && bash kill.sh").c_str()) == 0);
+}
+
+TEST_CASE("the log of a chatty child stays small, and its end is quoted") {
+    const Desk desk;
+    desk.write("chats.sh",
+               "read line; yes 'far too much to say' | head -c 40000000 >&2; echo at last >&2; exit 3\n");
+    const Ended ended = desk.optimise("--genes bits:9 --evaluate 'sh chats.sh' --threads 1 --out out");
+    check_refused(ended, "at last");
+    CHECK(std::filesystem::file_size(desk / "out/evaluate.log") < 1'000'000);
+}
