@@ -5,6 +5,8 @@
 #include "ga/base/errors.hpp"
 #include "ga/text/nearest.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -61,15 +63,8 @@ int dispatch(app::Words words) {
     throw rough::InputError("'" + words[0] + "' is not a subcommand" + ga::suggestion(words[0], names));
 }
 
-/// Prints a message as one line. Text that it quotes from files may hold any character.
 void complain(const std::string& message) {
-    std::string line = message;
-    for (char& c : line)
-        if (c == '\n' || c == '\r' || c == '\t')
-            c = ' ';
-        else if ((c >= 0 && c < ' ') || c == '\x7f')
-            c = '?';
-    std::cerr << app::error_mark() << line << "\n";
+    std::cerr << app::error_mark() << app::printable(message) << "\n";
 }
 
 /// Prints the message of the exception that is handled now and returns its exit code.
@@ -77,6 +72,9 @@ int report_exception() {
     try {
         throw;
     } catch (const rough::NotConverged& error) {
+        complain(error.what());
+        return 3;
+    } catch (const ga::NothingLeft& error) {
         complain(error.what());
         return 3;
     } catch (const rough::InputError& error) {
@@ -92,20 +90,19 @@ int report_exception() {
                  "; name a file or folder that can be used");
     } catch (const std::system_error& error) { // no thread could be started
         complain(std::string("the system refused: ") + error.what());
+    } catch (const nlohmann::json::exception&) {
+        complain("a file of results has other values than this version writes; make the results again");
     } catch (const std::exception& error) {
-        complain(std::string("internal error: ") + error.what());
-        return 1;
+        complain(std::string("a fault of the program: ") + error.what() + "; report it with the command");
     }
     return 2;
 }
 
 /// Ends the program on an exception that no caller can catch, with the same message and exit code.
-[[noreturn]] void end_at_once() {
-    int code = 1;
-    if (std::current_exception())
-        code = report_exception();
-    std::_Exit(code);
-}
+[[noreturn]] void end_at_once() { std::_Exit(std::current_exception() ? report_exception() : 2); }
+
+/// Before all other initialisation, which may lack memory.
+[[gnu::constructor(101)]] void handle_failures() { std::set_terminate(end_at_once); }
 
 /// Flushes standard output. Output that could not be written, as on a full disk, is an error.
 int flushed(int code) {
@@ -132,7 +129,6 @@ int run(app::Words words) {
 } // namespace
 
 int main(int count, char** values) {
-    std::set_terminate(end_at_once);
     std::signal(SIGPIPE, SIG_IGN); // the work continues without a reader
     std::signal(SIGXFSZ, SIG_IGN); // writing to a file that may not grow fails, but does not end the program
     // Each contact solution frees megabytes. Returning them to the system takes longer than the solution.

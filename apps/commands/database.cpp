@@ -132,7 +132,8 @@ int database_info(const Settings& settings, const std::string&) {
     const auto failed = std::count_if(curves.range.begin(), curves.range.end(),
                                       [](double range) { return std::isnan(range); });
     std::cout << "genomes " << store.stored() << "\nwithout_response " << failed << "\nbytes "
-              << std::filesystem::file_size(store.file()) << "\nversion " << store.version() << "\n";
+              << std::filesystem::file_size(store.file()) << "\nversion " << printable(store.version())
+              << "\n";
     for (const auto& [name, value] : rough::fields(store.setup()))
         std::cout << name << " " << value << "\n";
     return 0;

@@ -160,8 +160,8 @@ std::vector<Setting> model_settings(const std::string& prefix) {
 }
 
 Setting accuracy_setting(const std::string& prefix, const std::string& against) {
-    return ga::number(prefix + "accuracy", "", ga::above_zero, 1,
-                      "largest relative error allowed for a response, above 0 to 1, against " + against +
+    return ga::number(prefix + "accuracy", "", 1e-9, 1,
+                      "largest relative error allowed for a response, 1e-9 to 1, against " + against +
                           " [none: no response is approximated]");
 }
 

@@ -2,6 +2,8 @@
 
 #include "domain/errors.hpp"
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -27,11 +29,28 @@ void parse_verbosity(std::vector<std::string>& words) {
     verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::plain;
 }
 
+std::string printable(const std::string& text) {
+    namespace utf = boost::locale::utf;
+    std::string line;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto begin = at;
+        const utf::code_point c = utf::utf_traits<char>::decode(at, text.end());
+        const bool redirects = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+        if (c == '\n' || c == '\r' || c == '\t')
+            line += ' ';
+        else if (!utf::is_valid_codepoint(c) || c < ' ' || (c >= 0x7f && c < 0xa0) || redirects)
+            line += '?';
+        else
+            line.append(begin, at);
+    }
+    return line;
+}
+
 void say(const std::string& remark) {
     if (verbosity == Verbosity::quiet)
         return;
     clear_progress();
-    std::cout << remark << "\n";
+    std::cout << printable(remark) << "\n";
 }
 
 void tell(const std::string& detail) {
@@ -78,7 +97,7 @@ void Progress::show(const std::string& text) {
     if (!terminal_ || now - start_ < 1s || (stands && now - last_ < 100ms))
         return;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
-    std::cerr << clear_line << cut(std::to_string(seconds) + " s  " + text) << std::flush;
+    std::cerr << clear_line << cut(std::to_string(seconds) + " s  " + printable(text)) << std::flush;
     stands = true;
     last_ = now;
 }

@@ -11,6 +11,10 @@ namespace app {
 /// both are given.
 void parse_verbosity(std::vector<std::string>& words);
 
+/// A text for a terminal, on one line: names from files may hold any character. Control characters (C0, C1,
+/// those that change the direction of writing) and bytes outside UTF-8 become '?', breaks and tabs blanks.
+std::string printable(const std::string& text);
+
 void say(const std::string& remark);  ///< prints a line on standard output, unless --quiet
 void tell(const std::string& detail); ///< prints a line on standard output, with --verbose only
 

@@ -41,8 +41,10 @@ inline Ended rugosa(const std::string& words, const std::filesystem::path& where
     const auto start = std::chrono::steady_clock::now();
     const int status = std::system(command.c_str());
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), rough::read_whole(logs / "out"),
-            rough::read_whole(logs / "err"), passed.count()};
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    INFO(words);
+    CHECK((code == 0 || code == 2 || code == 3 || code == 130 || code == killed)); // no other is documented
+    return {code, rough::read_whole(logs / "out"), rough::read_whole(logs / "err"), passed.count()};
 }
 
 /// Requires exit code 0.

@@ -3,6 +3,7 @@
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -100,10 +101,10 @@ void take_targets(const Settings& settings, PaperRun& run) {
 /// The sentence on each claim from an experiment of kind readings.
 std::map<std::string, std::string> readings_from(const std::filesystem::path& file) {
     try {
-        return nlohmann::json::parse(rough::read_whole(file)).at("claims");
-    } catch (const nlohmann::json::exception& error) {
-        throw rough::InputError(file.string() + ": " + error.what() +
-                                "; give readings.json of an experiment of kind readings");
+        return rough::parsed_json(rough::read_whole(file), file.string()).at("claims");
+    } catch (const nlohmann::json::exception&) {
+        throw rough::InputError(file.string() + ": has no sentence on each claim; give readings.json of an "
+                                                "experiment of kind readings");
     }
 }
 
