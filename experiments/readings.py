@@ -6,8 +6,10 @@ cells.csv, claims.csv, shares.csv, readings.json and targets/ to the folder. It 
 import bisect
 import concurrent.futures
 import csv
+import hashlib
 import itertools
 import json
+import math
 import pathlib
 import shutil
 import subprocess
@@ -36,10 +38,30 @@ AXES = {
 }
 OURS = (0,) * len(AXES)
 TARGETS = ["median", "lower quartile", "upper quartile", "held-out"]
-BY_CLOCK = "minute"  # the claim on the time
+CLAIMS = [one for one in GIVEN["claims"] if one["id"] != "minute"]  # except the claim on the time
+SIGNS = {"reproduced": "1", "contradicted": "0", "undecidable": ""}
+DESCRIBED = json.dumps([SETTINGS, GIVEN["seed"], GIVEN["origin"]["version"]])
 
 
-def part(name, keys, targets, read):
+def sealed(name, text):
+    """The text of a part with a checksum that also depends on its name and the settings."""
+    return hashlib.sha256(f"{DESCRIBED}\n{name}\n{text}".encode()).hexdigest() + "\n" + text
+
+
+def opened(kept, is_valid):
+    """The values of a part. Whoever alters a file can seal it again, so the values are checked, too."""
+    try:
+        whole = kept.read_text() if kept.stat().st_size < 2e7 else ""
+        values = json.loads(whole[65:])
+        good = whole == sealed(kept.stem, whole[65:]) and is_valid(values)
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        good = False
+    if not good:
+        sys.exit(f"--resume: checkpoints/{kept.name} was altered; remove it, or start again with --force")
+    return values
+
+
+def part(name, keys, targets, read, is_valid):
     """Runs the paper's experiment with these keys; `read` takes the values from its folder. Saved for --resume."""
     kept, folder = CHECKPOINTS / f"{name}.json", CHECKPOINTS / name
     if not kept.exists():
@@ -54,10 +76,10 @@ def part(name, keys, targets, read):
         if done.returncode:
             sys.exit(done.stderr.strip())
         whole = folder / "found.json"
-        whole.write_text(json.dumps(read(folder / "out")))
+        whole.write_text(sealed(name, json.dumps(read(folder / "out"))))
         whole.rename(kept)
         shutil.rmtree(folder)
-    return json.loads(kept.read_text())
+    return opened(kept, is_valid)
 
 
 def all_of(work, items):
@@ -80,6 +102,13 @@ def curves_in(folder):
     return list(curves.values())
 
 
+def are_curves(curves):
+    """Whether these are the curves of 54 pairs and 5 columns of phases."""
+    return len(curves) == 54 * 5 and all(
+        len(curve) > 1 and all(len(point) == 2 and all(type(x) is float and math.isfinite(x) for x in point)
+                               for point in curve) for curve in curves)
+
+
 def interpolated(curve, p):
     """The curve at p, linear between the points and along the last segments beyond the ends."""
     right = min(max(bisect.bisect(curve, [p]), 1), len(curve) - 1)
@@ -99,7 +128,7 @@ def make_targets(body):
     flat = FOLDER / "targets" / "flat.csv"
     flat.write_text(f"pressure_MPa,stiffness_MPa_per_mm\n{PRESSURE / 2},1\n{PRESSURE},1\n")
     curves = part(f"curves-{body}", {**keys_of((body, *OURS[1:])), "database.pairs": 54, "paper.sweep-points": 0},
-                  {"target.file": flat}, curves_in)
+                  {"target.file": flat}, curves_in, are_curves)
     files = []
     for name, share in zip(TARGETS, (0.5, 0.25, 0.75, None)):
         if share is None:
@@ -116,11 +145,15 @@ def make_targets(body):
 
 
 def verdicts_in(folder):
-    """Each claim with its verdict on each target; the name of a target is empty if there is one number for all."""
-    claims = json.loads((folder / "result.json").read_text())["claims"]
-    return [{"id": one["id"], "place": one["place"], "says": one["sentence"],
-             "verdicts": {number["on"]: number["verdict"] for number in one["numbers"]}}
-            for one in claims if one["id"] != BY_CLOCK and one["rule"] != "cannot be decided"]
+    """The verdict on each claim and target; the name of a target is empty if there is one number for all."""
+    claims = {one["id"]: one for one in json.loads((folder / "result.json").read_text())["claims"]}
+    return [{number["on"]: number["verdict"] for number in claims[one["id"]]["numbers"]} for one in CLAIMS]
+
+
+def are_verdicts(verdicts):
+    return len(verdicts) == len(CLAIMS) and all(
+        set(one) in ({""}, {"drawn", "held-out"}) and all(verdict in SIGNS for verdict in one.values())
+        for one in verdicts)
 
 
 def plan():
@@ -133,16 +166,15 @@ def plan():
 
 def tried(reading, database, files):
     """The cells of a reading: on each target a sign per claim (1 holds, 0 does not, empty: undecidable)."""
-    signs = {"reproduced": "1", "contradicted": "0", "undecidable": ""}
-    cells, claims = [], []
+    cells = []
     for half in (0, 2):
         targets = {"target.file": files[half], "heldout.file": files[half + 1]}
-        claims = part("-".join(map(str, (*reading, database, half))),
-                      {**keys_of(reading), "database.phases": database}, targets, verdicts_in)
+        verdicts = part("-".join(map(str, (*reading, database, half))),
+                        {**keys_of(reading), "database.phases": database}, targets, verdicts_in, are_verdicts)
         for which, name in enumerate(("drawn", "held-out")):
             cells.append({"reading": reading, "database": database, "target": TARGETS[half + which],
-                          "holds": [signs[one["verdicts"].get(name, one["verdicts"].get(""))] for one in claims]})
-    return cells, claims
+                          "holds": [SIGNS[one.get(name, one.get(""))] for one in verdicts]})
+    return cells
 
 
 def mean(values):
@@ -168,18 +200,17 @@ def widest(shares):
 
 def main():
     kept = CHECKPOINTS / "settings.json"
-    described = json.dumps([SETTINGS, GIVEN["seed"]])
     if not GIVEN["resume"]:
         shutil.rmtree(CHECKPOINTS, ignore_errors=True)
-    elif kept.exists() and kept.read_text() != described:
-        sys.exit(f"--resume: {kept} is of other settings; give those of the interrupted run")
+    elif kept.exists() and kept.read_text() != DESCRIBED:
+        sys.exit(f"--resume: checkpoints/{kept.name} is of other settings; give those of the interrupted run")
     CHECKPOINTS.mkdir(exist_ok=True)
     (FOLDER / "targets").mkdir(exist_ok=True)
-    kept.write_text(described)
+    kept.write_text(DESCRIBED)
     files = all_of(make_targets, [(body,) for body in range(len(AXES["Body"]))])
     (FOLDER / "targets" / "flat.csv").unlink()
     found = all_of(tried, [(reading, database, files[reading[0]]) for reading, database in plan()])
-    cells, claims = [cell for one in found for cell in one[0]], found[0][1]
+    cells, claims = [cell for one in found for cell in one], CLAIMS
     sobol = [cell for cell in cells if cell["database"] == 0]
 
     def share(claim, among, sign="1"):

@@ -1,4 +1,5 @@
 #include "apps/experiments/experiment.hpp"
+#include "apps/experiments/paper/claims.hpp"
 #include "apps/external/process.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -7,6 +8,7 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "ga/base/held_folder.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -29,12 +31,15 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
                             const Conditions& conditions) {
     const std::string& kind = experiment.kind;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-    nlohmann::json given{{"folder", std::filesystem::absolute(conditions.folder).string()},
+    nlohmann::json given{{"folder", std::filesystem::absolute(ga::held(conditions.folder / "")).string()},
                          {"program", program.string()},
                          {"seed", conditions.origin.seed},
                          {"threads", conditions.origin.threads},
                          {"resume", conditions.resume},
                          {"origin", origin_json(conditions.origin)}};
+    for (const Claim& claim : paper_claims())
+        if (claim.rule() != "cannot be decided")
+            given["claims"].push_back({{"id", claim.id}, {"place", claim.place}, {"says", claim.sentence}});
     for (const Setting& one : experiment.settings)
         given["settings"][one.name] = settings.text(one.name);
     if (settings.knows("targets.files"))
@@ -54,7 +59,7 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
     int status = 0;
     while (!process_ended_within(0.2, child, status))
         if (conditions.stop)
-            kill(-child, SIGTERM);
+            end_group(child, SIGTERM);
     if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         std::ifstream lines("/proc/self/fd/" + std::to_string(fileno(errors.get())));
         std::string problem; // the last line
