@@ -5,6 +5,7 @@
 #include "domain/numerics/vector_loops.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
+#include "ga/checkpoint/bounded_json.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -92,7 +93,9 @@ Message receive() {
     MPI_Get_count(&status, MPI_BYTE, &size);
     std::string bytes(static_cast<std::size_t>(size), '\0');
     MPI_Mrecv(bytes.data(), size, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
-    return {status.MPI_SOURCE, status.MPI_TAG, json::from_cbor(bytes)}; // throws if it was cut short
+    auto content = ga::bounded_json(bytes, json::input_format_t::cbor); // throws if it was cut short
+    expect_message(!content.is_discarded());
+    return {status.MPI_SOURCE, status.MPI_TAG, std::move(content)};
 }
 
 #else
@@ -174,9 +177,14 @@ class Queue {
         guarded([&] {
             const auto count = static_cast<double>(chunk.tasks.size());
             seconds_each_ = chunk.clock.seconds() * std::min<double>(threads_, count) / count;
+            expect_message(answers.is_array() && answers.size() == chunk.tasks.size());
             session.answered[rank] += answers.size();
-            for (std::size_t i = 0; i < chunk.tasks.size(); ++i)
-                job_.take(chunk.first + i, answers.at(i));
+            try {
+                for (std::size_t i = 0; i < chunk.tasks.size(); ++i)
+                    job_.take(chunk.first + i, answers[i]);
+            } catch (const json::exception&) {
+                expect_message(false);
+            }
         });
     }
     /// Runs `act` while the other thread does not; its exception ends the job.
@@ -228,7 +236,9 @@ void share(Queue& queue, const Job& of) {
         const Message message = receive();
         if (message.tag == stopped)
             ask_to_stop();
-        queue.take(message.rank, sent.extract(message.rank).mapped(), message.content);
+        const auto chunk = sent.extract(message.rank);
+        expect_message(!chunk.empty());
+        queue.take(message.rank, chunk.mapped(), message.content);
         give(message.rank);
     }
 }
@@ -268,6 +278,11 @@ void leave(int code) {
                 send(rank, done, {});
         }
     finalise(code);
+}
+
+void expect_message(bool good) {
+    if (!good)
+        throw rough::InputError("MPI: a message has another form; run one program on all ranks");
 }
 
 bool is_alone() { return rank_count == 1; }

@@ -40,6 +40,9 @@ bool join(Kinds kinds);
 /// job.
 void leave(int code);
 
+/// Throws rough::InputError unless a message has the form that this program sends.
+void expect_message(bool good);
+
 bool is_alone(); ///< Whether there is only one rank.
 /// Shares the tasks among all ranks, including this one. Returns when all tasks that have begun are answered.
 /// Rethrows the exceptions of tasks, `task` and `take` on rank 0.

@@ -23,7 +23,8 @@ void take(const json& j, ga::Slope<DesignProblem>& slope) {
         slope.failure = ga::reason(j.get<std::string>());
     } else if (!j.is_null()) {
         const auto residuals = j.at(0).get<Eigen::VectorXd>(), jacobian = j.at(1).get<Eigen::VectorXd>();
-        const Eigen::Index columns = jacobian.size() / std::max<Eigen::Index>(1, residuals.size());
+        const auto columns = static_cast<Eigen::Index>(genes(slope.genome).size());
+        cluster::expect_message(jacobian.size() == residuals.size() * columns);
         slope.sensitivity = std::make_shared<const ga::Sensitivity>(
             ga::Sensitivity{residuals, jacobian.reshaped(residuals.size(), columns)});
     }
@@ -40,10 +41,13 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
         cluster::Job job = designs(problem, calls.size());
         job.task = [&](std::size_t i) { return json::array({*calls[i].genome}); };
         job.take = [&](std::size_t i, const json& j) {
-            if (j.is_string())
+            if (j.is_string()) {
                 *calls[i].answer = ga::reason(j.get<std::string>());
-            else
-                *calls[i].answer = j.get<DesignOutcome>();
+                return;
+            }
+            auto outcome = j.get<DesignOutcome>();
+            cluster::expect_message(problem.valid_outcome(outcome));
+            *calls[i].answer = std::move(outcome);
         };
         job.stopped = [&] { return watch.expired(); };
         cluster::hand_out(job);
@@ -119,6 +123,9 @@ rough::Computing computing_on_ranks(int threads) {
                                    answer.at(2).get_to(response.pressure);
                                    answer.at(3).get_to(response.contact_fraction);
                                    answer.at(4).get_to(response.tangent_stiffness);
+                                   for (const auto* column : {&response.pressure, &response.contact_fraction,
+                                                              &response.tangent_stiffness})
+                                       cluster::expect_message(column->size() == setup.model.loading.steps);
                                    orders.take(answer.at(0), std::move(response));
                                },
                            .stopped = orders.ended});

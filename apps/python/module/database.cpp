@@ -24,10 +24,10 @@ std::vector<StoredAnswer> query(const GenomeStore& store,
     setup.targets = one ? std::vector{*one} : std::get<1>(targets);
     setup.max_pressure = max_pressure;
     const py::gil_scoped_release unlocked;
-    return stored_answers(store, setup, best, threads);
+    return stored_answers(GenomeStore::open(store.file()), setup, best, threads); // another thread may build
 }
 
-void build_store(GenomeStore& store, std::uint64_t genomes, int threads) {
+void build_store(const GenomeStore& store, std::uint64_t genomes, int threads) {
     Interruptible interrupt;
     rough::BuildOptions options;
     options.genomes = genomes;
@@ -35,7 +35,8 @@ void build_store(GenomeStore& store, std::uint64_t genomes, int threads) {
     options.stop = &interrupt.stop();
     {
         const py::gil_scoped_release unlocked;
-        build(store, options);
+        GenomeStore own = GenomeStore::open(store.file()); // other threads may read by `store`
+        build(own, options);
     }
     if (interrupt.requested()) {
         PyErr_SetNone(PyExc_KeyboardInterrupt);

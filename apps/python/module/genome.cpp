@@ -1,4 +1,5 @@
 #include "apps/python/module/python.hpp"
+#include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ void add_genome(py::module_& module) {
 )")
         .def(py::init([](const py::dict& content) {
                  const auto text = py::module_::import("json").attr("dumps")(content).cast<std::string>();
-                 return rough::genome_from_json(nlohmann::json::parse(text), "genome");
+                 return rough::genome_from_json(rough::parsed_json(text, "genome"), "genome");
              }),
              "content"_a, "content: a dictionary as in a genome file (JSON).")
         .def_static(

@@ -43,9 +43,12 @@ G genome_of(const py::object& row, std::size_t count) {
     const auto values = row.cast<std::vector<Gene<G>>>();
     if (values.size() != count)
         rough::refuse("genes: an operator returned ", values.size(), " genes; return ", count);
-    if constexpr (std::same_as<G, ga::Permutation>)
-        return {{values.begin(), values.end()}};
-    else
+    if constexpr (std::same_as<G, ga::Permutation>) {
+        ga::Permutation permutation;
+        for (const long value : values) // one outside 0 .. count - 1 becomes one that is not valid
+            permutation.order.push_back(static_cast<std::uint32_t>(std::clamp<long>(value, -1, 0x7fffffff)));
+        return permutation;
+    } else
         return G(values.begin(), values.end());
 }
 
@@ -171,6 +174,10 @@ struct PythonOperator : ga::Operator {
             for (py::ssize_t i = 0; i < answer.shape(0); ++i) {
                 ga::Individual<G> child;
                 child.genome = genome_of<G>(answer[py::int_(i)], columns);
+                if (!ga::is_valid(context.problem(), child.genome))
+                    rough::refuse("operator ", name, ": row ", i + 1,
+                                  " is not a genome; return finite numbers or each of 0 to ", columns - 1,
+                                  " once");
                 context.make_child(child, {});
                 made.push_back(std::move(child));
             }
@@ -282,17 +289,18 @@ class AskTellOf : public AskTell {
 
     py::array ask() override {
         prepared_.callback.rethrow();
+        std::vector<typename Engine::Question> open;
         {
             const py::gil_scoped_release unlocked;
             try {
-                open_ = engine_.ask();
+                open = engine_.ask();
             } catch (...) {
                 if (!prepared_.callback.failed())
                     throw;
-                open_.clear();
             }
         }
         prepared_.callback.rethrow();
+        open_ = std::move(open);
         return rows_of<G>(open_, prepared_.problem.count, &Engine::Question::genome);
     }
     void tell(const py::list& given) override {
@@ -300,12 +308,12 @@ class AskTellOf : public AskTell {
         std::vector<app::Answer> answers;
         for (const py::handle& each : given)
             answers.push_back(answer_of(each, prepared_.search.minimise.size()));
+        const auto open = std::exchange(open_, {}); // another thread may ask
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            prepared_.search.record.take({app::genes_text(open[i].genome), answers[i]});
         const py::gil_scoped_release unlocked;
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            prepared_.search.record.take({app::genes_text(open_[i].genome), answers[i]});
-            engine_.tell(open_[i].id, std::move(answers[i]));
-        }
-        open_.clear();
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            engine_.tell(open[i].id, std::move(answers[i]));
     }
     void end() override {
         prepared_.finish([&] { return engine_.result(); });
@@ -315,7 +323,7 @@ class AskTellOf : public AskTell {
     std::atomic<bool> stop_ = false;
     Prepared<G> prepared_;
     Engine engine_;
-    std::vector<typename Engine::Question> open_;
+    std::vector<typename Engine::Question> open_; ///< used only with the interpreter's lock
 };
 
 template <class G>
