@@ -301,10 +301,13 @@ class AskTellOf : public AskTell {
         }
         prepared_.callback.rethrow();
         open_ = std::move(open);
+        asker_ = std::this_thread::get_id();
         return rows_of<G>(open_, prepared_.problem.count, &Engine::Question::genome);
     }
     void tell(const py::list& given) override {
         expect_answers("tell", given.size(), open_.size());
+        if (asker_ != std::this_thread::get_id() && !open_.empty())
+            rough::refuse("tell: another thread has asked since; use a search in one thread");
         std::vector<app::Answer> answers;
         for (const py::handle& each : given)
             answers.push_back(answer_of(each, prepared_.search.minimise.size()));
@@ -324,6 +327,7 @@ class AskTellOf : public AskTell {
     Prepared<G> prepared_;
     Engine engine_;
     std::vector<typename Engine::Question> open_; ///< used only with the interpreter's lock
+    std::thread::id asker_;                       ///< the thread that has asked last
 };
 
 template <class G>

@@ -1,5 +1,6 @@
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "domain/problem/stored.hpp"
 #include "tests/apps/program.hpp"
 
@@ -353,4 +354,14 @@ TEST_CASE("quiet and verbose runs differ in their output, not in their results")
     CHECK(rough::read_whole(folder / "quiet.csv") == curve);
     CHECK(rough::read_whole(folder / "verbose.csv") == curve);
     CHECK(rugosa("contact --quiet --verbose", folder.path()).code == 2);
+}
+
+TEST_CASE("a text for the terminal has no control characters and stays on one line") {
+    CHECK(app::printable("grün – 3 µm") == "grün – 3 µm");
+    CHECK(app::printable("a\x1b[2J\nb\tc\rd\x7f") == "a?[2J b c d?");
+    CHECK(app::printable("\xc2\x9b"
+                         "31m\xe2\x80\xae") == "?31m?"); // C1; right to left
+    CHECK_THAT(app::printable("\x9b"
+                              "31m\xff"),
+               !Catch::Contains("\x9b") && !Catch::Contains("\xff"));
 }

@@ -1,5 +1,7 @@
 import json
+import math
 import sys
+import threading
 import unittest
 
 import numpy
@@ -146,6 +148,41 @@ class Engine(WithFolder):
         self.assertLess(found.objectives[0], 1e-8)
         self.assertEqual(found.population.shape, (1, 2))
         numpy.testing.assert_array_equal(found.best, run().best)
+
+    def test_operators_return_genomes(self):
+        class Returns:
+            name = "returns"
+
+            def __init__(self, row):
+                self.row = row
+
+            def __call__(self, genes, fitness, random):
+                return numpy.array([self.row] * len(genes))
+
+        pipeline = "sample 4 | score | returns | score | repeat 3 { cross order | score } | best 1"
+        for row in ([0, 1, 2, 2], [0, 1, 2, 4], [0, 1, 2, -1], [0, 1, 2, 2**32 + 3]):
+            with self.assertRaisesRegex(rugosa.InputError, "row 1 is not a genome"):
+                rugosa.optimise(lambda tour: 1.0, permutation=4, operators=[Returns(row)], pipeline=pipeline)
+        with self.assertRaisesRegex(rugosa.InputError, "row 1 is not a genome"):
+            rugosa.optimise(sphere, lower=[0], upper=[1], operators=[Returns([math.nan])],
+                            pipeline="sample 4 | returns | score | best 1")
+
+    def test_a_search_may_be_asked_from_several_threads(self):
+        search = rugosa.search(lower=[0] * 2, upper=[1] * 2, evaluations=500)
+
+        def work():
+            try:
+                while len(genes := search.ask()):
+                    search.tell(genes.sum(axis=1))
+            except rugosa.InputError:  # another thread has answered
+                pass
+
+        threads = [threading.Thread(target=work) for _ in range(3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertLessEqual(search.result().evaluations, 500)
 
     def test_observers_see_every_stage(self):
         told = []

@@ -86,6 +86,22 @@ TEST_CASE("a finished run is not run again by --resume, whatever the settings") 
     CHECK(app::testing::result_in(desk / "o")["seed"] == 5);
 }
 
+TEST_CASE("a run is resumed only with the contents of files that it began with") {
+    const Desk desk;
+    const auto change = [&](const char* file) { desk.write(file, rough::read_whole(desk / file) + "\n"); };
+    rugosa(quick_design + "o", desk.path());
+    change("target.csv");
+    check_refused(rugosa(quick_design + "o --resume", desk.path()), "other input files");
+    desk.write(
+        "ones.sh",
+        "n=0; while read line; do n=$((n+1)); echo \"{\\\"id\\\":$n,\\\"objectives\\\":[1]}\"; done\n");
+    const std::string optimise =
+        "optimise --genes bits:9 --evaluate 'sh ones.sh' --threads 1 --out p --evaluations ";
+    succeeded(rugosa(optimise + "50", desk.path()));
+    change("ones.sh");
+    check_refused(rugosa(optimise + "90 --resume", desk.path()), "another run");
+}
+
 TEST_CASE("an interrupted run is not restarted without --force") {
     const Desk desk;
     fs::create_directory(desk / "o");
