@@ -63,7 +63,6 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
              {"run small.txt --out o", "bytes"},
              {"database info small.txt", "database"},
              {"database build x.db --ridges 1000 --series 16 --shortest 1e-300", "genome law"},
-             {"database build x.db --nodes 20000", "too many"},
              {design + "'sample 4 | score | islands 1e8 rounds=2 { score }'", "10000"},
              {design + "'sample 1e10 | score'", "sample"}}) {
         const Spent refused = spent(words, folder.path());
@@ -154,7 +153,7 @@ TEST_CASE("a program without memory or threads ends with one line and exit code 
     const Folder folder;
     fs::copy_file(RUGOSA_TEST_DATA "/target_paper.csv", folder / "t.csv");
     for (const char* limit : {"100000", "200000"}) { // kB of address space
-        const Ended ended = app::testing::rugosa(
+        const auto ended = app::testing::rugosa(
             "design --target t.csv --threads 64 --evaluations 50 --force --pictures off --out o",
             folder.path(), "sh -c 'ulimit -v " + std::string(limit) + "; exec \"$0\" \"$@\"'");
         INFO(limit << ": " << ended.err);
