@@ -238,6 +238,8 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     CmaPlan& p = s.plan;
     read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
     read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.most);
+    for (const long count : {p.large, p.small, p.last_large, s.record.spent})
+        expect_fit(count >= 0 && count <= 1L << 53);
     constexpr std::size_t most = 10'000'000; // children
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.cloud.sigma > 0 &&
                                     s.run.lambda <= most && s.plan.usual <= most));

@@ -237,6 +237,7 @@ inline void from_json(const nlohmann::json& j, LShade::State& s) {
     read_parts(j, s.history.F, s.history.CR, s.history.next, s.beaten, s.trials, s.initial, s.spent);
     const std::size_t entries = s.history.F.size(); // 0 before the first generation
     expect_fit(s.history.CR.size() == entries && s.history.next < entries + (s.initial == 0 ? 1 : 0));
+    expect_fit(s.spent >= 0 && s.spent <= 1L << 53);
     for (std::size_t i = 0; i < entries; ++i)
         expect_fit(s.history.F[i] >= 0 && s.history.F[i] <= 2 && std::abs(s.history.CR[i]) <= 2);
 }
