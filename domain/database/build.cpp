@@ -109,7 +109,7 @@ Computing on_threads(int threads) {
 
 void build(GenomeStore& store, const BuildOptions& options) {
     for (const Span& span : store.batches()) // nothing is appended to a damaged file
-        store.batch(span);
+        store.responses(span);
     Batches batches(store, options);
     const Computing computing = options.computing ? options.computing : on_threads(options.threads);
     computing(store.setup(),

@@ -4,9 +4,9 @@
 #include "apps/external/problem.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "domain/database/build.hpp"
-#include "domain/database/codec.hpp"
+#include "domain/database/screen.hpp"
 #include "domain/database/sqlite.hpp"
-#include "domain/database/starts.hpp"
+#include "domain/database/store.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/errors.hpp"
@@ -17,6 +17,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <numeric>
 
@@ -156,6 +157,17 @@ void command(const app::Words& words) {
             run_with(one, {words.begin() + 1, words.end()});
 }
 
+/// Numbers as a database stores them.
+std::string packed(const std::vector<double>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+}
+
+std::vector<double> unpacked(std::string_view bytes) {
+    std::vector<double> values(bytes.size() / sizeof(double));
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+    return values;
+}
+
 } // namespace
 
 TEST_CASE("forged checkpoints of reals, words, bits, permutations and fronts are refused or harmless") {
@@ -242,7 +254,7 @@ TEST_CASE("a forged database is refused or harmless") {
         for (const std::string table : {"pressure", "contact", "genome"}) {
             rough::Statement rows(sqlite, "SELECT first, numbers FROM " + table);
             while (rows.step())
-                good[table][std::to_string(rows.number(0))] = rough::unpacked(rows.bytes(1));
+                good[table][std::to_string(rows.number(0))] = unpacked(rows.bytes(1));
         }
         rough::Statement setup(sqlite, "SELECT name, value FROM setup WHERE name <> 'checksum'");
         while (setup.step())
@@ -283,7 +295,7 @@ TEST_CASE("a forged database is refused or harmless") {
                 for (const std::string table : {"pressure", "contact", "genome"}) {
                     const json& rows = content.contains(table) ? content[table] : json();
                     const std::string bytes =
-                        rough::packed(numbers(rows.is_object() && rows.contains(first) ? rows[first] : rows));
+                        packed(numbers(rows.is_object() && rows.contains(first) ? rows[first] : rows));
                     const std::uint64_t sum =
                         rough::checksum(bytes, rough::checksum(table, place * ga::golden_step + count));
                     rough::Statement(sqlite,
