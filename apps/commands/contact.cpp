@@ -16,6 +16,7 @@
 #include "domain/response/model.hpp"
 #include "domain/response/response.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "ga/base/parallel.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -76,7 +77,7 @@ std::vector<Setting> contact_settings() {
         {"report", "",
          "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
         force_setting(),
-        ga::whole("threads", "0", 0, "accepted as in design and run; a curve uses one thread").up_to(1024),
+        threads_setting(),
         ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
         accuracy_setting(
             "", "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
@@ -95,6 +96,7 @@ std::vector<Setting> contact_settings() {
 /// Sets the accuracy. The solver's tolerance follows from it unless one is given.
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     model.accuracy = accuracy_from(settings);
+    model.contact.threads = ga::thread_count(settings.whole<int>("threads"));
     if (model.accuracy > 0 && !settings.given("tolerance"))
         model.contact.tolerance = 0.01;
     return model;

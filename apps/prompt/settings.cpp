@@ -141,7 +141,11 @@ Setting Setting::of(std::vector<std::string> words) const {
 }
 
 Setting seed_setting() { return ga::whole("seed", "1", 0, "seed of the random numbers").up_to(0x1p53); }
-Setting threads_setting() { return ga::whole("threads", "0", 0, "threads; 0 takes all").up_to(1024); }
+Setting threads_setting() {
+    return ga::whole("threads", "0", 0,
+                     "threads; 0 takes all; a profile's curve takes one, a map's all that are free")
+        .up_to(1024);
+}
 Setting force_setting() { return {"force", "", "write over an existing result", true}; }
 Setting pictures_setting() {
     return Setting("pictures", "on", "off omits the page and its pictures").of({"on", "off"});

@@ -1,6 +1,7 @@
 #include "domain/contact/kernel.hpp"
 
 #include "domain/numerics/fourier.hpp"
+#include "domain/numerics/team.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -91,13 +92,13 @@ double flamant_entry(double r, double datum) {
     return -(2 / pi) * (r * std::log1p(1 / (r - 0.5)) + 0.5 * std::log((r * r - 0.25) / (datum * datum)) - 1);
 }
 
-Eigen::VectorXd computed_column(const UnitBody& body, Extent shape) {
+Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, Team& team) {
     Eigen::VectorXd column(shape.nodes());
     const Eigen::VectorXd table = body.kernel == Kernel::periodic
                                       ? circulant_column(periodic_spectrum(body, shape), shape)
                                       : Eigen::VectorXd();
     const auto mirror = [](Index i, Index n) { return i == 0 ? 0 : n - i; };
-    for (Index j = 0; j < shape.rows; ++j)
+    team.each_block(shape.rows, [&](Index j, int) {
         for (Index i = 0; i < shape.columns; ++i) {
             const double x = static_cast<double>(i);
             double& entry = column[j * shape.columns + i];
@@ -113,6 +114,7 @@ Eigen::VectorXd computed_column(const UnitBody& body, Extent shape) {
                 entry = body.kernel == Kernel::free ? flamant_entry(x, body.datum)
                                                     : strip_entry(x, body.strip_width / 2) / pi;
         }
+    });
     return column;
 }
 
@@ -160,7 +162,11 @@ Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
 }
 
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape) {
-    return remembered(body, shape, [&] { return computed_column(body, shape); });
+    return influence_column(body, shape, Team::alone());
+}
+
+Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team) {
+    return remembered(body, shape, [&] { return computed_column(body, shape, team); });
 }
 
 bool contact_sets_nest(const UnitBody& body, Extent shape) {

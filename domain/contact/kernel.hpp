@@ -5,6 +5,8 @@
 
 namespace rough {
 
+class Team;
+
 /// L in mm: (N - 1) delta on an open interval, N delta on a periodic one. For an area L_x, with N_x for N.
 double profile_length(const Profile& profile, Kernel kernel);
 
@@ -37,6 +39,8 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 /// 2 asinh(W/2|x|) over the element (strip). Maps: Love (1929), constant pressure on each cell (free). It
 /// has no datum, because displacements vanish at infinity. periodic: the circulant of periodic_spectrum.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape);
+/// By the threads of a team.
+Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team);
 
 /// Eigenvalues S_q of the periodic kernel in units of delta/E*: 2/(E* q), q = |wave vector|, or those of a
 /// layered body (relative_compliance). N_y rows of N_x/2 + 1. The first is the mean's compliance, 0 if the

@@ -186,7 +186,7 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
     StepSolution step = step_solution(set, state, tangent, options.states);
     step.stiffness = stiffness;
     step.approach = problem.gap.mean();
-    SplitOperator check(problem.column, problem.shape);
+    SplitOperator check(problem.column, problem.shape, *problem.team);
     certify_step("full contact", problem, step, check, state.pressure, HUGE_VAL);
     return step;
 }
@@ -295,7 +295,8 @@ bool is_direct(Solver solver) { return row_of(solver).direct; }
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options) {
     check_options(body, options);
-    const ContactProblem problem = make_problem(profile, body, displacements);
+    Team team(useful_threads(profile, options.threads));
+    const ContactProblem problem = make_problem(profile, body, displacements, team);
     SolverChoice choice = choose_solver(problem, options);
     Solution solution = solve(choice, problem, options);
     return in_units(problem, displacements, std::move(solution), choice, options);
@@ -304,7 +305,8 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures, const ContactOptions& options) {
     check_options(body, options);
-    make_problem(profile, body, {});
+    Team team(useful_threads(profile, options.threads));
+    make_problem(profile, body, {}, team);
     const double largest =
         body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     double previous = 0;
@@ -319,7 +321,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     }
     if (pressures.empty())
         return {};
-    const ContactProblem problem = make_problem_at(profile, body, pressures);
+    const ContactProblem problem = make_problem_at(profile, body, pressures, team);
     if (body.relative_to_mean() && !body.yields())
         if (const double full = full_contact_load(profile, body); pressures.back() > full)
             refuse_beyond_full_contact(pressures.back(), full);

@@ -23,6 +23,7 @@ struct ContactOptions {
     double tolerance = 1e-6;           ///< largest kkt_residual that an iterative solver leaves
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
+    int threads = 1;           ///< for a curve of an area; the curve does not depend on them
     std::function<bool()> stop = {}; ///< called now and then if set; true ends the solution with NotConverged
 };
 

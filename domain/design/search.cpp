@@ -243,7 +243,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
                     std::vector<ga::Observer<Genome>> observers) {
     const ga::Stopwatch clock;
     SearchResult result;
-    const DesignSetup setup = result.setup = completed(given);
+    result.setup = completed(given);
+    result.setup.model.contact.threads = ga::thread_count(given_options.threads);
+    const DesignSetup setup = result.setup;
     validate(setup);
     SearchOptions options = given_options;
     for (Genome& genome : options.starts)

@@ -1,6 +1,7 @@
 #include "domain/numerics/fourier.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <numbers>
@@ -12,7 +13,7 @@ namespace {
 std::mutex planner; ///< FFTW's planner is not thread-safe; executing a plan on new arrays is
 
 template <typename Key, typename Plan, typename Make>
-Plan cached(const Key& key, std::map<Key, Plan>& plans, Make make) {
+Plan cached(const std::type_identity_t<Key>& key, std::map<Key, Plan>& plans, Make make) {
     const std::lock_guard guard(planner);
     const auto known = plans.find(key);
     return known != plans.end() ? known->second : plans.emplace(key, make()).first->second;
@@ -42,44 +43,98 @@ typename Call<Real>::Complex* as_fftw(std::complex<Real>* numbers) {
     return reinterpret_cast<typename Call<Real>::Complex*>(numbers);
 }
 
-/// Columns that are transformed together: as many as fit the first cache, in whole lines of the rows.
-constexpr Index column_block = 8;
-/// From one of them to the next: a power of two would put them all in the same places of the cache.
-constexpr Index column_stride(Index rows) { return rows + column_block; }
+/// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of
+/// the rows.
+constexpr Index block = 8;
+/// From one of the columns to the next: a power of two would put them all in the same places of the cache.
+constexpr Index column_stride(Index rows) { return rows + block; }
 
-/// Plans of complex transforms of a block of columns, laid one after another; null if there is one row only.
+/// Plans of `count` complex transforms of n numbers in place, `stride` apart.
 template <typename Real>
-PlanPair<Real> column_plans(Index rows) {
-    static std::map<Index, PlanPair<Real>> plans;
-    if (rows == 1)
-        return {};
-    return cached(rows, plans, [rows] {
-        const int m = static_cast<int>(rows), block = static_cast<int>(column_block),
-                  stride = static_cast<int>(column_stride(rows));
-        AlignedBuffer<std::complex<Real>> columns(column_block * column_stride(rows));
-        auto* column = as_fftw(columns.data());
-        const auto along_y = [&](int sign) {
-            return Call<Real>::plan_complex(1, &m, block, column, nullptr, 1, stride, column, nullptr, 1,
-                                            stride, sign, FFTW_ESTIMATE);
+PlanPair<Real> complex_lines(Index n, Index count, Index stride) {
+    static std::map<std::array<Index, 3>, PlanPair<Real>> plans;
+    return cached({n, count, stride}, plans, [=] {
+        const int length = static_cast<int>(n), many = static_cast<int>(count),
+                  apart = static_cast<int>(stride);
+        AlignedBuffer<std::complex<Real>> lines(count * stride);
+        auto* line = as_fftw(lines.data());
+        const auto plan = [&](int sign) {
+            return Call<Real>::plan_complex(1, &length, many, line, nullptr, 1, apart, line, nullptr, 1,
+                                            apart, sign, FFTW_ESTIMATE);
         };
-        return PlanPair<Real>{along_y(FFTW_FORWARD), along_y(FFTW_BACKWARD)};
+        return PlanPair<Real>{plan(FFTW_FORWARD), plan(FFTW_BACKWARD)};
     });
 }
 
-/// Plans of real transforms of all rows at once, each of `columns` numbers.
+/// Plans of complex transforms of a block of columns.
 template <typename Real>
-PlanPair<Real> row_plans(Index rows, Index columns) {
-    static std::map<ShapeKey, PlanPair<Real>> plans;
-    return cached(ShapeKey(columns, rows), plans, [&] {
+PlanPair<Real> column_plans(Index rows) {
+    return complex_lines<Real>(rows, block, column_stride(rows));
+}
+
+/// Plans of real transforms of `count` rows, each of `columns` numbers.
+template <typename Real>
+PlanPair<Real> real_lines(Index columns, Index count) {
+    static std::map<std::array<Index, 2>, PlanPair<Real>> plans;
+    return cached({columns, count}, plans, [=] {
         using Fftw = Call<Real>;
-        const int n = static_cast<int>(columns), half = n / 2 + 1, many = static_cast<int>(rows);
-        AlignedBuffer<Real> real(rows * columns);
-        AlignedBuffer<std::complex<Real>> transform(rows * half);
+        const int n = static_cast<int>(columns), half = n / 2 + 1, many = static_cast<int>(count);
+        AlignedBuffer<Real> real(count * columns);
+        AlignedBuffer<std::complex<Real>> transform(count * half);
         auto* wave = as_fftw(transform.data());
         return PlanPair<Real>{Fftw::plan_forward(1, &n, many, real.data(), nullptr, 1, n, wave, nullptr, 1,
                                                  half, FFTW_ESTIMATE),
                               Fftw::plan_backward(1, &n, many, wave, nullptr, 1, half, real.data(), nullptr,
                                                   1, n, FFTW_ESTIMATE)};
+    });
+}
+
+/// Plans of a block of rows, and of those that are left after whole blocks.
+template <typename Real>
+struct RowPlans {
+    PlanPair<Real> whole, rest;
+    /// make(count) plans that many rows.
+    template <class Make>
+    RowPlans(Index rows, Make make)
+        : whole(rows >= block ? make(block) : PlanPair<Real>()),
+          rest(rows % block ? make(rows % block) : PlanPair<Real>()) {}
+    const PlanPair<Real>& of(Index count) const { return count == block ? whole : rest; }
+};
+
+/// Numbers by eigenvalues.
+template <typename Real>
+void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count) {
+    for (Index k = 0; k < count; ++k)
+        numbers[k] *= eigenvalues[k];
+}
+
+/// By eigenvalues that are given for k = 0..n/2 of n. The others are their mirror image: number n - k, or n -
+/// 1
+/// - k if `skew`.
+template <typename Real>
+void multiply_mirrored(std::complex<Real>* numbers, const Real* eigenvalues, Index n, bool skew = false) {
+    multiply(numbers, eigenvalues, n / 2 + 1);
+    for (Index k = n / 2 + 1; k < n; ++k)
+        numbers[k] *= eigenvalues[n - skew - k];
+}
+
+/// Takes columns to `scratch` and back, some at a time; padded with zeros to `padded` rows, and a whole block
+/// of them. turn(scratch, first, count, stride) does what is to be done to `count` columns from `first` on.
+template <typename Real, class Turn>
+void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Workspace<Real>& work, Turn turn) {
+    const Index stride = column_stride(padded);
+    work.each_range(shape.columns, block, [&](Index first, Index count, std::complex<Real>* columns) {
+        std::complex<Real>* corner = numbers + first;
+        for (Index j = 0; j < shape.rows; ++j)
+            for (Index c = 0; c < count; ++c)
+                columns[c * stride + j] = corner[j * shape.columns + c];
+        for (Index c = 0; c < block; ++c)
+            std::fill(columns + c * stride + (c < count ? shape.rows : 0), columns + c * stride + padded,
+                      std::complex<Real>());
+        turn(columns, first, count, stride);
+        for (Index j = 0; j < shape.rows; ++j)
+            for (Index c = 0; c < count; ++c)
+                corner[j * shape.columns + c] = columns[c * stride + j];
     });
 }
 
@@ -158,106 +213,110 @@ Index fast_fourier_length(Index length) {
     return best;
 }
 
+/// The transform of an even array of `shape`, which is real and even itself: column after column, each of
+/// rows/2 + 1 numbers. entry(i, j) is wanted for i <= columns/2 and j <= rows/2.
+template <class Entry>
+static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry) {
+    const Index columns = shape.columns / 2 + 1, rows = shape.rows / 2 + 1;
+    const auto mirrored = [](Index i, Index n) { return std::min(i, n - i); };
+    // `lines` transforms of n even numbers each; put(line, k, value) takes them for k <= n/2.
+    const auto transform = [&team](Index lines, Index n, auto number, auto put) {
+        const Index half = n / 2 + 1;
+        const RowPlans<double> plans(lines, [n](Index count) { return real_lines<double>(n, count); });
+        Workspace<double>(2 * block * half, team)
+            .each_range(lines, block, [&](Index first, Index count, std::complex<double>* out) {
+                double* in = reinterpret_cast<double*>(out + block * half);
+                for (Index c = 0; c < count; ++c)
+                    for (Index k = 0; k < n; ++k)
+                        in[c * n + k] = number(first + c, k);
+                fftw_execute_dft_r2c(plans.of(count).forward, in, as_fftw(out));
+                for (Index c = 0; c < count; ++c)
+                    for (Index k = 0; k < half; ++k)
+                        put(first + c, k, out[c * half + k].real());
+            });
+    };
+    AlignedBuffer<double> spectrum(columns * rows);
+    transform(
+        rows, shape.columns, [&](Index j, Index i) { return entry(mirrored(i, shape.columns), j); },
+        [&](Index j, Index k, double value) { spectrum[k * rows + j] = value; });
+    if (rows > 1)
+        transform(
+            columns, shape.rows,
+            [&](Index k, Index j) { return spectrum[k * rows + mirrored(j, shape.rows)]; },
+            [&](Index k, Index l, double value) { spectrum[k * rows + l] = value; });
+    return spectrum;
+}
+
 template <typename Real>
-BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded)
-    : shape_(shape), padded_(padded), half_(padded.columns / 2 + 1),
-      rows_(row_plans<Real>(shape.rows, padded.columns)), real_(shape.rows * padded.columns),
-      spectrum_(half_ * padded.rows), transform_(half_ * shape.rows),
-      columns_(padded.rows == 1 ? 0 : column_block * column_stride(padded.rows)) {}
+BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded, Team& team)
+    : shape_(shape), padded_(padded), half_(padded.columns / 2 + 1), lines_(padded.rows / 2 + 1),
+      real_(shape.rows == 1 ? padded.columns : shape.nodes()), spectrum_(half_ * lines_),
+      transform_(half_ * shape.rows),
+      work_(shape.rows == 1 ? 0 : block * std::max(column_stride(padded.rows), half_), team) {}
 
 template <typename Real>
 BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::VectorXd& first_column,
-                                                                Extent shape) {
+                                                                Extent shape, Team& team) {
     const auto padded = [](Index n) { return fast_fourier_length(std::max<Index>(2 * n - 1, 2)); };
-    const Index columns = padded(shape.columns), rows = shape.rows == 1 ? 1 : padded(shape.rows);
-    BasicFourierOperator op(shape, {columns, rows});
-    AlignedBuffer<double> column(columns * rows);
-    AlignedBuffer<fftw_complex> transform(op.half_ * rows);
-    std::fill_n(column.data(), columns * rows, 0.0);
-    for (Index j = 0; j < shape.rows; ++j)
-        for (const Index row : {j, j == 0 ? 0 : rows - j}) {
-            double* values = column.data() + row * columns;
-            values[0] = first_column[j * shape.columns];
-            for (Index i = 1; i < shape.columns; ++i)
-                values[i] = values[columns - i] = first_column[j * shape.columns + i];
-        }
-    fftw_execute_dft_r2c(fourier_plan(op.padded_).forward, column.data(), transform.data());
-    for (Index j = 0; j < rows; ++j)
-        for (Index k = 0; k < op.half_; ++k)
-            op.spectrum_[k * rows + j] =
-                static_cast<Real>(transform[j * op.half_ + k][0] / static_cast<double>(op.padded_.nodes()));
+    BasicFourierOperator op(shape, {padded(shape.columns), shape.rows == 1 ? 1 : padded(shape.rows)}, team);
+    AlignedBuffer<double> spectrum = even_spectrum(op.padded_, team, [&](Index i, Index j) {
+        return i < shape.columns && j < shape.rows ? first_column[j * shape.columns + i] : 0;
+    });
+    const double scale = static_cast<double>(op.padded_.nodes());
+    for (Index k = 0; k < op.half_ * op.lines_; ++k)
+        op.spectrum_[k] = static_cast<Real>(spectrum[k] / scale);
     return op;
 }
 
 template <typename Real>
-BasicFourierOperator<Real> BasicFourierOperator<Real>::circulant(Extent shape,
-                                                                 const Eigen::VectorXd& eigenvalues) {
-    BasicFourierOperator op(shape, shape);
-    for (Index j = 0; j < shape.rows; ++j)
+BasicFourierOperator<Real>
+BasicFourierOperator<Real>::circulant(Extent shape, const Eigen::VectorXd& eigenvalues, Team& team) {
+    BasicFourierOperator op(shape, shape, team);
+    for (Index j = 0; j < op.lines_; ++j)
         for (Index k = 0; k < op.half_; ++k)
-            op.spectrum_[k * shape.rows + j] =
+            op.spectrum_[k * op.lines_ + j] =
                 static_cast<Real>(eigenvalues[j * op.half_ + k] / static_cast<double>(shape.nodes()));
     return op;
 }
 
-/// Entries of the half-complex transform by the operator's eigenvalues.
-template <typename Real>
-static void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count) {
-    for (Index k = 0; k < count; ++k)
-        numbers[k] *= eigenvalues[k];
-}
-
-/// Transforms `shape` numbers along y, padded with zeros to `padded` rows: some columns at a time in `block`.
-/// Calls visit(column, number) for each transformed column, then transforms it back.
-template <typename Real, class Visit>
-static void each_column(std::complex<Real>* numbers, Extent shape, Index padded, std::complex<Real>* block,
-                        Visit visit) {
-    const PlanPair<Real> plan = column_plans<Real>(padded);
-    const Index stride = column_stride(padded);
-    auto* planned = as_fftw(block);
-    for (Index first = 0; first < shape.columns; first += column_block) {
-        const Index count = std::min(column_block, shape.columns - first);
-        std::complex<Real>* corner = numbers + first;
-        for (Index j = 0; j < shape.rows; ++j)
-            for (Index c = 0; c < count; ++c)
-                block[c * stride + j] = corner[j * shape.columns + c];
-        for (Index c = 0; c < column_block; ++c)
-            std::fill(block + c * stride + (c < count ? shape.rows : 0), block + c * stride + padded,
-                      std::complex<Real>());
-        Call<Real>::complex(plan.forward, planned, planned);
-        for (Index c = 0; c < count; ++c)
-            visit(block + c * stride, first + c);
-        Call<Real>::complex(plan.backward, planned, planned);
-        for (Index j = 0; j < shape.rows; ++j)
-            for (Index c = 0; c < count; ++c)
-                corner[j * shape.columns + c] = block[c * stride + j];
-    }
-}
-
 template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
-    Real* real = real_.data();
-    const bool pads = padded_.columns != shape_.columns;
-    for (Index j = pads ? shape_.rows - 1 : -1; j >= 0; --j) { // from N entries to the padded rows
-        Real* row = real + j * padded_.columns;
-        if (j > 0)
-            std::copy_backward(real + j * shape_.columns, real + (j + 1) * shape_.columns,
-                               row + shape_.columns);
-        std::fill(row + shape_.columns, row + padded_.columns, Real(0));
-    }
-    Call<Real>::forward(rows_.forward, real, as_fftw(transform_.data()));
-    const Index rows = padded_.rows;
-    if (rows == 1)
+    const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
+    const RowPlans<Real> plans(rows, [=](Index count) { return real_lines<Real>(longer, count); });
+    // A line is padded where it stands, rows of an area in a workspace.
+    const auto each_rows = [&](auto job) {
+        work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
+            job(real_.data() + first * n, rows == 1 ? real_.data() : reinterpret_cast<Real*>(memory), count,
+                plans.of(count), as_fftw(transform_.data() + first * half_));
+        });
+    };
+    each_rows([&](const Real* from, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
+        for (Index c = 0; c < count; ++c) {
+            if (rows > 1)
+                std::copy_n(from + c * n, n, row + c * longer);
+            std::fill(row + c * longer + n, row + (c + 1) * longer, Real(0));
+        }
+        Call<Real>::forward(plan.forward, row, wave);
+    });
+    if (padded_.rows == 1)
         multiply(transform_.data(), spectrum_.data(), half_);
-    else
-        each_column(transform_.data(), {half_, shape_.rows}, rows, columns_.data(),
-                    [&](std::complex<Real>* column, Index k) {
-                        multiply(column, spectrum_.data() + k * rows, rows);
+    else {
+        const PlanPair<Real> plan = column_plans<Real>(padded_.rows);
+        each_column(transform_.data(), {half_, rows}, padded_.rows, work_,
+                    [&](std::complex<Real>* columns, Index first, Index count, Index stride) {
+                        Call<Real>::complex(plan.forward, as_fftw(columns), as_fftw(columns));
+                        for (Index c = 0; c < count; ++c)
+                            multiply_mirrored(columns + c * stride, spectrum_.data() + (first + c) * lines_,
+                                              padded_.rows);
+                        Call<Real>::complex(plan.backward, as_fftw(columns), as_fftw(columns));
                     });
-    Call<Real>::backward(rows_.backward, as_fftw(transform_.data()), real);
-    for (Index j = 1; pads && j < shape_.rows; ++j) // and back
-        std::copy_n(real + j * padded_.columns, shape_.columns, real + j * shape_.columns);
-    return real;
+    }
+    each_rows([&](Real* to, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
+        Call<Real>::backward(plan.backward, wave, row);
+        for (Index c = 0; rows > 1 && c < count; ++c)
+            std::copy_n(row + c * longer, n, to + c * n);
+    });
+    return real_.data();
 }
 
 template <typename Real>
@@ -271,89 +330,177 @@ const Real* BasicFourierOperator<Real>::apply(const std::vector<int>& nodes, con
 template class BasicFourierOperator<double>;
 template class BasicFourierOperator<float>;
 
-SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape)
-    : shape_(shape), rows_(complex_fourier_plan({shape.columns})), work_(shape.nodes()),
-      columns_(shape.rows == 1 ? 0 : column_block * column_stride(shape.rows)), twist_x_(shape.columns),
-      twist_y_(shape.rows) {
-    for (auto* twist : {&twist_x_, &twist_y_})
-        for (Index j = 0; j < twist->size(); ++j)
-            (*twist)[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) /
-                                              static_cast<double>(twist->size()));
-    // c_0 may go to either part; that of an area goes to the circulant one, so that a periodic area has no
-    // other part.
-    const bool line = shape_.rows == 1;
-    const auto mirrored = [line](Index i, Index n, bool skew) -> std::pair<Index, double> {
-        return i > 0 ? std::pair(n - i, skew ? -1.0 : 1.0) : std::pair(Index(0), line ? 0.0 : skew ? -1 : 1);
+namespace {
+
+bool is_circulant(const Eigen::VectorXd& first_column, Extent shape) {
+    const auto entry = [&](Index i, Index j) {
+        return first_column[j % shape.rows * shape.columns + i % shape.columns];
     };
-    Eigen::Map<Eigen::ArrayXcd> work(work_.data(), shape_.nodes());
-    for (const bool skew_y : {false, true})
-        for (const bool skew_x : {false, true}) {
-            if (line && skew_y)
+    for (Index j = 0; j < shape.rows; ++j)
+        for (Index i = 0; i < shape.columns; ++i)
+            if (entry(i, j) != entry(shape.columns - i, j) || entry(i, j) != entry(i, shape.rows - j))
+                return false;
+    return true;
+}
+
+Eigen::ArrayXcd twists(Index count, Index n) {
+    Eigen::ArrayXcd twist(count);
+    for (Index j = 0; j < count; ++j)
+        twist[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+    return twist;
+}
+
+} // namespace
+
+SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, Team& team)
+    : shape_(shape), is_circulant_(is_circulant(first_column, shape)),
+      whole_(is_circulant_ ? shape
+                           : Extent{fast_fourier_length(shape.columns),
+                                    shape.rows == 1 ? 1 : fast_fourier_length(shape.rows)}),
+      wave_((whole_.columns / 2 + 1) * whole_.rows),
+      work_(block * std::max(2 * column_stride(whole_.rows), whole_.columns / 2 + 1), team),
+      twist_x_(twists(whole_.columns / 2, whole_.columns)), twist_y_(twists(whole_.rows, whole_.rows)) {
+    const Index n = whole_.columns, lines = whole_.rows / 2 + 1;
+    const bool line = shape.rows == 1;
+    const FourierPlan plan = column_plans<double>(whole_.rows);
+    // The first column beyond its end is 0, and c_n is c_0: all of it goes to the circulant.
+    const auto add_row = [&](Index j, double sign, double* row) {
+        j = j == whole_.rows ? 0 : j;
+        if (j < shape.rows)
+            Eigen::Map<Eigen::ArrayXd>(row, shape.columns) +=
+                sign * first_column.segment(j * shape.columns, shape.columns).array();
+    };
+    for (const bool skew_x : {false, true})
+        for (const bool skew_y : {false, true}) {
+            if (((skew_x || skew_y) && is_circulant_) || (skew_y && line))
                 continue;
-            Part part{skew_x, skew_y, {}};
-            for (Index j = 0; j < shape_.rows; ++j) {
-                const auto [other_j, sign_j] =
-                    line ? std::pair(Index(0), 0.0) : mirrored(j, shape_.rows, skew_y);
-                const double* row = first_column.data() + j * shape_.columns;
-                const double* other_row = first_column.data() + other_j * shape_.columns;
-                for (Index i = 0; i < shape_.columns; ++i) {
-                    const auto [other_i, sign_i] = mirrored(i, shape_.columns, skew_x);
-                    double value = row[i] + sign_i * row[other_i];
-                    if (sign_j != 0)
-                        value += sign_j * (other_row[i] + sign_i * other_row[other_i]);
-                    work[j * shape_.columns + i] = value;
+            forward(skew_x, whole_.rows, [&](Index j, double* row) {
+                Eigen::Map<Eigen::ArrayXd> all(row, n);
+                all.setZero();
+                add_row(j, 1, row);
+                if (!line)
+                    add_row(whole_.rows - j, skew_y ? -1 : 1, row);
+                const double sign = skew_x ? -1 : 1, first = row[0];
+                row[0] += sign * first;
+                for (Index i = 1; 2 * i <= n; ++i) {
+                    const double value = row[i] + sign * row[n - i];
+                    row[i] = value;
+                    row[n - i] = sign * value;
                 }
-            }
-            if ((work == 0).all())
-                continue;
-            part.eigenvalues.resize(shape_.nodes());
-            const double parts = (line ? 2 : 4) * static_cast<double>(shape_.nodes());
-            transform(part, [&](std::complex<double>* column, Index k) {
-                for (Index j = 0; j < shape_.rows; ++j)
-                    part.eigenvalues[k * shape_.rows + j] = column[j].real() / parts;
             });
-            parts_.push_back(std::move(part));
+            const Index columns = n / 2 + !skew_x;
+            Eigen::ArrayXd& eigenvalues = eigenvalues_[skew_x][skew_y];
+            eigenvalues.resize(columns * lines);
+            const double parts = (line ? 2 : 4) * static_cast<double>(whole_.nodes()) / (skew_x ? 2 : 1);
+            if (line)
+                eigenvalues = Eigen::Map<Eigen::ArrayXcd>(wave_.data(), columns).real() / parts;
+            else
+                each_column(wave_.data(), {columns, whole_.rows}, whole_.rows, work_,
+                            [&](std::complex<double>* columns, Index first, Index count, Index stride) {
+                                if (skew_y)
+                                    for (Index c = 0; c < count; ++c)
+                                        Eigen::Map<Eigen::ArrayXcd>(columns + c * stride, whole_.rows) *=
+                                            twist_y_;
+                                fftw_execute_dft(plan.forward, as_fftw(columns), as_fftw(columns));
+                                for (Index c = 0; c < count; ++c)
+                                    for (Index l = 0; l < lines; ++l)
+                                        eigenvalues[(first + c) * lines + l] =
+                                            columns[c * stride + l].real() / parts;
+                            });
         }
 }
 
-template <class Visit>
-void SplitOperator::transform(const Part& part, Visit visit) {
-    const auto transform_rows = [&](fftw_plan plan) {
-        for (Index j = 0; j < shape_.rows; ++j) {
-            fftw_complex* row = as_fftw(work_.data() + j * shape_.columns);
-            fftw_execute_dft(plan, row, row);
+template <class Fill>
+void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
+    const Index n = whole_.columns, half = n / 2, columns = half + !skew_x;
+    const RowPlans<double> plans(rows, [&](Index count) {
+        return skew_x ? complex_lines<double>(half, count, half) : real_lines<double>(n, count);
+    });
+    work_.each_range(rows, block, [&](Index first, Index count, std::complex<double>* memory) {
+        double* row = reinterpret_cast<double*>(memory);
+        std::complex<double>* wave = wave_.data() + first * columns;
+        for (Index c = 0; c < count; ++c) {
+            double* numbers = row + (skew_x ? 0 : c * n);
+            fill(first + c, numbers);
+            for (Index j = 0; skew_x && j < half; ++j)
+                wave[c * half + j] = std::complex<double>(row[j], -row[half + j]) * twist_x_[j];
         }
-    };
-    twist(part, false);
-    transform_rows(rows_.forward);
-    if (shape_.rows > 1)
-        each_column(work_.data(), shape_, shape_.rows, columns_.data(), visit);
-    else
-        for (Index i = 0; i < shape_.columns; ++i)
-            visit(work_.data() + i, i);
-    transform_rows(rows_.backward);
-    twist(part, true);
+        const FourierPlan& plan = plans.of(count);
+        if (skew_x)
+            fftw_execute_dft(plan.forward, as_fftw(wave), as_fftw(wave));
+        else
+            fftw_execute_dft_r2c(plan.forward, row, as_fftw(wave));
+    });
 }
 
-void SplitOperator::twist(const Part& part, bool back) {
-    Eigen::Map<Eigen::ArrayXXcd> work(work_.data(), shape_.columns, shape_.rows);
-    if (part.skew_x)
-        for (Index j = 0; j < shape_.rows; ++j)
-            work.col(j) *= back ? twist_x_.conjugate().eval() : twist_x_;
-    if (part.skew_y)
-        for (Index j = 0; j < shape_.rows; ++j)
-            work.col(j) *= back ? std::conj(twist_y_[j]) : twist_y_[j];
+template <class Take>
+void SplitOperator::backward(bool skew_x, Take take) {
+    const Index n = whole_.columns, half = n / 2, columns = half + !skew_x;
+    const RowPlans<double> plans(shape_.rows, [&](Index count) {
+        return skew_x ? complex_lines<double>(half, count, half) : real_lines<double>(n, count);
+    });
+    work_.each_range(shape_.rows, block, [&](Index first, Index count, std::complex<double>* memory) {
+        double* row = reinterpret_cast<double*>(memory);
+        std::complex<double>* wave = wave_.data() + first * columns;
+        const FourierPlan& plan = plans.of(count);
+        if (skew_x)
+            fftw_execute_dft(plan.backward, as_fftw(wave), as_fftw(wave));
+        else
+            fftw_execute_dft_c2r(plan.backward, as_fftw(wave), row);
+        for (Index c = 0; c < count; ++c) {
+            for (Index j = 0; skew_x && j < half; ++j) {
+                const std::complex<double> pair = wave[c * half + j] * std::conj(twist_x_[j]);
+                row[j] = pair.real();
+                row[half + j] = -pair.imag();
+            }
+            take(first + c, row + (skew_x ? 0 : c * n));
+        }
+    });
 }
 
 Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
-    Eigen::Map<Eigen::ArrayXcd> work(work_.data(), shape_.nodes());
+    const Index n = shape_.columns, rows = whole_.rows;
+    const FourierPlan plan = column_plans<double>(rows);
+    const auto multiplied = [&](std::complex<double>* columns, const Eigen::ArrayXd& eigenvalues, Index first,
+                                Index count, Index stride, bool skew) {
+        fftw_execute_dft(plan.forward, as_fftw(columns), as_fftw(columns));
+        for (Index c = 0; c < count; ++c)
+            multiply_mirrored(columns + c * stride, eigenvalues.data() + (first + c) * (rows / 2 + 1), rows,
+                              skew);
+        fftw_execute_dft(plan.backward, as_fftw(columns), as_fftw(columns));
+    };
     Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());
-    for (const Part& part : parts_) {
-        work = p.array().cast<std::complex<double>>();
-        transform(part, [&](std::complex<double>* column, Index k) {
-            multiply(column, part.eigenvalues.data() + k * shape_.rows, shape_.rows);
+    for (const bool skew_x : {false, true}) {
+        const auto& [even, skew] = eigenvalues_[skew_x];
+        if (even.size() == 0)
+            continue;
+        forward(skew_x, shape_.rows, [&](Index j, double* row) {
+            std::copy_n(p.data() + j * n, n, row);
+            std::fill(row + n, row + whole_.columns, 0.0);
         });
-        u.array() += work.real();
+        const Index columns = whole_.columns / 2 + !skew_x;
+        if (shape_.rows == 1)
+            multiply(wave_.data(), even.data(), columns);
+        else
+            each_column(wave_.data(), {columns, shape_.rows}, rows, work_,
+                        [&](std::complex<double>* block_of, Index first, Index count, Index stride) {
+                            std::complex<double>* twisted = block_of + block * stride;
+                            const auto turn = [&](auto job) {
+                                for (Index c = 0; c < count; ++c)
+                                    job(Eigen::Map<Eigen::ArrayXcd>(block_of + c * stride, rows),
+                                        Eigen::Map<Eigen::ArrayXcd>(twisted + c * stride, rows));
+                            };
+                            if (skew.size() > 0)
+                                turn([&](auto column, auto other) { other = column * twist_y_; });
+                            multiplied(block_of, even, first, count, stride, false);
+                            if (skew.size() == 0)
+                                return;
+                            multiplied(twisted, skew, first, count, stride, true);
+                            turn([&](auto column, auto other) { column += other * twist_y_.conjugate(); });
+                        });
+        backward(skew_x, [&](Index j, const double* row) {
+            u.segment(j * n, n) += Eigen::Map<const Eigen::VectorXd>(row, n);
+        });
     }
     return u;
 }

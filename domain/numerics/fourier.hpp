@@ -1,9 +1,11 @@
 #pragma once
 
 #include "domain/numerics/aligned.hpp"
+#include "domain/numerics/team.hpp"
 
 #include <fftw3.h>
 
+#include <array>
 #include <complex>
 #include <type_traits>
 #include <vector>
@@ -42,17 +44,44 @@ bool is_good_fourier_length(Index length);
 /// Smallest even 2^a 3^b 5^c that is no smaller than `length`.
 Index fast_fourier_length(Index length);
 
+/// A team, and memory for each of its threads.
+template <typename Real>
+class Workspace {
+  public:
+    /// `size` complex numbers for each thread.
+    Workspace(Index size, Team& team)
+        : team_(&team), size_((size + 7) / 8 * 8), numbers_(team.size() * size_) {}
+    /// Runs job(first, count, memory) for ranges of `length` of n rows or columns.
+    template <class Job>
+    void each_range(Index n, Index length, const Job& job) {
+        team_->each_range(
+            n,
+            [&](Index first, Index count, int worker) {
+                job(first, count, numbers_.data() + worker * size_);
+            },
+            length);
+    }
+
+  private:
+    Team* team_;
+    Index size_;
+    AlignedBuffer<std::complex<Real>> numbers_;
+};
+
 /// u = T p by FFT in double or single precision, for a symmetric circulant (from its eigenvalues) or Toeplitz
 /// matrix (from its first column, padded with zeros). On an area the matrix is circulant or Toeplitz along
-/// both axes and symmetric in each. There columns are transformed, multiplied and transformed back a few at a
-/// time, while they are in the cache, and rows of zeros are skipped. One object serves one thread at a time.
+/// both axes and symmetric in each. There rows are transformed a few at a time, and so are columns, which are
+/// multiplied and transformed back while they are in the cache; rows of zeros are skipped. The threads of a
+/// team share such blocks. One object serves one caller at a time, and the team must outlive it.
 template <typename Real>
 class BasicFourierOperator {
   public:
     /// N x N symmetric Toeplitz from its first column of N entries.
-    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Extent shape);
+    static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Extent shape,
+                                         Team& team = Team::alone());
     /// N x N symmetric circulant from its eigenvalues: N_y rows of S_k, k = 0..N_x/2.
-    static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues);
+    static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues,
+                                          Team& team = Team::alone());
 
     Index nodes() const { return shape_.nodes(); } ///< N
     /// Write p (N entries) here, then call apply().
@@ -65,12 +94,12 @@ class BasicFourierOperator {
     const Real* applied() const { return real_.data(); }
 
   private:
-    BasicFourierOperator(Extent shape, Extent padded);
+    BasicFourierOperator(Extent shape, Extent padded, Team& team);
     Extent shape_, padded_;
-    Index half_; ///< numbers of a half-complex row
-    PlanPair<Real> rows_;
+    Index half_, lines_; ///< numbers of a half-complex row; of a column's eigenvalues without mirror images
     AlignedBuffer<Real> real_, spectrum_; ///< eigenvalues column after column
-    AlignedBuffer<std::complex<Real>> transform_, columns_;
+    AlignedBuffer<std::complex<Real>> transform_;
+    Workspace<Real> work_;
 };
 /// In double precision.
 using FourierOperator = BasicFourierOperator<double>;
@@ -78,32 +107,35 @@ using FourierOperator = BasicFourierOperator<double>;
 /// matter.
 using SingleFourierOperator = BasicFourierOperator<float>;
 
-/// u = T p for a symmetric Toeplitz matrix without padding. T is half the sum of a circulant, c_j + c_(N-j),
-/// and a skew-circulant, c_j - c_(N-j); on an area a quarter of the sum of four, along both axes. It shares
+/// u = T p for a symmetric Toeplitz matrix without padding to twice its length. T is half the sum of a
+/// circulant, c_j + c_(N-j), and a skew-circulant, c_j - c_(N-j); on an area a quarter of the sum of four,
+/// along both axes. Of each row's frequencies half are transformed: those of a skew-circulant by a complex
+/// transform of N/2 numbers (p_j - i p_(j+N/2)) exp(-i pi j/N), which gives every second one. It shares
 /// neither transforms nor spectrum with FourierOperator.
 class SplitOperator {
   public:
     /// From the first column of N entries.
-    SplitOperator(const Eigen::VectorXd& first_column, Extent shape);
+    SplitOperator(const Eigen::VectorXd& first_column, Extent shape, Team& team = Team::alone());
     /// u = T p; p and u have N entries.
     Eigen::VectorXd apply(const Eigen::VectorXd& p);
 
   private:
-    /// One part of the sum: circulant or skew-circulant along x and along y.
-    struct Part {
-        bool skew_x, skew_y;
-        Eigen::ArrayXd eigenvalues; ///< divided by 2 N, for an area by 4 N; column after column
-    };
-    void twist(const Part& part, bool back);
-    /// Transforms work_, visits each column with its number, and transforms back.
-    template <class Visit>
-    void transform(const Part& part, Visit visit);
+    /// Transforms rows along x, which fill(j, row) writes.
+    template <class Fill>
+    void forward(bool skew_x, Index rows, Fill fill);
+    /// Transforms them back; take(j, row) reads them.
+    template <class Take>
+    void backward(bool skew_x, Take take);
 
     Extent shape_;
-    FourierPlan rows_;
-    AlignedBuffer<std::complex<double>> work_, columns_;
+    bool is_circulant_; ///< without other parts
+    Extent whole_;      ///< N of each axis, or if T is no circulant the next fast length
+    AlignedBuffer<std::complex<double>> wave_;
+    Workspace<double> work_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
-    std::vector<Part> parts_;           ///< the parts that are not zero
+    /// Of the parts that are circulant or skew along x, then along y: column after column of N_y/2 + 1,
+    /// divided by the number of parts and that of the values. Empty for no such part.
+    std::array<std::array<Eigen::ArrayXd, 2>, 2> eigenvalues_;
 };
 
 } // namespace rough

@@ -4,7 +4,7 @@
 #include "domain/problem/problem.hpp"
 
 /// @file
-/// Outcomes and set-ups as checkpoints hold them, without loss, except ContactOptions::stop.
+/// Outcomes and set-ups as checkpoints hold them, without loss, except ContactOptions::stop and threads.
 
 /// @cond
 template <class T>

@@ -1,6 +1,7 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/response/curve.hpp"
+#include "ga/base/parallel.hpp"
 
 namespace rugosa::python {
 
@@ -60,6 +61,8 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
         throw py::type_error("contact: a Genome has no spacing; give nodes and length");
     rough::Profile surface = genome ? rough::Profile() : surface_from(heights, spacing, "contact");
     rough::Model model = genome ? model_from(keywords) : model_from(keywords, surface);
+    model.contact.threads =
+        ga::thread_count(keywords.settings({app::threads_setting()}).whole<int>("threads"));
     std::optional<rough::Resolution> resolution;
     if (genome)
         surface = sample(*genome, model.grid);
@@ -86,6 +89,7 @@ heights: N heights (mm) of a line, or N_y x N_x of a 2-D surface, with their spa
 and y); a Profile, a Surface or a Genome. Only a Genome takes nodes and length (pairs for a 2-D grid).
 datum, strip_width and accuracy are for lines. resolution='auto' or 'on' adds the band of a scan's or
 map's resolution (Curve.contact_fraction_low and so on); heights in an array are taken as they are.
+threads=0 takes all threads for a 2-D surface; the curve does not depend on them.
 Returns a Curve. Raises InputError, NotConverged.
 
 >>> import numpy, rugosa

@@ -38,8 +38,8 @@ enum class Purpose { curve, guess };
 class ActiveSet {
   public:
     ActiveSet(const ContactProblem& problem, const ContactOptions& options, Purpose purpose)
-        : problem_(problem), options_(options), purpose_(purpose), solver_(problem), set_(problem.nodes()),
-          load_(problem.nodes()), tangent_(problem.nodes()) {}
+        : problem_(problem), options_(options), purpose_(purpose), solver_(problem),
+          set_(problem.nodes(), *problem.team), load_(problem.nodes()), tangent_(problem.nodes()) {}
 
     StepSolution press(double approach, const std::optional<Eigen::VectorXd>& guess) {
         start(approach, guess);
@@ -101,12 +101,16 @@ class ActiveSet {
 
     /// Moves the pressures along the tangent, and on an area their known product.
     void move(double by) {
-        load_.pressure += by * tangent_.pressure;
-        if (!problem_.is_2d() || product_.pressure.size() == 0)
-            return;
-        product_.pressure = load_.pressure;
-        product_.displacement += by * tangent_.displacement;
-        product_.blur += by * tangent_blur_;
+        const bool product = problem_.is_2d() && product_.pressure.size() > 0;
+        problem_.team->each_range(problem_.nodes(), [&](Index first, Index n, int) {
+            load_.pressure.segment(first, n) += by * tangent_.pressure.segment(first, n);
+            if (product) {
+                product_.pressure.segment(first, n) = load_.pressure.segment(first, n);
+                product_.displacement.segment(first, n) += by * tangent_.displacement.segment(first, n);
+            }
+        });
+        if (product)
+            product_.blur += by * tangent_blur_;
     }
 
     /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
@@ -148,35 +152,45 @@ class ActiveSet {
 
     /// Finds the depth of every node; under load control first the approach, the mean over the contact nodes.
     void look(double& approach) {
-        double sum = 0;
-        Index count = 0;
+        const std::vector<int>& nodes = set_.nodes();
+        const auto sum = [&](auto value) {
+            return problem_.team->sum(static_cast<Index>(nodes.size()), [&](Index first, Index n) {
+                double all = 0;
+                for (Index k = first; k < first + n; ++k)
+                    if (const int i = nodes[static_cast<std::size_t>(k)]; load_.pressure[i] > 0)
+                        all += value(i);
+                return all;
+            });
+        };
         if (sum_)
-            for (const int i : set_.nodes())
-                if (load_.pressure[i] > 0) {
-                    sum += problem_.gap[i] + load_.displacement[i];
-                    ++count;
-                }
-        if (count > 0)
-            approach = sum / static_cast<double>(count);
-        depth_ = approach - (problem_.gap + load_.displacement).array();
+            if (const double count = sum([](int) { return 1; }); count > 0)
+                approach = sum([&](int i) { return problem_.gap[i] + load_.displacement[i]; }) / count;
+        depth_.resize(problem_.nodes());
+        problem_.team->each_range(problem_.nodes(), [&](Index first, Index n, int) {
+            depth_.segment(first, n) =
+                approach - (problem_.gap.segment(first, n) + load_.displacement.segment(first, n)).array();
+        });
     }
 
     /// The residual of the depths found last, over the approach.
     double residual(double approach) const {
-        double worst = std::max(0.0, depth_.maxCoeff());
-        for (const int i : set_.nodes())
-            if (load_.pressure[i] > 0)
-                worst = std::max(worst, -depth_[i]);
-        return worst / approach;
+        return problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
+            double worst = 0;
+            for (Index i = first; i < first + n; ++i)
+                worst = std::max(worst, load_.pressure[i] > 0 ? std::abs(depth_[i]) : depth_[i]);
+            return worst;
+        }) / approach;
     }
 
     double residual(const Loaded& x, double approach) const {
-        double worst = 0;
-        for (Index i = 0; i < problem_.nodes(); ++i) {
-            const double depth = approach - problem_.gap[i] - x.displacement[i];
-            worst = std::max(worst, x.pressure[i] > 0 ? std::abs(depth) : depth);
-        }
-        return worst / approach;
+        return problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
+            double worst = 0;
+            for (Index i = first; i < first + n; ++i) {
+                const double depth = approach - problem_.gap[i] - x.displacement[i];
+                worst = std::max(worst, x.pressure[i] > 0 ? std::abs(depth) : depth);
+            }
+            return worst;
+        }) / approach;
     }
 
     /// Nodes leave and join in the same round, until that makes the set swing. From then on none joins in a
@@ -235,19 +249,17 @@ class ActiveSet {
     /// Drops the nodes under tension and adds those that penetrate by more than `min_depth`, with
     /// displacements known to `accuracy`. Returns false if the set stays the same.
     bool change_set(double& approach, double min_depth, double accuracy) {
-        std::vector<int> dropped;
-        for (const int i : set_.nodes())
-            if (!(load_.pressure[i] > 0))
-                dropped.push_back(i);
+        const std::vector<int> dropped = problem_.team->where(
+            problem_.nodes(), [&](Index i) { return set_.holds(i) && !(load_.pressure[i] > 0); });
         for (const int i : dropped) {
             set_.erase(i);
             load_.pressure[i] = 0;
         }
         if (sum_ && !dropped.empty()) {
             const double growth = *sum_ / load_.pressure.sum();
-            load_.pressure *= growth;
-            product_.pressure *= growth;
-            product_.displacement *= growth;
+            for (Eigen::VectorXd* scaled : {&load_.pressure, &product_.pressure, &product_.displacement})
+                problem_.team->each_range(
+                    scaled->size(), [&](Index first, Index n, int) { scaled->segment(first, n) *= growth; });
             product_.blur *= growth;
         }
         if (stale_ || !dropped.empty())
@@ -256,7 +268,8 @@ class ActiveSet {
         look(approach);
         std::vector<int> added;
         if (dropped.empty() || problem_.is_2d())
-            added = advancing_nodes(depth_, set_.touching(), problem_.shape, min_depth + ahead_);
+            added =
+                advancing_nodes(depth_, set_.touching(), problem_.shape, min_depth + ahead_, *problem_.team);
         ahead_ = 0;
         if (swinging_ && !dropped.empty())
             added.clear();
@@ -349,7 +362,7 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
     ActiveSet solver(problem, options, purpose);
     std::optional<SplitOperator> check;
     if (purpose == Purpose::curve)
-        check.emplace(problem.column, problem.shape);
+        check.emplace(problem.column, problem.shape, *problem.team);
     double approach = 0;
     for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = solver.applies();

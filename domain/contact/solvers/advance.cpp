@@ -43,13 +43,10 @@ Index assess_run(const Eigen::ArrayXd& depth, Index first, Index stride, Index p
 } // namespace
 
 std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Extent shape,
-                                 double min_depth) {
+                                 double min_depth, Team& team) {
     auto touches = [&](Index i) { return touching[static_cast<std::size_t>(i)] != 0; };
     auto penetrates = [&](Index i) { return depth[i] > min_depth && !touches(i); };
-    std::vector<int> deep;
-    for (Index i = 0; i < depth.size(); ++i)
-        if (penetrates(i))
-            deep.push_back(static_cast<int>(i));
+    const std::vector<int> deep = team.where(depth.size(), penetrates);
     std::vector<std::pair<double, int>> found;
     const auto take = [&](Index i, const Doubt& doubt) {
         const double share =

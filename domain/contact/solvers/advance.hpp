@@ -13,6 +13,6 @@ namespace rough {
 /// run without a contact at its ends is a new summit, which touches at its deepest nodes. On a map a node is
 /// assessed in its runs along x and y, and the surer one counts.
 std::vector<int> advancing_nodes(const Eigen::ArrayXd& depth, const std::vector<char>& touching, Extent shape,
-                                 double min_depth);
+                                 double min_depth, Team& team = Team::alone());
 
 } // namespace rough

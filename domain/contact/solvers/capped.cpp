@@ -135,7 +135,7 @@ class CappedContact {
 
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     CappedContact contact(problem, options);
-    SplitOperator check(problem.column, problem.shape);
+    SplitOperator check(problem.column, problem.shape, *problem.team);
     for (const double approach : problem.approach) {
         StepSolution step = contact.press(approach);
         certify_step("capped active set", problem, step, check, contact.pressure(),

@@ -3,6 +3,7 @@
 #include "domain/numerics/vector_loops.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -15,9 +16,18 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     const double scale = approach > 0 ? approach : 1, mean = pressure.sum() / problem.elements;
     constexpr double none = std::numeric_limits<double>::infinity();
     // Penetration is sought over all nodes: on the contact set it is part of |gap|.
-    bool finite = true;
-    double deepest =
-        vector_loops().deepest(problem.gap.data(), displacement, problem.nodes(), approach, finite);
+    std::atomic<bool> finite = true;
+    double deepest = problem.team->over_ranges(
+        problem.nodes(),
+        [&](Index first, Index count) {
+            bool all = true;
+            const double depth = vector_loops().deepest(problem.gap.data() + first, displacement + first,
+                                                        count, approach, all);
+            if (!all)
+                finite = false;
+            return depth;
+        },
+        [](double a, double b) { return std::max(a, b); });
     if (!std::isfinite(mean) || !finite) // a NaN anywhere invalidates the solution
         return {none, none, none, none};
     const bool yields = std::isfinite(problem.cap);

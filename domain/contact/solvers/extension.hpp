@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/numerics/aligned.hpp"
+#include "domain/numerics/team.hpp"
 
 #include <vector>
 
@@ -14,8 +14,8 @@ namespace rough {
 /// to 1.
 class Extension {
   public:
-    /// From the known nodes, in increasing order.
-    Extension(Extent shape, std::vector<int> nodes);
+    /// From the known nodes, in increasing order. The team shares its loops and must outlive it.
+    Extension(Extent shape, std::vector<int> nodes, Team& team = Team::alone());
     /// E: `field` has values at the known nodes and gets them elsewhere.
     void extend(float* field);
     /// E': carries the values at all other nodes over to the known ones. The other nodes then hold no useful
@@ -35,12 +35,17 @@ class Extension {
     void refine(const Level& from, Extent shape, const float* weight, float* into);
     /// The transpose of refine; `from` keeps the part that the weights give.
     void coarsen(float* from, Extent shape, const float* weight, Level& into);
+    /// change(k) for each known node; those of one parent by the same thread, in order.
+    template <class Change>
+    void each_node(Change change);
 
+    Team& team_;
     Extent shape_;
     std::vector<int> nodes_, parents_;
+    std::vector<std::size_t> starts_;   ///< positions of the first nodes of ranges of parents' rows
     std::vector<float> shares_, known_; ///< shares in the parents, and known values, of the nodes
     std::vector<Level> levels_;         ///< the last is a single square
-    std::vector<float> line_, row_;     ///< to work in: a coarse row, a fine one, and a number at either end
+    std::vector<float> work_; ///< for each thread: a coarse row, a fine one, and numbers at their ends
 };
 
 } // namespace rough

@@ -18,9 +18,9 @@ constexpr double finest = 1e-12;
 class PolonskyKeer {
   public:
     PolonskyKeer(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem), check_(problem.column, problem.shape),
-          set_(problem.nodes()), load_(problem.nodes()), direction_(problem.nodes()),
-          tangent_(problem.nodes()) {}
+        : problem_(problem), options_(options), solver_(problem),
+          check_(problem.column, problem.shape, *problem.team), set_(problem.nodes()), load_(problem.nodes()),
+          direction_(problem.nodes()), tangent_(problem.nodes()) {}
 
     /// One step to an approach, or to a load if one is given.
     StepSolution press(double approach, std::optional<double> load = {}) {

@@ -9,6 +9,9 @@ namespace rough {
 
 namespace {
 
+/// Loops over fewer nodes are over before another thread has begun.
+constexpr Index shared_nodes = 128 * 128;
+
 void check_profile(const Profile& profile) {
     if (profile.is_2d()) {
         if (!std::isfinite(profile.row_spacing))
@@ -51,6 +54,10 @@ void check_displacements(const Profile& profile, const Body& body, const std::ve
 
 } // namespace
 
+int useful_threads(const Profile& profile, int threads) {
+    return profile.is_2d() && profile.nodes() >= shared_nodes ? threads : 1;
+}
+
 double largest_displacement(const Profile& profile, const Body& body) {
     if (!body.relative_to_mean() || body.yields()) // nodes at the hardness may sink in
         return std::numeric_limits<double>::infinity();
@@ -59,7 +66,7 @@ double largest_displacement(const Profile& profile, const Body& body) {
 }
 
 ContactProblem make_problem(const Profile& profile, const Body& given,
-                            const std::vector<double>& displacements) {
+                            const std::vector<double>& displacements, Team& team) {
     check_profile(profile);
     if (profile.is_2d() && given.kernel == Kernel::strip)
         refuse_value("kernel", "strip",
@@ -74,7 +81,8 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     ContactProblem problem;
     static_cast<UnitBody&>(problem) = in_units(body, profile.spacing, profile.row_spacing);
     problem.shape = profile.shape();
-    problem.column = influence_column(problem, problem.shape);
+    problem.team = &team;
+    problem.column = influence_column(problem, problem.shape, team);
     problem.gap = (profile.heights.maxCoeff() - profile.heights.array()) / unit;
     for (const double displacement : displacements)
         problem.approach.push_back(displacement / unit);
@@ -87,11 +95,11 @@ ContactProblem make_problem(const Profile& profile, const Body& given,
     return problem;
 }
 
-ContactProblem make_problem_at(const Profile& profile, const Body& body,
-                               const std::vector<double>& pressures) {
+ContactProblem make_problem_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
+                               Team& team) {
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    ContactProblem problem =
-        make_problem(profile, body, {std::min(range > 0 ? range : 1, largest_displacement(profile, body))});
+    ContactProblem problem = make_problem(
+        profile, body, {std::min(range > 0 ? range : 1, largest_displacement(profile, body))}, team);
     problem.approach.clear();
     for (const double pressure : pressures)
         problem.load.push_back(pressure / problem.pressure_unit * problem.elements);
@@ -112,7 +120,9 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
     coarse.datum = problem.datum / ratio;
     coarse.strip_width = problem.strip_width / ratio;
     coarse.layering = in_units(problem.layering, ratio, 1);
-    coarse.column = influence_column(coarse, coarse.shape);
+    if (coarse.nodes() < shared_nodes)
+        coarse.team = &Team::alone();
+    coarse.column = influence_column(coarse, coarse.shape, *coarse.team);
     coarse.pressure_unit = problem.pressure_unit / ratio;
     coarse.elements = problem.elements / (problem.is_2d() ? ratio * ratio : ratio);
     for (double& load : coarse.load) // equal mean pressures, in the coarse grid's units
@@ -151,7 +161,7 @@ void fail(const char* solver, const ContactProblem& problem, double approach, do
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {
     Eigen::VectorXd stiffness = periodic_spectrum(problem, problem.shape).cwiseInverse();
     stiffness[0] = 0;
-    FourierOperator inverse = FourierOperator::circulant(problem.shape, stiffness);
+    FourierOperator inverse = FourierOperator::circulant(problem.shape, stiffness, *problem.team);
     Eigen::VectorXd::Map(inverse.input(), problem.nodes()) = -problem.gap;
     return Eigen::VectorXd::Map(inverse.apply(), problem.nodes());
 }

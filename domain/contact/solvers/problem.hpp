@@ -24,6 +24,8 @@ struct ContactProblem : UnitBody {
     double elements;          ///< L/delta, on a map N: P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
 
+    Team* team = &Team::alone(); ///< shares the loops over an area's nodes; outlives the problem
+
     /// Multiplications after which a factor gives up.
     double work_limit = std::numeric_limits<double>::infinity();
 
@@ -36,10 +38,13 @@ struct ContactProblem : UnitBody {
 
 /// Throws InputError for anything that a contact problem can be refused for.
 ContactProblem make_problem(const Profile& profile, const Body& body,
-                            const std::vector<double>& displacements);
+                            const std::vector<double>& displacements, Team& team = Team::alone());
 /// A problem under load control, to mean pressures in MPa; heights are in units of their range.
-ContactProblem make_problem_at(const Profile& profile, const Body& body,
-                               const std::vector<double>& pressures);
+ContactProblem make_problem_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
+                               Team& team = Team::alone());
+
+/// Threads worth having for a surface: areas of fewer than 128 x 128 nodes and lines take one.
+int useful_threads(const Profile& profile, int threads);
 
 /// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
 /// hardness, otherwise infinity.
@@ -56,9 +61,9 @@ template <typename Real = double>
 BasicFourierOperator<Real> fourier_operator(const ContactProblem& problem) {
     if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.shape.columns) &&
         is_good_fourier_length(problem.shape.rows))
-        return BasicFourierOperator<Real>::circulant(problem.shape,
-                                                     periodic_spectrum(problem, problem.shape));
-    return BasicFourierOperator<Real>::toeplitz(problem.column, problem.shape);
+        return BasicFourierOperator<Real>::circulant(problem.shape, periodic_spectrum(problem, problem.shape),
+                                                     *problem.team);
+    return BasicFourierOperator<Real>::toeplitz(problem.column, problem.shape, *problem.team);
 }
 
 /// One step's solution in the problem's units.

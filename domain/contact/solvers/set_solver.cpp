@@ -176,59 +176,80 @@ Extent circulant_shape(const ContactProblem& problem) {
 }
 
 /// Adds factor x to y, and returns the largest |x|. A plain loop, because Eigen casts one number at a time.
-float add(double factor, const float* x, Eigen::VectorXd& y) {
-    const Index n = y.size();
+double add(Team& team, double factor, const float* x, Eigen::VectorXd& y) {
     double* into = y.data();
-    for (Index i = 0; i < n; ++i)
-        into[i] += factor * static_cast<double>(x[i]);
-    return Eigen::VectorXf::Map(x, n).cwiseAbs().maxCoeff();
+    return team.largest(y.size(), [=](Index first, Index count) {
+        for (Index i = first; i < first + count; ++i)
+            into[i] += factor * static_cast<double>(x[i]);
+        return static_cast<double>(Eigen::VectorXf::Map(x + first, count).cwiseAbs().maxCoeff());
+    });
 }
 
 } // namespace
 
+double dot(Team& team, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return team.sum(a.size(), [&](Index first, Index count) {
+        return a.segment(first, count).dot(b.segment(first, count));
+    });
+}
+
+double largest(Team& team, const Eigen::VectorXd& a) {
+    return team.largest(
+        a.size(), [&](Index first, Index count) { return a.segment(first, count).cwiseAbs().maxCoeff(); });
+}
+
 void ContactSet::collect() {
-    nodes_.clear();
-    for (std::size_t i = 0; i < touching_.size(); ++i)
-        if (touching_[i])
-            nodes_.push_back(static_cast<int>(i));
+    nodes_ = team_.where(static_cast<Index>(touching_.size()), [&](Index i) { return holds(i); });
 }
 
 SetSolver::SetSolver(const ContactProblem& problem)
-    : shape_(problem.shape), sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
+    : team_(*problem.team), shape_(problem.shape),
+      sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
       forward_(fourier_operator(problem)), single_(fourier_operator<float>(problem)),
       inverse_shape_(circulant_shape(problem)),
-      inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_))) {
-}
+      inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_),
+                                                team_)) {}
 
 void SetSolver::load(Loaded& x) {
-    const Index n = x.pressure.size();
-    std::copy_n(x.pressure.data(), n, forward_.input());
-    std::copy_n(forward_.apply(), n, x.displacement.data());
+    Eigen::Map<Eigen::VectorXd> input(forward_.input(), x.pressure.size());
+    team_.copy(x.pressure, input);
+    forward_.apply();
+    team_.copy(input, x.displacement); // where the product is
     ++applies_;
 }
 
 void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
     const Index n = x.pressure.size();
     if (known.pressure.size() == n && known.blur < accuracy) {
-        const Eigen::VectorXd change = x.pressure - known.pressure;
-        const double scale = change.cwiseAbs().maxCoeff();
+        const double scale = team_.largest(n, [&](Index first, Index count) {
+            return (x.pressure.segment(first, count) - known.pressure.segment(first, count))
+                .cwiseAbs()
+                .maxCoeff();
+        });
         if (scale > 0) {
             const double inverse = 1 / scale;
             float* input = single_.input();
-            for (Index i = 0; i < n; ++i)
-                input[i] = static_cast<float>(change[i] * inverse);
-            const float largest_entry = add(scale, single_.apply(), known.displacement);
+            team_.each_range(n, [&](Index first, Index count, int) {
+                for (Index i = first; i < first + count; ++i)
+                    input[i] = static_cast<float>((x.pressure[i] - known.pressure[i]) * inverse);
+            });
+            known.blur += single_rounding * scale * add(team_, scale, single_.apply(), known.displacement);
             ++applies_;
-            known.blur += single_rounding * scale * static_cast<double>(largest_entry);
         }
         if (known.blur <= accuracy) { // false for NaN
-            known.pressure = x.pressure;
-            x.displacement = known.displacement;
+            team_.copy(x.pressure, known.pressure);
+            team_.copy(known.displacement, x.displacement);
             return;
         }
     }
     load(x);
-    known = {x.pressure, x.displacement, 0};
+    remember(x, known);
+}
+
+void SetSolver::remember(const Loaded& x, KnownProduct& known) {
+    team_.copy(x.pressure, known.pressure);
+    team_.copy(x.displacement, known.displacement);
+    known.blur = 0;
 }
 
 std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const {
@@ -245,17 +266,23 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
                          const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image,
                          Extension* extension) const {
     float* full = matrix.input();
-    std::fill_n(full, matrix.nodes(), 0.0F);
+    const Index m = v.size();
     const double inverse = 1 / scale;
-    for (std::size_t k = 0; k < places.size(); ++k)
-        full[places[k]] = static_cast<float>(v[static_cast<Index>(k)] * inverse);
+    team_.each_range(matrix.nodes(),
+                     [=](Index first, Index count, int) { std::fill_n(full + first, count, 0.0F); });
+    team_.each_range(m, [&](Index first, Index count, int) {
+        for (Index k = first; k < first + count; ++k)
+            full[places[static_cast<std::size_t>(k)]] = static_cast<float>(v[k] * inverse);
+    });
     if (extension)
         extension->extend(full);
     const float* product = matrix.apply();
     if (extension)
         extension->transpose(full);
-    for (std::size_t k = 0; k < places.size(); ++k)
-        image[static_cast<Index>(k)] = scale * static_cast<double>(product[places[k]]);
+    team_.each_range(m, [&](Index first, Index count, int) {
+        for (Index k = first; k < first + count; ++k)
+            image[k] = scale * static_cast<double>(product[places[static_cast<std::size_t>(k)]]);
+    });
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
@@ -268,99 +295,135 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     const std::vector<int> places = inverse_places(nodes);
     std::optional<Extension> extension;
     if (is_2d())
-        extension.emplace(inverse_shape_, places);
-    Eigen::VectorXd r(m), z(m), q(m), hq(m), even; // even: like what the preconditioner makes of a constant
-    if (level) { // continued it is a constant, and so is a circulant times it
+        extension.emplace(inverse_shape_, places, team_);
+    Eigen::VectorXd r(m), z(m), q = Eigen::VectorXd::Zero(m), hq(m),
+                                even; // even: like what the preconditioner makes of a constant
+    if (level) {                      // continued it is a constant, and so is a circulant times it
         float* full = inverse_.input();
         std::fill_n(full, inverse_.nodes(), 1.0F);
         extension->transpose(full);
         even = Eigen::VectorXf::Map(full, inverse_.nodes())(places).cast<double>();
     }
+    const double even_sum = even.sum();
+    // change(first, count) of each range of the nodes
+    const auto each = [&](auto change) {
+        team_.each_range(m, [&](Index first, Index count, int) { change(first, count); });
+    };
     double offset = 0; // subtracted from r, which any constant may be
     const auto centre = [&] {
         if (!level)
             return;
-        const double middle = (r.maxCoeff() + r.minCoeff()) / 2;
-        r.array() -= middle;
+        const auto most = [&](double sign) {
+            return sign *
+                   team_.over_ranges(
+                       m,
+                       [&](Index first, Index count) { return (sign * r.segment(first, count)).maxCoeff(); },
+                       [](double a, double b) { return std::max(a, b); });
+        };
+        const double middle = (most(1) + most(-1)) / 2;
+        each([&](Index first, Index count) { r.segment(first, count).array() -= middle; });
         offset += middle;
     };
     bool solved = false;
     double before = std::numeric_limits<double>::infinity();
     for (long iteration = 0;;) {
-        for (Index k = 0; k < m; ++k) {
-            const Index i = nodes[static_cast<std::size_t>(k)];
-            r[k] = target(i) - x.displacement[i];
-        }
-        x.pressure(nodes) += deflation.project(r);
+        each([&](Index first, Index count) {
+            for (Index k = first; k < first + count; ++k) {
+                const Index i = nodes[static_cast<std::size_t>(k)];
+                r[k] = target(i) - x.displacement[i];
+            }
+        });
+        if (!is_2d())
+            x.pressure(nodes) += deflation.project(r);
         offset = 0;
         centre();
-        const double scale = r.cwiseAbs().maxCoeff();
+        const double scale = largest(team_, r);
         // Written so that a NaN residual ends the loop, too.
         const bool progress = scale < 0.5 * before;
         before = scale;
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
-            const double largest = r.cwiseAbs().maxCoeff();
+            const double residual = largest(team_, r);
             // On a few nodes the residual falls in one step below the resolution of single precision.
-            if (largest <= enough.residual && !first && enough.residual < single_rounding * scale)
+            if (residual <= enough.residual && !first && enough.residual < single_rounding * scale)
                 break;
-            solved = largest <= enough.residual;
+            solved = residual <= enough.residual;
             if (solved)
                 break;
             multiply(inverse_, places, r, scale > 0 ? scale : 1, z, extension ? &*extension : nullptr);
-            if (level)
-                z -= z.sum() / even.sum() * even;
-            const double energy = r.dot(z);
+            if (level) {
+                const double sum =
+                    team_.sum(m, [&](Index first, Index count) { return z.segment(first, count).sum(); });
+                each([&](Index first, Index count) {
+                    z.segment(first, count) -= sum / even_sum * even.segment(first, count);
+                });
+            }
+            const double energy = dot(team_, r, z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
-            if (solved || iteration >= limit || !progress || !(energy > 0) || largest <= single_depth * scale)
+            if (solved || iteration >= limit || !progress || !(energy > 0) ||
+                residual <= single_depth * scale)
                 break;
             deflation.purge(z);
-            q = first ? z : z + energy / rz * q;
+            each([&, growth = first ? 0 : energy / rz](Index from, Index count) {
+                auto part = q.segment(from, count);
+                part = z.segment(from, count) + growth * part;
+            });
             rz = energy;
             multiply(single_, nodes, q, scale, hq);
             ++applies_;
-            const double curvature = q.dot(hq);
+            const double curvature = dot(team_, q, hq);
             if (!(curvature > 0))
                 break;
             const double step = rz / curvature;
-            if (known) {
-                const float largest_entry = add(step * scale, single_.applied(), known->displacement);
-                known->blur += single_rounding * std::abs(step * scale) * static_cast<double>(largest_entry);
-            }
-            r -= step * hq;
+            if (known)
+                known->blur += single_rounding * std::abs(step * scale) *
+                               add(team_, step * scale, single_.applied(), known->displacement);
+            each([&](Index from, Index count) {
+                r.segment(from, count) -= step * hq.segment(from, count);
+                for (Index k = from; k < from + count; ++k)
+                    x.pressure[nodes[static_cast<std::size_t>(k)]] += step * q[k];
+            });
             centre();
-            x.pressure(nodes) += step * q;
         }
-        for (Index k = 0; k < m; ++k) {
-            const Index i = nodes[static_cast<std::size_t>(k)];
-            x.displacement[i] = target(i) - r[k] - offset;
-        }
+        each([&](Index first, Index count) {
+            for (Index k = first; k < first + count; ++k) {
+                const Index i = nodes[static_cast<std::size_t>(k)];
+                x.displacement[i] = target(i) - r[k] - offset;
+            }
+        });
         if (level)
             *level = offset;
         if (known) {
-            known->displacement(nodes) = x.displacement(nodes);
-            known->pressure = x.pressure;
-            x.displacement = known->displacement;
+            each([&](Index first, Index count) {
+                for (Index k = first; k < first + count; ++k) {
+                    const Index i = nodes[static_cast<std::size_t>(k)];
+                    known->displacement[i] = x.displacement[i];
+                }
+            });
+            team_.copy(x.pressure, known->pressure);
+            team_.copy(known->displacement, x.displacement);
         }
         if (solved || iteration >= limit || !progress)
             return solved;
         load(x);
         if (known)
-            *known = {x.pressure, x.displacement, 0};
+            remember(x, *known);
     }
 }
 
 double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
-    for (Index i = 0; i < w.pressure.size(); ++i)
-        if (!set.holds(i))
-            w.pressure[i] = 0;
+    team_.each_range(w.pressure.size(), [&](Index first, Index count, int) {
+        for (Index i = first; i < first + count; ++i)
+            if (!set.holds(i))
+                w.pressure[i] = 0;
+    });
     load(w);
     const Enough enough =
         each_entry ? Enough{0.1 * tolerance}
                    : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
     KnownProduct known;
     if (is_2d())
-        known = {w.pressure, w.displacement, 0};
+        remember(w, known);
     improve(
         set, [](Index) { return 1.0; }, w, enough, max_iterations, is_2d() ? &known : nullptr);
     if (tolerance >= single_stiffness)

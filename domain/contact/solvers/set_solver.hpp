@@ -11,8 +11,9 @@ class Extension;
 /// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.
 class ContactSet {
   public:
-    /// Nothing touches.
-    explicit ContactSet(Index nodes) : touching_(static_cast<std::size_t>(nodes), 0) {}
+    /// Nothing touches. The team shares loops over all nodes.
+    explicit ContactSet(Index nodes, Team& team = Team::alone())
+        : team_(team), touching_(static_cast<std::size_t>(nodes), 0) {}
     const std::vector<int>& nodes() const { return nodes_; } ///< increasing; as of the last collect()
     /// N entries, 1 if the node touches; up to date at any time.
     const std::vector<char>& touching() const { return touching_; }
@@ -27,15 +28,23 @@ class ContactSet {
     /// Lets just those nodes touch for which touches(node) is true.
     template <class Touches>
     void assign(Touches touches) {
-        for (std::size_t i = 0; i < touching_.size(); ++i)
-            touching_[i] = touches(static_cast<Index>(i));
+        team_.each_range(static_cast<Index>(touching_.size()), [&](Index first, Index count, int) {
+            for (Index i = first; i < first + count; ++i)
+                touching_[static_cast<std::size_t>(i)] = touches(i);
+        });
         collect();
     }
 
   private:
+    Team& team_;
     std::vector<int> nodes_;
     std::vector<char> touching_;
 };
+
+/// Sums and largest values are joined in the order of a team's ranges, whatever its size.
+double dot(Team& team, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+/// The largest |a_i|.
+double largest(Team& team, const Eigen::VectorXd& a);
 
 /// A vector that is zero off the contact set, and H times it at every node.
 struct Loaded {
@@ -93,10 +102,13 @@ class SetSolver {
     /// extension E, E'M E.
     void multiply(SingleFourierOperator& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
                   double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
+    /// Sets the known product to that of x, which is exact.
+    void remember(const Loaded& x, KnownProduct& known);
     /// Places of nodes on the preconditioner's grid.
     std::vector<int> inverse_places(const std::vector<int>& nodes) const;
     bool is_2d() const { return sums_.size() == 0; }
 
+    Team& team_;
     Extent shape_;
     Eigen::VectorXd sums_; ///< sums of H's first column, for the deflation; empty on an area
     FourierOperator forward_;

@@ -10,6 +10,7 @@
 #include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -262,5 +263,33 @@ TEST_CASE("loads on four million nodes are solved, though the contact set swings
         CHECK(step.kkt_residual < 2e-6);
         // h' is 0.1: between Persson's 1.60 and the 2.51 of Bush, Gibson and Thomas.
         CHECK(step.contact_fraction * 0.1 / step.pressure == Approx(2.1).margin(0.3));
+    }
+}
+
+TEST_CASE("the number of threads changes no bit of a map's curve", "[contact][areas]") {
+    const auto expect_same = [](const ContactCurve& one, const ContactCurve& other) {
+        REQUIRE(one.steps.size() == other.steps.size());
+        CHECK(one.iterations == other.iterations);
+        for (std::size_t j = 0; j < one.steps.size(); ++j) {
+            const LoadStep &a = one.steps[j], &b = other.steps[j];
+            CHECK(std::array{a.displacement, a.pressure, a.tangent_stiffness, a.kkt_residual} ==
+                  std::array{b.displacement, b.pressure, b.tangent_stiffness, b.kkt_residual});
+            CHECK(one.states[j].nodes == other.states[j].nodes);
+            CHECK(one.states[j].pressure == other.states[j].pressure);
+            CHECK(one.states[j].tangent == other.states[j].tangent);
+        }
+    };
+    const Profile map = noise({140, 131}, 0.01, 0.013, 5); // rows and nodes fill no whole block
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
+        ContactOptions options{.states = true};
+        std::vector<ContactCurve> curves, at_loads;
+        for (options.threads = 1; options.threads <= 4; ++options.threads) {
+            curves.push_back(solve_contact(map, on(kernel), steps_of(map, kernel, 2, 0.5), options));
+            at_loads.push_back(solve_contact_at_pressures(
+                map, on(kernel), {curves[0].steps[0].pressure, curves[0].steps[1].pressure}, options));
+            INFO(static_cast<int>(kernel) << ", " << options.threads << " threads");
+            expect_same(curves.front(), curves.back());
+            expect_same(at_loads.front(), at_loads.back());
+        }
     }
 }

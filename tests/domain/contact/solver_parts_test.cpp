@@ -22,7 +22,7 @@ struct Scene {
     std::vector<float> field() const { return std::vector<float>(static_cast<std::size_t>(shape.nodes())); }
 };
 
-const std::vector<Extent> shapes{{64, 32}, {27, 35}, {48, 5}, {9, 1}, {2, 3}, {1, 1}};
+const std::vector<Extent> shapes{{64, 32}, {27, 35}, {31, 97}, {48, 5}, {9, 1}, {2, 3}, {1, 1}};
 
 } // namespace
 
