@@ -74,11 +74,14 @@ struct Guess {
 /// The dialect that reads the most lines as rows, with their commonest width.
 Guess best_guess(const Lines& lines, bool one_column) {
     using enum Dialect::Separator;
-    // The end of a file is its table, and a thousand lines of it show the dialect.
+    // The end of a file is its table, and a thousand lines of it show the dialect, or fewer long ones.
     std::vector<std::string_view> sample;
-    for (std::size_t i = lines.size(); i-- > 0 && sample.size() < 1000;)
-        if (!empty_line(lines[i]) && !comment(lines[i]))
+    std::size_t left = 200'000; // characters
+    for (std::size_t i = lines.size(); i-- > 0 && sample.size() < 1000 && (left > 0 || sample.size() < 20);)
+        if (!empty_line(lines[i]) && !comment(lines[i])) {
             sample.push_back(lines[i]);
+            left -= std::min(left, lines[i].size());
+        }
     constexpr std::array<Dialect, 8> dialects{{{semicolon, false},
                                                {semicolon, true},
                                                {tab, false},
@@ -107,15 +110,21 @@ Guess best_guess(const Lines& lines, bool one_column) {
     return best;
 }
 
-/// Whether the last cell is a count of points before the rows: of a wider table, or of as many single heights
-/// as follow.
-bool is_count(const Table& table, std::size_t cells, std::size_t rows_left) {
-    if (table.rows() > 0 || cells != 1 || table.announced >= 0)
+/// Whether a line's only cell is a count of points before the rows: of a wider table, or of as many single
+/// heights as follow. `next` is the index of the line after it.
+bool is_count(const Table& table, const Lines& lines, std::size_t next) {
+    if (table.rows() > 0 || table.announced >= 0)
         return false;
     const auto& [value, last_digit] = table.cells.back();
-    return value >= 1 && value == std::floor(value) && last_digit == 1 &&
-           value <= static_cast<double>(max_rows) &&
-           (table.columns > 1 || value == static_cast<double>(rows_left));
+    if (!(value >= 1 && value == std::floor(value) && last_digit == 1 &&
+          value <= static_cast<double>(max_rows)))
+        return false;
+    if (table.columns > 1)
+        return true;
+    double rows = 0;
+    for (std::size_t i = next; i < lines.size(); ++i)
+        rows += !comment(lines[i]) && size_of_row(lines[i], table.dialect).cells > 0;
+    return value == rows;
 }
 
 struct Entry {
@@ -265,16 +274,12 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
     Table table;
     table.dialect = guess.dialect;
     table.columns = guess.columns;
-    std::size_t rows_left = 0, cells = 0;
-    for (const std::string_view line : lines)
-        if (const RowSize row = comment(line) ? RowSize{} : size_of_row(line, table.dialect); row.cells > 0)
-            ++rows_left, cells += std::min(std::max(row.cells, std::min(table.columns, max_scan_columns)),
-                                           table.columns);
-    if (cells > max_cells || table.columns > max_rows)
-        refuse(file, ": more than ", cells > max_cells ? "2e7 numbers" : "1e7 numbers in a line",
-               "; give fewer");
-    table.cells.reserve(cells);
-    table.line.reserve(rows_left);
+    if (table.columns > max_rows)
+        refuse(file, ": more than 1e7 numbers in a line; give fewer");
+    // As many as there can be, but only a few times the file's size.
+    const auto characters = static_cast<std::size_t>(lines[lines.size() - 1].end() - lines[0].begin());
+    table.cells.reserve(std::min({max_cells, lines.size() * table.columns,
+                                  std::max(characters / 2, max_scan_columns * lines.size())}));
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const int line = static_cast<int>(i + 1);
         if (empty_line(lines[i]))
@@ -289,9 +294,8 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
             if (table.cells.size() - before < table.columns)
                 table.cells.push_back(cell);
         });
-        rows_left -= row.cells > 0;
         const bool is_row = row.cells > 0 && (table.rows() > 0 || row.any_number);
-        if (is_row && is_count(table, row.cells, rows_left)) {
+        if (is_row && row.cells == 1 && is_count(table, lines, i + 1)) {
             table.announced = static_cast<long>(table.cells.back().value);
             table.cells.resize(before);
         } else if (is_row) {
@@ -300,6 +304,8 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
                        "; correct this row");
             if (table.rows() == max_rows)
                 refuse(at(file, line), ": more than 1e7 points; give fewer");
+            if (before + table.columns > max_cells)
+                refuse(file, ": more than 2e7 numbers; give fewer");
             table.cells.resize(before + table.columns, Number{std::nan(""), 0});
             table.line.push_back(line);
         } else if (table.rows() == 0) {

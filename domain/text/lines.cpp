@@ -96,7 +96,9 @@ Lines text_lines(std::string& bytes, const std::string& file) {
     const std::string_view text = bytes;
     std::vector<std::uint32_t> starts;
     for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+        std::size_t end = start; // std::string_view::find_first_of takes far longer
+        while (end < text.size() && text[end] != '\n' && text[end] != '\r')
+            ++end;
         if (starts.size() == max_lines)
             throw InputError(file + ": more than " + std::to_string(max_lines) +
                              " lines; give a smaller file");

@@ -14,7 +14,7 @@
 namespace rough {
 namespace {
 
-constexpr std::string_view blank = " \t\v\f";
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 /// The end of the cell that begins at `start`, and the start of the next one.
 std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t start,
@@ -22,12 +22,16 @@ std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t 
     using enum Dialect::Separator;
     std::size_t end = 0;
     if (separator == blanks) {
-        end = std::min(line.find_first_of(blank, start), line.size());
-        return {end, std::min(line.find_first_not_of(blank, end), line.size())};
+        for (end = start; end < line.size() && !is_blank(line[end]);)
+            ++end;
+        std::size_t next = end;
+        while (next < line.size() && is_blank(line[next]))
+            ++next;
+        return {end, next};
     }
     end = line.find(separator == semicolon ? ';' : separator == tab ? '\t' : ',', start);
     while (separator == comma_and_blank && end != line.npos && end + 1 < line.size() &&
-           blank.find(line[end + 1]) == blank.npos)
+           !is_blank(line[end + 1]))
         end = line.find(',', end + 1);
     end = std::min(end, line.size());
     return {end, end + 1};
@@ -35,21 +39,37 @@ std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t 
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
+/// std::pow(10, exponent), of which a table holds the usual ones.
+double power_of_ten(int exponent) {
+    constexpr int largest = 30;
+    static const auto usual = [] {
+        std::array<double, 2 * largest + 1> powers{};
+        for (int k = -largest; k <= largest; ++k)
+            powers[static_cast<std::size_t>(k + largest)] = std::pow(10., k);
+        return powers;
+    }();
+    return std::abs(exponent) <= largest ? usual[static_cast<std::size_t>(exponent + largest)]
+                                         : std::pow(10., exponent);
+}
+
 bool says_missing(std::string_view cell) {
     constexpr std::array<std::string_view, 23> words{
         "",        "nan",     "-nan", "na",  "n/a", "#n/a", "null",    "none",
         "bad",     "-",       "--",   "---", "inf", "-inf", "1.#qnan", "-1.#ind",
         "missing", "invalid", "*",    "***", "?",   "n.a.", "nan(ind)"};
-    return std::find(words.begin(), words.end(), lower(cell)) != words.end();
+    constexpr std::size_t longest = 8;
+    return cell.size() <= longest && std::find(words.begin(), words.end(), lower(cell)) != words.end();
 }
 
 } // namespace
 
 std::string_view trim(std::string_view text) {
-    constexpr std::string_view ends = " \t\v\f\r\n";
-    const std::size_t first = text.find_first_not_of(ends);
-    return first == std::string_view::npos ? std::string_view{}
-                                           : text.substr(first, text.find_last_not_of(ends) - first + 1);
+    const auto is_end = [](char c) { return is_blank(c) || c == '\r' || c == '\n'; };
+    while (!text.empty() && is_end(text.front()))
+        text.remove_prefix(1);
+    while (!text.empty() && is_end(text.back()))
+        text.remove_suffix(1);
+    return text;
 }
 
 std::vector<std::string> listed(const std::string& text) {
@@ -108,37 +128,45 @@ std::vector<std::string_view> split(std::string_view line, Dialect::Separator se
 }
 
 std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
-    if (says_missing(cell))
-        return Number{std::numeric_limits<double>::quiet_NaN(), 0};
-    std::string text(cell.substr(cell.starts_with('+') ? 1 : 0));
+    const auto not_a_number = [&]() -> std::optional<Number> {
+        if (says_missing(cell))
+            return Number{std::numeric_limits<double>::quiet_NaN(), 0};
+        return std::nullopt;
+    };
+    std::string_view text = cell.substr(cell.starts_with('+') ? 1 : 0);
+    if (text.empty() || !(digit(text[0]) || text[0] == '-' || text[0] == '.'))
+        return not_a_number();
     // If commas separate, a cell "05" is the fraction of a number with a decimal comma.
     if (dialect.separator == Dialect::Separator::comma && text.size() > 1 && text[0] == '0' && digit(text[1]))
         return std::nullopt;
-    std::size_t point = text.find('.');
+    std::size_t point = text.find(dialect.decimal_comma ? ',' : '.');
+    std::string with_point;
     if (dialect.decimal_comma) {
-        if (point != std::string::npos)
-            return std::nullopt;
-        point = text.find(',');
-        if (point != std::string::npos)
-            text[point] = '.';
-        if (point != std::string::npos && (point + 1 == text.size() || !digit(text[point + 1])))
-            return std::nullopt;
+        if (text.find('.') != text.npos)
+            return not_a_number();
+        if (point != text.npos) {
+            if (point + 1 == text.size() || !digit(text[point + 1]))
+                return std::nullopt;
+            with_point = text;
+            with_point[point] = '.';
+            text = with_point;
+        }
     }
-    if (text.empty() || !(digit(text[0]) || text[0] == '-' || text[0] == '.'))
-        return std::nullopt;
     Number result;
     const char* const end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, result.value);
     if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(result.value))
-        return std::nullopt;
-    const std::size_t exponent = std::min(text.find_first_of("eE"), text.size());
+        return not_a_number();
+    std::size_t exponent = 0;
+    while (exponent < text.size() && text[exponent] != 'e' && text[exponent] != 'E')
+        ++exponent;
     int power = 0;
     if (exponent + 1 < text.size()) {
         const char* const first = text.data() + exponent + (text[exponent + 1] == '+' ? 2 : 1);
         std::from_chars(first, end, power);
     }
     const int decimals = point < exponent ? static_cast<int>(exponent - point - 1) : 0;
-    result.last_digit = std::pow(10., static_cast<double>(power) - decimals);
+    result.last_digit = power_of_ten(std::clamp(power, -1000, 1000) - decimals);
     return result;
 }
 

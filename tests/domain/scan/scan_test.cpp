@@ -345,7 +345,7 @@ TEST_CASE("a small file never takes much memory") {
     std::string widths = repeated("1 ", 1'000'000) + "\n"; // each width is as common as the widest
     for (int i = 1; i < 1000; ++i)
         widths += repeated("1 ", i) + "\n";
-    check_frugal("rows of all widths", widths, "columns, but the other rows have 1000000");
+    check_frugal("rows of all widths", widths, "columns, but the other rows have");
     std::string places; // no two points share an x or a y
     for (int i = 0; i < 200'000; ++i)
         places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
