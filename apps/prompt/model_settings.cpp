@@ -305,9 +305,9 @@ rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const 
     grid.rows = static_cast<rough::Index>(nodes.back());
     grid.length = length.front();
     grid.width = length.back();
-    if (nodes.front() * nodes.back() > 1e7)
+    if (nodes.front() * nodes.back() > 2e7)
         settings.refuse(prefix + "nodes",
-                        "'" + settings.text(prefix + "nodes") + "' has more than 1e7 nodes; give fewer");
+                        "'" + settings.text(prefix + "nodes") + "' has more than 2e7 nodes; give fewer");
     return grid;
 }
 

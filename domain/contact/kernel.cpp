@@ -61,20 +61,21 @@ double cell_potential(double x, double y, double b) {
     return b * sum;
 }
 
+struct Known {
+    std::optional<std::pair<UnitBody, Extent>> of;
+    Eigen::VectorXd values;
+};
+
 /// Remembers the last two results of this thread. A search needs the same one many times, or those of a fine
-/// and a coarse grid in turn.
+/// and a coarse grid in turn. make(known) may use the result before.
 template <class Make>
 Eigen::VectorXd remembered(const UnitBody& body, Extent shape, Make make) {
-    struct Known {
-        std::optional<std::pair<UnitBody, Extent>> of;
-        Eigen::VectorXd values;
-    };
     const std::pair key(body, shape);
     thread_local Known last, before;
     if (last.of != key) {
         std::swap(last, before);
         if (last.of != key)
-            last = {key, make()};
+            last = {key, make(before)};
     }
     return last.values;
 }
@@ -92,8 +93,12 @@ double flamant_entry(double r, double datum) {
     return -(2 / pi) * (r * std::log1p(1 / (r - 0.5)) + 0.5 * std::log((r * r - 0.25) / (datum * datum)) - 1);
 }
 
-Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, Team& team) {
+/// `known` may hold the entries of another grid of the same body.
+Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, Team& team, const Known& known) {
     Eigen::VectorXd column(shape.nodes());
+    const Extent there = body.is_2d() && body.kernel == Kernel::free && known.of && known.of->first == body
+                             ? known.of->second
+                             : Extent{0, 0};
     const Eigen::VectorXd table = body.kernel == Kernel::periodic
                                       ? circulant_column(periodic_spectrum(body, shape), shape)
                                       : Eigen::VectorXd();
@@ -108,7 +113,9 @@ Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, Team& team) 
                 const Index k = mirror(i, shape.columns);
                 entry = body.is_2d() ? 0.25 * ((row[i] + row[k]) + (other[i] + other[k]))
                                      : 0.5 * (row[i] + row[k]);
-            } else if (body.is_2d())
+            } else if (j < there.rows && i < there.columns)
+                entry = known.values[j * there.columns + i];
+            else if (body.is_2d())
                 entry = cell_potential(x, body.row_spacing * static_cast<double>(j), body.row_spacing) / pi;
             else
                 entry = body.kernel == Kernel::free ? flamant_entry(x, body.datum)
@@ -141,7 +148,7 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing) {
 }
 
 Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
-    return remembered(body, shape, [&] {
+    return remembered(body, shape, [&](const Known&) {
         const Layering& layering = body.layering;
         const Index half = shape.columns / 2 + 1;
         Eigen::VectorXd spectrum(half * shape.rows);
@@ -166,14 +173,15 @@ Eigen::VectorXd influence_column(const UnitBody& body, Extent shape) {
 }
 
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team) {
-    return remembered(body, shape, [&] { return computed_column(body, shape, team); });
+    return remembered(body, shape,
+                      [&](const Known& known) { return computed_column(body, shape, team, known); });
 }
 
 bool contact_sets_nest(const UnitBody& body, Extent shape) {
     if (body.layering.layers.empty())
         return true;
     constexpr double rounding = 1e-9; // relative to the diagonal
-    const Eigen::VectorXd highest = remembered(body, shape, [&] {
+    const Eigen::VectorXd highest = remembered(body, shape, [&](const Known&) {
         Eigen::VectorXd stiffness = periodic_spectrum(body, shape).cwiseInverse();
         if (!body.layering.carries_mean())
             stiffness[0] = 0;

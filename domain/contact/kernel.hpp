@@ -39,7 +39,7 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 /// 2 asinh(W/2|x|) over the element (strip). Maps: Love (1929), constant pressure on each cell (free). It
 /// has no datum, because displacements vanish at infinity. periodic: the circulant of periodic_spectrum.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape);
-/// By the threads of a team.
+/// Shares the work among the threads of a team.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team);
 
 /// Eigenvalues S_q of the periodic kernel in units of delta/E*: 2/(E* q), q = |wave vector|, or those of a

@@ -61,7 +61,7 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
 
 /// The chosen solver goes first. If it fails, the alternative continues with the failed step, and last
 /// Polonsky-Keer. Each has a limit: the factor of memory and work, the iterative solvers of iterations.
-void solve_by_choice(SolverChoice& choice, ContactProblem problem, const ContactOptions& options,
+void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options,
                      Solution& solution) {
     const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
     const double nested_work = max_nested_work(problem), unlimited = problem.work_limit;
@@ -93,7 +93,19 @@ void solve_by_choice(SolverChoice& choice, ContactProblem problem, const Contact
 }
 
 /// The steps at zero displacement, then the loaded ones.
-Solution solve(SolverChoice& choice, ContactProblem problem, const ContactOptions& options) {
+Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options) {
+    struct Steps { // the problem's, which lose those that are solved
+        explicit Steps(ContactProblem& of)
+            : problem(of), approach(of.approach), load(of.load), work_limit(of.work_limit) {}
+        ~Steps() {
+            problem.approach = std::move(approach);
+            problem.load = std::move(load);
+            problem.work_limit = work_limit;
+        }
+        ContactProblem& problem;
+        std::vector<double> approach, load;
+        double work_limit;
+    } const all(problem);
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
         static_cast<std::size_t>(loaded - problem.approach.begin()),
@@ -296,7 +308,7 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
                            const ContactOptions& options) {
     check_options(body, options);
     Team team(useful_threads(profile, options.threads));
-    const ContactProblem problem = make_problem(profile, body, displacements, team);
+    ContactProblem problem = make_problem(profile, body, displacements, team);
     SolverChoice choice = choose_solver(problem, options);
     Solution solution = solve(choice, problem, options);
     return in_units(problem, displacements, std::move(solution), choice, options);
@@ -306,7 +318,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
                                         const std::vector<double>& pressures, const ContactOptions& options) {
     check_options(body, options);
     Team team(useful_threads(profile, options.threads));
-    make_problem(profile, body, {}, team);
+    checked_body(profile, body);
     const double largest =
         body.hardness * static_cast<double>(profile.nodes()) / elements(profile, body.kernel);
     double previous = 0;
@@ -321,7 +333,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     }
     if (pressures.empty())
         return {};
-    const ContactProblem problem = make_problem_at(profile, body, pressures, team);
+    ContactProblem problem = make_problem_at(profile, body, pressures, team);
     if (body.relative_to_mean() && !body.yields())
         if (const double full = full_contact_load(profile, body); pressures.back() > full)
             refuse_beyond_full_contact(pressures.back(), full);
@@ -355,7 +367,7 @@ ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& 
     const double length = profile_length(profile, body.kernel);
     Body changed = body;
     changed.datum = datum;
-    make_problem(profile, changed, {});
+    checked_body(profile, changed);
     const double compliance = -datum_sensitivity(1, length, body.effective_modulus) *
                               std::log(datum / completed(body, length).datum);
     for (std::size_t j = 0; j < curve.steps.size(); ++j) {
@@ -383,7 +395,7 @@ double full_contact_stiffness(const Profile& surface, const Body& given) {
     flat.heights.setZero();
     const double length = profile_length(flat, given.kernel);
     const Body body = completed(given, length);
-    make_problem(flat, body, {}); // refuses what has no solution
+    checked_body(flat, body);
     Body at_length = body;
     at_length.datum = length;
     const ContactProblem problem = make_problem(flat, at_length, {});

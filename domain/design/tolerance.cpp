@@ -217,7 +217,7 @@ std::pair<double, double> share_interval(double share, int draws) {
 
 /// The number of draws of noise, and the number of parts of each octave of tilts and scales. Both are smaller
 /// if time is short, by the time of some curves, and planned for 0.7 of it.
-std::pair<int, int> effort_for(const Trials& trials, const Grid& grid, const ToleranceOptions& options) {
+std::pair<int, int> effort_for(Trials& trials, const Grid& grid, const ToleranceOptions& options) {
     std::pair effort(draws_for(grid), grid.is_2d() ? 2 : 8);
     auto& [draws, parts] = effort;
     if (options.fixed_draws || std::isinf(options.seconds))

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <optional>
 
 namespace rough {
 
@@ -48,6 +49,23 @@ typename Call<Real>::Complex* as_fftw(std::complex<Real>* numbers) {
 constexpr Index block = 8;
 /// From one of the columns to the next: a power of two would put them all in the same places of the cache.
 constexpr Index column_stride(Index rows) { return rows + block; }
+
+/// Memory of this thread for one transform at a time, which its operators share.
+char* shared_bytes(Index size) {
+    thread_local Index held = 0;
+    thread_local std::optional<AlignedBuffer<char>> memory;
+    if (size > held) {
+        held = 0;
+        memory.reset();
+        memory.emplace(size);
+        held = size;
+    }
+    return memory->data();
+}
+template <typename Number>
+Number* shared_memory(Index count) {
+    return reinterpret_cast<Number*>(shared_bytes(count * static_cast<Index>(sizeof(Number))));
+}
 
 /// Plans of `count` complex transforms of n numbers in place, `stride` apart.
 template <typename Real>
@@ -108,9 +126,8 @@ void multiply(std::complex<Real>* numbers, const Real* eigenvalues, Index count)
         numbers[k] *= eigenvalues[k];
 }
 
-/// By eigenvalues that are given for k = 0..n/2 of n. The others are their mirror image: number n - k, or n -
-/// 1
-/// - k if `skew`.
+/// Multiplies by eigenvalues that are given for k = 0..n/2. That of a larger k is that of n - k, or of n-1-k
+/// if `skew`.
 template <typename Real>
 void multiply_mirrored(std::complex<Real>* numbers, const Real* eigenvalues, Index n, bool skew = false) {
     multiply(numbers, eigenvalues, n / 2 + 1);
@@ -251,7 +268,6 @@ template <typename Real>
 BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded, Team& team)
     : shape_(shape), padded_(padded), half_(padded.columns / 2 + 1), lines_(padded.rows / 2 + 1),
       real_(shape.rows == 1 ? padded.columns : shape.nodes()), spectrum_(half_ * lines_),
-      transform_(half_ * shape.rows),
       work_(shape.rows == 1 ? 0 : block * std::max(column_stride(padded.rows), half_), team) {}
 
 template <typename Real>
@@ -283,11 +299,12 @@ template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
     const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
     const RowPlans<Real> plans(rows, [=](Index count) { return real_lines<Real>(longer, count); });
-    // A line is padded where it stands, rows of an area in a workspace.
+    auto* const transform = shared_memory<std::complex<Real>>(half_ * rows);
+    // A line is padded in place, rows of an area in a workspace.
     const auto each_rows = [&](auto job) {
         work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
             job(real_.data() + first * n, rows == 1 ? real_.data() : reinterpret_cast<Real*>(memory), count,
-                plans.of(count), as_fftw(transform_.data() + first * half_));
+                plans.of(count), as_fftw(transform + first * half_));
         });
     };
     each_rows([&](const Real* from, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
@@ -299,10 +316,10 @@ const Real* BasicFourierOperator<Real>::apply() {
         Call<Real>::forward(plan.forward, row, wave);
     });
     if (padded_.rows == 1)
-        multiply(transform_.data(), spectrum_.data(), half_);
+        multiply(transform, spectrum_.data(), half_);
     else {
         const PlanPair<Real> plan = column_plans<Real>(padded_.rows);
-        each_column(transform_.data(), {half_, rows}, padded_.rows, work_,
+        each_column(transform, {half_, rows}, padded_.rows, work_,
                     [&](std::complex<Real>* columns, Index first, Index count, Index stride) {
                         Call<Real>::complex(plan.forward, as_fftw(columns), as_fftw(columns));
                         for (Index c = 0; c < count; ++c)
@@ -357,7 +374,7 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
       whole_(is_circulant_ ? shape
                            : Extent{fast_fourier_length(shape.columns),
                                     shape.rows == 1 ? 1 : fast_fourier_length(shape.rows)}),
-      wave_((whole_.columns / 2 + 1) * whole_.rows),
+      wave_(shared_memory<std::complex<double>>((whole_.columns / 2 + 1) * whole_.rows)),
       work_(block * std::max(2 * column_stride(whole_.rows), whole_.columns / 2 + 1), team),
       twist_x_(twists(whole_.columns / 2, whole_.columns)), twist_y_(twists(whole_.rows, whole_.rows)) {
     const Index n = whole_.columns, lines = whole_.rows / 2 + 1;
@@ -393,9 +410,9 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
             eigenvalues.resize(columns * lines);
             const double parts = (line ? 2 : 4) * static_cast<double>(whole_.nodes()) / (skew_x ? 2 : 1);
             if (line)
-                eigenvalues = Eigen::Map<Eigen::ArrayXcd>(wave_.data(), columns).real() / parts;
+                eigenvalues = Eigen::Map<Eigen::ArrayXcd>(wave_, columns).real() / parts;
             else
-                each_column(wave_.data(), {columns, whole_.rows}, whole_.rows, work_,
+                each_column(wave_, {columns, whole_.rows}, whole_.rows, work_,
                             [&](std::complex<double>* columns, Index first, Index count, Index stride) {
                                 if (skew_y)
                                     for (Index c = 0; c < count; ++c)
@@ -418,7 +435,7 @@ void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
     });
     work_.each_range(rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
-        std::complex<double>* wave = wave_.data() + first * columns;
+        std::complex<double>* wave = wave_ + first * columns;
         for (Index c = 0; c < count; ++c) {
             double* numbers = row + (skew_x ? 0 : c * n);
             fill(first + c, numbers);
@@ -441,7 +458,7 @@ void SplitOperator::backward(bool skew_x, Take take) {
     });
     work_.each_range(shape_.rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
-        std::complex<double>* wave = wave_.data() + first * columns;
+        std::complex<double>* wave = wave_ + first * columns;
         const FourierPlan& plan = plans.of(count);
         if (skew_x)
             fftw_execute_dft(plan.backward, as_fftw(wave), as_fftw(wave));
@@ -469,6 +486,7 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
                               skew);
         fftw_execute_dft(plan.backward, as_fftw(columns), as_fftw(columns));
     };
+    wave_ = shared_memory<std::complex<double>>((whole_.columns / 2 + 1) * shape_.rows);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());
     for (const bool skew_x : {false, true}) {
         const auto& [even, skew] = eigenvalues_[skew_x];
@@ -480,9 +498,9 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
         });
         const Index columns = whole_.columns / 2 + !skew_x;
         if (shape_.rows == 1)
-            multiply(wave_.data(), even.data(), columns);
+            multiply(wave_, even.data(), columns);
         else
-            each_column(wave_.data(), {columns, shape_.rows}, rows, work_,
+            each_column(wave_, {columns, shape_.rows}, rows, work_,
                         [&](std::complex<double>* block_of, Index first, Index count, Index stride) {
                             std::complex<double>* twisted = block_of + block * stride;
                             const auto turn = [&](auto job) {

@@ -98,7 +98,6 @@ class BasicFourierOperator {
     Extent shape_, padded_;
     Index half_, lines_; ///< numbers of a half-complex row; of a column's eigenvalues without mirror images
     AlignedBuffer<Real> real_, spectrum_; ///< eigenvalues column after column
-    AlignedBuffer<std::complex<Real>> transform_;
     Workspace<Real> work_;
 };
 /// In double precision.
@@ -128,9 +127,9 @@ class SplitOperator {
     void backward(bool skew_x, Take take);
 
     Extent shape_;
-    bool is_circulant_; ///< without other parts
-    Extent whole_;      ///< N of each axis, or if T is no circulant the next fast length
-    AlignedBuffer<std::complex<double>> wave_;
+    bool is_circulant_;          ///< without other parts
+    Extent whole_;               ///< N of each axis, or if T is no circulant the next fast length
+    std::complex<double>* wave_; ///< transform, in memory of the caller's thread
     Workspace<double> work_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
     /// Of the parts that are circulant or skew along x, then along y: column after column of N_y/2 + 1,

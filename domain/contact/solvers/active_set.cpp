@@ -326,23 +326,33 @@ void refine_line(const double* squares, Index coarse, Index coarse_step, Index s
 /// First guess of the pressures at every node of the fine grid, from the solution on every `stride`-th one
 /// from the first on. Linear in p^2 along x, then along y: near an edge p^2 falls linearly to zero, so that
 /// edges are found within the coarse spacing.
-Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to) {
+Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index stride, Extent to,
+                                  Team& team) {
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(from.nodes());
     for (std::size_t k = 0; k < coarse.nodes.size(); ++k)
         squares[coarse.nodes[k]] = std::pow(coarse.pressure[static_cast<Index>(k)], 2);
     Eigen::VectorXd fine(to.columns * from.rows);
-    for (Index j = 0; j < from.rows; ++j)
+    team.each_block(from.rows, [&](Index j, int) {
         refine_line(squares.data() + j * from.columns, from.columns, 1, stride, fine.data() + j * to.columns,
                     to.columns, 1);
+    });
     if (to.rows > 1) {
         const Eigen::VectorXd along_x = std::move(fine);
         fine.resize(to.nodes());
-        for (Index i = 0; i < to.columns; ++i)
-            refine_line(along_x.data() + i, from.rows, to.columns, stride, fine.data() + i, to.rows,
-                        to.columns);
+        constexpr Index whole_lines = 8; // columns whose numbers are in the same lines of the cache
+        team.each_range(
+            to.columns,
+            [&](Index first, Index count, int) {
+                for (Index i = first; i < first + count; ++i)
+                    refine_line(along_x.data() + i, from.rows, to.columns, stride, fine.data() + i, to.rows,
+                                to.columns);
+            },
+            whole_lines);
     }
-    for (double& value : fine) // pressures are in units of 1/delta
-        value = std::sqrt(value) / static_cast<double>(stride);
+    team.each_range(fine.size(), [&](Index first, Index count, int) {
+        for (double& value : fine.segment(first, count)) // pressures are in units of 1/delta
+            value = std::sqrt(value) / static_cast<double>(stride);
+    });
     return fine;
 }
 
@@ -354,7 +364,7 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
                   Solution& solution) {
     const bool cascade = problem.nodes() > coarsest(problem), by_load = !problem.load.empty();
     const Index stride = problem.is_2d() ? area_stride : line_stride;
-    ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : problem;
+    ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : ContactProblem();
     std::vector<double>& coarse_steps = by_load ? coarse_problem.load : coarse_problem.approach;
     if (problem.is_2d()) // from the first step on the tangent begins as well as a coarser grid
         coarse_steps.resize(std::min<std::size_t>(1, coarse_steps.size()));
@@ -368,7 +378,8 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
         const long before = solver.applies();
         std::optional<Eigen::VectorXd> start;
         if (j < coarse.steps.size()) {
-            start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape);
+            start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape,
+                                      *problem.team);
             approach = coarse.steps[j].approach;
         } else if (by_load && j == 0) {
             start = Eigen::VectorXd::Constant(problem.nodes(),

@@ -65,18 +65,23 @@ double largest_displacement(const Profile& profile, const Body& body) {
     return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
 }
 
-ContactProblem make_problem(const Profile& profile, const Body& given,
-                            const std::vector<double>& displacements, Team& team) {
+Body checked_body(const Profile& profile, const Body& given, const std::vector<double>& displacements) {
     check_profile(profile);
     if (profile.is_2d() && given.kernel == Kernel::strip)
         refuse_value("kernel", "strip",
                      " cannot press a map, because it is one row; choose free or periodic");
-    const double length = profile_length(profile, given.kernel);
-    Body body = completed(given, length);
+    Body body = completed(given, profile_length(profile, given.kernel));
     if (profile.is_2d())
         body.datum = profile.spacing * static_cast<double>(profile.nodes()); // none is needed
     validate(body, profile.nodes(), profile.spacing);
     check_displacements(profile, body, displacements);
+    return body;
+}
+
+ContactProblem make_problem(const Profile& profile, const Body& given,
+                            const std::vector<double>& displacements, Team& team) {
+    const Body body = checked_body(profile, given, displacements);
+    const double length = profile_length(profile, body.kernel);
     const double unit = displacements.empty() || displacements.back() == 0 ? 1 : displacements.back();
     ContactProblem problem;
     static_cast<UnitBody&>(problem) = in_units(body, profile.spacing, profile.row_spacing);
@@ -107,7 +112,15 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body, const s
 }
 
 ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node) {
-    ContactProblem coarse = problem;
+    ContactProblem coarse;
+    static_cast<UnitBody&>(coarse) = problem;
+    coarse.approach = problem.approach;
+    coarse.load = problem.load;
+    coarse.team = problem.team;
+    coarse.cap = problem.cap;
+    coarse.displacement_unit = problem.displacement_unit;
+    coarse.stiffness_unit = problem.stiffness_unit;
+    coarse.work_limit = problem.work_limit;
     const Extent fine = problem.shape;
     const Index first_x = node % fine.columns % stride,
                 first_y = node / fine.columns % (fine.rows == 1 ? 1 : stride);

@@ -36,7 +36,9 @@ struct ContactProblem : UnitBody {
     bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
 };
 
-/// Throws InputError for anything that a contact problem can be refused for.
+/// Throws InputError for anything that a contact problem can be refused for. Returns the completed body.
+Body checked_body(const Profile& profile, const Body& body, const std::vector<double>& displacements = {});
+/// Makes the problem of a surface and body that checked_body() accepts, and throws as it does.
 ContactProblem make_problem(const Profile& profile, const Body& body,
                             const std::vector<double>& displacements, Team& team = Team::alone());
 /// A problem under load control, to mean pressures in MPa; heights are in units of their range.
