@@ -1,6 +1,8 @@
 #include "apps/experiments/solvers/stability.hpp"
+#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "domain/theory/random_surface.hpp"
 
 #include <cmath>
 #include <functional>
@@ -57,6 +59,29 @@ class SceneList {
         scene.body.strip_width = length / 511;
         scene.displacements =
             displacements.empty() ? even_steps(0.9 * reach_of(heights, kernel), 5) : displacements;
+        scenes.push_back(scene);
+        return scenes.back();
+    }
+
+    /// Adds a map under the load that brings about a contact fraction by Persson's theory, on a periodic body
+    /// at most 0.999 of full contact's. A single load begins on the coarsest grid.
+    StabilityScene& add_map(const std::string& name, Kernel kernel, rough::Extent shape, double contact) {
+        constexpr double slope = 0.1;
+        const double spacing = length / static_cast<double>(shape.columns),
+                     width = spacing * static_cast<double>(shape.rows);
+        StabilityScene scene;
+        scene.name = name;
+        scene.body.kernel = kernel;
+        scene.profile = rough::realised(
+            rough::SelfAffine{.longest = 0.5 * length, .shortest = 6 * spacing, .rms_slope = slope},
+            rough::Grid{shape.columns, length, true, 0, shape.rows, width}, 7);
+        double low = 0, high = 4; // between these lies sqrt 2 P/(E* h')
+        for (int k = 0; k < 60; ++k)
+            (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
+        scene.pressures = {low * slope / std::numbers::sqrt2};
+        if (kernel == Kernel::periodic)
+            scene.pressures[0] =
+                std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));
         scenes.push_back(scene);
         return scenes.back();
     }
@@ -152,9 +177,40 @@ void add_bodies(SceneList& list) {
     list.add("nodes-65536", Kernel::strip, many, even_steps(0.9 * reach_of(many, Kernel::strip), 2));
 }
 
+/// Contact fractions of the loads, in words.
+const std::pair<const char*, double> contacts[] = {{"0.1", 0.001}, {"1", 0.01},  {"10", 0.1},    {"45", 0.45},
+                                                   {"90", 0.9},    {"99", 0.99}, {"99.9", 0.999}};
+
+void add_maps(SceneList& list, Kernel kernel, bool large) {
+    const auto at_loads = [&](const std::string& name, rough::Extent shape) {
+        for (const auto& [percent, contact] : contacts)
+            list.add_map(name + "-load-" + percent, kernel, shape, contact);
+    };
+    at_loads("map", {48, 48});
+    for (const double contact : {0.1, 0.9}) {
+        const std::string share = contact < 0.5 ? "-light" : "-heavy";
+        list.add_map("map-odd" + share, kernel, {53, 37}, contact);
+        list.add_map("map-long" + share, kernel, {16, 128}, contact);
+        StabilityScene& capped = list.add_map("map-hardness" + share, kernel, {40, 40}, contact);
+        capped.body.hardness = 2 * capped.pressures[0]; // half of the nodes carry the load at it
+        if (kernel != Kernel::periodic)
+            continue;
+        const auto layered = [&](const char* name, double thickness, double poisson, bool rigid) {
+            StabilityScene& scene = list.add_map(name + share, kernel, {48, 48}, contact);
+            scene.body.layering = {.layers = {{thickness, rigid ? 1.0 : 20.0, poisson}}, .rigid_base = rigid};
+        };
+        layered("map-hard-layer", 0.02 * length, 0.3, false);
+        layered("map-layer-on-rigid", 0.05 * length, 0.3, true);
+        layered("map-rubber-on-rigid", 0.05 * length, 0.499, true);
+    }
+    if (large)
+        for (const Index side : {256, 1024})
+            at_loads("map-" + std::to_string(side), {side, side});
+}
+
 } // namespace
 
-std::vector<StabilityScene> stability_scenes() {
+std::vector<StabilityScene> stability_scenes(bool large) {
     SceneList list;
     for (const Kernel kernel : all_kernels) {
         add_loadings(list, kernel);
@@ -162,6 +218,8 @@ std::vector<StabilityScene> stability_scenes() {
         add_numbers(list, kernel);
     }
     add_bodies(list);
+    for (const Kernel kernel : {Kernel::free, Kernel::periodic})
+        add_maps(list, kernel, large);
     return list.scenes;
 }
 

@@ -42,7 +42,9 @@ ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions option
         options.stop = [&] { return late = clock.seconds() > limit; };
     ContactTrial trial;
     try {
-        trial.curve = solve_contact(scene.profile, scene.body, scene.displacements, options);
+        trial.curve = scene.pressures.empty()
+                          ? solve_contact(scene.profile, scene.body, scene.displacements, options)
+                          : solve_contact_at_pressures(scene.profile, scene.body, scene.pressures, options);
     } catch (const rough::InputError& error) {
         trial.outcome = Outcome::refused;
         trial.message = error.what();

@@ -9,12 +9,14 @@
 /// Trials of a contact solver on a scene, with times.
 namespace app {
 
-/// A named profile that is pressed on a body.
+/// A named surface that is pressed on a body.
 struct ContactScene {
     std::string name;
     rough::Profile profile;
     rough::Body body;
-    std::vector<double> displacements; ///< mm
+    std::vector<double> displacements;  ///< mm
+    std::vector<double> pressures = {}; ///< MPa; if there are any, the loads in place of displacements
+    std::size_t steps() const { return pressures.empty() ? displacements.size() : pressures.size(); }
 };
 /// Displacements of `steps` even load steps up to `last`.
 std::vector<double> even_steps(double last, int steps);
