@@ -1,6 +1,6 @@
 #include "apps/experiments/solvers/stability.hpp"
-#include "domain/contact/full_contact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/contact/solve.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/theory/random_surface.hpp"
 
