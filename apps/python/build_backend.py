@@ -5,6 +5,7 @@ import hashlib
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -31,6 +32,19 @@ def _build(folder):
     return pathlib.Path(folder) / "python" / "rugosa"
 
 
+def _bundle(package, folder):
+    """Files of the module with the shared libraries that not every Linux system with Python has."""
+    module = next(package.glob("_rugosa*.so"))
+    found = re.findall(r"^\s*(\S+) => (/\S+)", subprocess.check_output(["ldd", module], text=True), re.MULTILINE)
+    of_the_system = re.compile(r"(libc|libm|libdl|librt|libpthread|libgcc_s|libstdc\+\+|libz|ld-linux.*)\.so")
+    files = {f"rugosa/libraries/{name}": pathlib.Path(path).read_bytes() for name, path in found
+             if not of_the_system.match(name)}
+    bundled = pathlib.Path(shutil.copy(module, folder))
+    # DT_RPATH, so that the libraries find each other by it, too.
+    subprocess.run(["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN/libraries", bundled], check=True)
+    return files | {f"rugosa/{module.name}": bundled.read_bytes()}
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     version = "cp%d%d" % sys.version_info[:2]
     tag = f"{version}-{version}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
@@ -40,6 +54,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as temporary:
         package = _build(os.environ.get("RUGOSA_BUILD", temporary))
         files = {f"rugosa/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
+        if shutil.which("patchelf"):
+            files |= _bundle(package, temporary)
     files[f"{information}/METADATA"] = METADATA.encode()
     files[f"{information}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: rugosa\nRoot-Is-Purelib: false\n"
                                      f"Tag: {tag}\n").encode()
