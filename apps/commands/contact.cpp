@@ -130,8 +130,6 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
         const rough::Profile surface = pressed_surface(pressed);
         pressed.spot_width = spot_width(contact, surface.shape(), pressed.model.grid.periodic);
         pressed.unresolved = resolution_warning(surface, pressed.model, response);
-        if (!pressed.unresolved.empty())
-            pressed.warnings.push_back(pressed.unresolved);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::find(touching.begin(), touching.end(), node) != touching.end();
@@ -144,6 +142,8 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
                                        readable(cost.stiffness) + " times as large at " +
                                        readable(cost.pressure) + " MPa; set --outliers remove");
     }
+    if (!pressed.unresolved.empty())
+        pressed.warnings.push_back(pressed.unresolved);
     const double limit = elastic_limit(settings, pressed.model.body);
     if (std::isinf(limit))
         return;

