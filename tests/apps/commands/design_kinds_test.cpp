@@ -80,8 +80,7 @@ TEST_CASE("two targets give a front whose similarities follow from its genomes")
     const json& variant = result["variants"]["pipeline"];
     CHECK(std::min(variant["similarity"].get<double>(), variant["similarity_refined"].get<double>()) >=
           best - 0.05);
-    CHECK_THAT(rough::read_whole(folder / "r/report.html"),
-               Catch::Contains("Conflict between the targets"));
+    CHECK_THAT(rough::read_whole(folder / "r/report.html"), Catch::Contains("Conflict between the targets"));
 }
 
 TEST_CASE("the answers of all variants hold the limits, also on a grid four times finer") {

@@ -19,7 +19,7 @@ namespace {
 constexpr double length = 0.5, modulus = 2 / (1 - 0.3 * 0.3); // mm, MPa
 constexpr Index nodes = 97;
 constexpr int steps = 12;
-const std::vector<double> pressures{0.001, 0.002, 0.004, 0.006, 0.008}, stiffnesses{0.4, 0.6, 0.9, 1.1, 1.25};
+const std::vector<double> pressures{0.001, 0.002, 0.004, 0.006, 0.008}, stiffnesses{1.5, 1.8, 2.2, 2.5, 2.8};
 
 /// All numbers in a sentence, in order.
 std::vector<double> numbers_in(const std::string& text) {
@@ -143,7 +143,7 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
     for (const double value : {0.99, checks[0], checks[1], lowest}) {
         char cell[32];
         std::snprintf(cell, sizeof cell, "%.5g", value);
-        CHECK_THAT(page, Catch::Contains("<td class=\"number\">" + std::string(cell)));
+        CHECK_THAT(page, Catch::Contains("<td>" + std::string(cell)));
     }
     says("verdict", {lowest, 0.99});
 
