@@ -40,8 +40,8 @@ int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int e
     return error;
 }
 
-/// Reads "+ GROUP" and "- GROUP". When its input ends, it kills the groups that were added and not removed. It
-/// leads a group, so no signal of the terminal reaches it.
+/// Reads "+ GROUP" and "- GROUP". When its input ends, it kills the groups that were added and not removed.
+/// It leads a group, so no signal of the terminal reaches it.
 constexpr const char* supervisor = R"(trap '' INT TERM HUP
 all=' '
 while read -r sign group; do

@@ -228,5 +228,6 @@ TEST_CASE("an emitter returns its parents when budget or memory end before it ha
     CHECK(large.stopped == "pipeline/emit.1: a population of 100000000 exceeds the 1 MB for one");
     CHECK(large.population.size() == 2);
     f.n = 9; // bounds of genes that the genomes do not have
-    CHECK_THROWS_WITH(scored(f, {{0.1, 0.2, 0.3}}), Catch::Contains("start 1 is not a genome of the problem"));
+    CHECK_THROWS_WITH(scored(f, {{0.1, 0.2, 0.3}}),
+                      Catch::Contains("start 1 is not a genome of the problem"));
 }

@@ -221,8 +221,7 @@ TEST_CASE("an evaluation that ends itself at a stop is neither counted nor a fai
 TEST_CASE("an evaluation that throws marks its individual, which ranks last with the reason") {
     Reals problem = given();
     problem.f = [](const Vector& x) { return Vector{fragile(x[0])}; };
-    const auto result =
-        run("score | best 4", problem, individuals({1, 50, -1, 101}), {.threads = 2});
+    const auto result = run("score | best 4", problem, individuals({1, 50, -1, 101}), {.threads = 2});
     CHECK(result.counters.failures == 3);
     CHECK(result.best->identity == 0);
     CHECK(result.population[0].identity == 0);
