@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,7 +75,31 @@ struct Record {
 constexpr std::size_t max_candidates = 200000;
 
 /// An observer that records the candidates of every stage, with the problem's first objective as similarity.
-ga::Observer<rough::Genome> recorder(std::vector<StageRecord>& stages);
+template <class G = rough::Genome>
+ga::Observer<G> recorder(std::vector<StageRecord>& stages) {
+    return [&stages, counted = std::size_t{0},
+            candidates = std::size_t{0}](const ga::Event<G>& event) mutable {
+        StageRecord record{event.path, {}, event.counters.evaluations + event.counters.gradients};
+        for (const auto& individual : event.population) {
+            const bool scored = individual.fitness.known() && individual.fitness.objective() == "similarity";
+            record.candidates.push_back(
+                {individual.identity,
+                 {individual.parents.begin(), individual.parents.end()},
+                 scored ? individual.value() : std::numeric_limits<double>::quiet_NaN()});
+        }
+        for (; counted < stages.size(); ++counted) // one more, or those of a resumed run
+            candidates += stages[counted].candidates.size();
+        const auto last = candidates < max_candidates
+                              ? stages.rend()
+                              : std::find_if(stages.rbegin(), stages.rend(), [&](const StageRecord& each) {
+                                    return each.path == event.path;
+                                });
+        if (last == stages.rend())
+            stages.push_back(std::move(record));
+        else
+            *last = std::move(record);
+    };
+}
 
 ///@{
 /// The form in checkpoints, and in result.json except `spent`.

@@ -1,5 +1,6 @@
 #include "domain/design/search.hpp"
 
+#include "domain/design/explore.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/design/tolerance.hpp"
@@ -7,9 +8,6 @@
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/stopwatch.hpp"
-#include "ga/checkpoint/checkpoint.hpp"
-#include "ga/observers/hall_of_fame.hpp"
-#include "ga/problem/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,28 +83,6 @@ VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions
 /// Whether a genome in final amplitude keeps every limit.
 bool holds_limits(const DesignSetup& setup, const Genome& genome) {
     return std::ranges::all_of(margins(genome, setup.model.grid, setup.limits), &Margin::holds);
-}
-
-/// The best individuals of all stages that differ from the answer and from each other, each with its smallest
-/// difference from those before it.
-std::vector<std::pair<Genome, double>> others_than(const Genome& answer, const Grid& grid,
-                                                   const ga::Population<Genome>& seen,
-                                                   std::size_t alternatives) {
-    std::vector<Profile> profiles{sample(answer, grid)};
-    std::vector<std::pair<Genome, double>> others;
-    for (const auto& kept : seen) {
-        if (profiles.size() >= alternatives || kept.value() < -1)
-            break;
-        const Profile profile = sample(kept.genome, grid);
-        double smallest = 2;
-        for (const Profile& other : profiles)
-            smallest = std::min(smallest, difference(profile, other));
-        if (smallest < different)
-            continue;
-        others.emplace_back(kept.genome, smallest);
-        profiles.push_back(profile);
-    }
-    return others;
 }
 
 /// The genomes to verify, without duplicates: the best `max_count` of the final population and of those that
@@ -264,67 +240,20 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory, threads);
     const DesignSetup reported = as_reported(ending(setup, left, options.stop));
 
-    ga::HallOfFame<DesignProblem> seen(problem, hall_size);
-    ga::HallOfFame<DesignProblem> verified_so_far(problem, options.verifying,
-                                                  chooses_by_errors(setup) ? "made" : "verified");
-    std::vector<Genome> front;     // the last one that was ranked
-    std::optional<Genome> nearest; // the best under a derived problem
-    observers.insert(observers.begin(), seen.observer());
-    observers.insert(observers.begin(), verified_so_far.observer());
-    observers.insert(observers.begin(), [&](const ga::Event<Genome>& event) {
-        if (event.population.empty() || !ga::comparable(event.population))
-            return;
-        if (event.derived) {
-            nearest = ga::best_of(event.population, 1).front().genome;
-            return;
-        }
-        std::vector<Genome> ranked; // several objectives: by `pareto`
-        for (const auto& individual : ga::front_of(event.population))
-            if (individual.fitness.several())
-                ranked.push_back(individual.genome);
-        if (!ranked.empty())
-            front = std::move(ranked);
-    });
-
-    const ga::RunOptions run{.variant = result.name,
-                             .seed = options.seed,
-                             .threads = options.threads,
-                             .budget = {options.evaluations, for_pipeline, options.stop}};
-    std::optional<ga::Checkpoints<DesignProblem>> checkpoints;
-    if (options.checkpoints) {
-        checkpoints.emplace(options.checkpoints->file,
-                            RUGOSA_VERSION " " + options.checkpoints->inputs +
-                                json_text(description(setup), true),
-                            options.checkpoints->resume, options.checkpoints->interval);
-        checkpoints->keep("seen", seen.members);
-        checkpoints->keep("verified", verified_so_far.members);
-        checkpoints->keep("front", front);
-        if (options.checkpoints->add_values)
-            options.checkpoints->add_values(*checkpoints);
-    }
-    ga::Population<Genome> population;
-    try {
-        const std::vector<Genome> starts = !options.starts.empty() ? options.starts
-                                           : pipeline.begins()
-                                               ? std::vector<Genome>{any_start(setup, options)}
-                                               : database_starts(setup, options.threads);
-        ga::OnThreads<DesignProblem> on_threads(options.threads);
-        auto found =
-            ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem,
-                       ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
-        for (const auto& individual : found.population)
-            seen.offer(individual);
-        if (found.best)
-            seen.offer(*found.best);
-        population = std::move(found.population);
-        result.counters = found.counters;
-        result.notes = found.notes;
-        result.stopped = found.stopped;
-    } catch (const ga::NothingLeft& nothing) {
-        if (seen.members.empty())
-            throw NotConverged(nothing.what());
-        result.notes.push_back(nothing.what());
-    }
+    Exploration<DesignProblem> explored(problem, hall_size, options.verifying,
+                                        chooses_by_errors(setup) ? "made" : "verified");
+    const std::vector<Genome> starts = !options.starts.empty() ? options.starts
+                                       : pipeline.begins() ? std::vector<Genome>{any_start(setup, options)}
+                                                           : database_starts(setup, options.threads);
+    explored.run(pipeline, result.name, starts, options, for_pipeline,
+                 RUGOSA_VERSION " " + json_text(description(setup), true), std::move(observers));
+    ga::HallOfFame<DesignProblem>& seen = explored.seen;
+    if (seen.members.empty() && !explored.nothing.empty())
+        throw NotConverged(explored.nothing);
+    result.counters = explored.counters;
+    result.notes = explored.notes;
+    result.stopped = explored.stopped;
+    std::vector<Genome>& front = explored.front;
     if (!front.empty()) {
         for (const auto& kept : seen.members)
             front.push_back(kept.genome);
@@ -336,7 +265,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     for (const Compromise& one : result.front)
         offer(one.genome, *std::min_element(one.similarity.begin(), one.similarity.end()));
     if (seen.members.empty()) // stopped before the first curve on the search grid
-        offer(nearest ? *nearest : any_start(setup, options), 0);
+        offer(explored.nearest ? *explored.nearest : any_start(setup, options), 0);
 
     const Verifier verifier(reported, threads);
     const auto verified = [&](const Genome& genome) {
@@ -348,14 +277,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
                                      {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
         return answer;
     };
-    const std::vector<Genome> candidates =
-        candidates_of(problem, population, verified_so_far.members, seen.members, options, plan.answers);
+    const std::vector<Genome> candidates = candidates_of(
+        problem, explored.population, explored.verified.members, seen.members, options, plan.answers);
     std::vector<Answer> answers(candidates.size());
     ga::parallel_for(answers.size(), threads, [&](std::size_t i) { answers[i] = verified(candidates[i]); });
     result.best = *std::ranges::max_element(answers, {}, rank_of);
     if (chooses_by_errors(setup))
         result.made = best_with_and_without(answers);
-    const auto others = others_than(result.best.genome, setup.model.grid, seen.members, plan.alternatives);
+    const auto others = explored.others_than(
+        result.best.genome, plan.alternatives, different,
+        [&](const Genome& genome) { return sample(genome, setup.model.grid); },
+        [](const Profile& a, const Profile& b) { return difference(a, b); });
     result.alternatives.resize(1 + others.size());
     result.alternatives[0] = result.best;
     ga::parallel_for(others.size(), threads, [&](std::size_t i) {

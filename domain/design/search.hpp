@@ -1,53 +1,16 @@
 #pragma once
 
+#include "domain/design/options.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/target/out_of_reach.hpp"
-#include "ga/run/context.hpp"
 
-#include <atomic>
 #include <cmath>
-#include <filesystem>
-#include <functional>
 #include <limits>
-
-namespace ga {
-template <Problem P>
-class Checkpoints;
-}
 
 namespace rough {
 
-/// How a search writes checkpoints, from which it can be resumed.
-struct CheckpointOptions {
-    std::filesystem::path file; ///< each checkpoint replaces the whole file by renaming
-    bool resume = false;        ///< continue from the file if it exists
-    /// Adds values of observers to the checkpoints.
-    std::function<void(ga::Checkpoints<DesignProblem>&)> add_values = {};
-    double interval = 1;     ///< minimum time between two checkpoints, s
-    std::string inputs = {}; ///< fingerprints of the files that the run reads
-};
-
-/// Pipeline, start and budget of a search.
-struct SearchOptions {
-    std::string pipeline = {};       ///< text, or the name of one of design_variants; empty: usual_variant
-    std::vector<Genome> starts = {}; ///< first population; empty: from the pipeline or the Sobol database
-    std::uint64_t seed = 1;          ///< equal seeds give equal answers unless `seconds` or `stop` ends it
-    int threads = 0;                 ///< 0: as many as OpenMP has
-    ga::Evaluator<DesignProblem>* evaluator = nullptr; ///< computes the evaluations; null: threads do
-    /// Wall time from the call on, s. At most three quarters of it are kept for verifying the answers.
-    double seconds = std::numeric_limits<double>::infinity();
-    long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
-    const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
-    std::size_t alternatives = 3;                        ///< how many different answers, the best included
-    /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. Sources
-    /// are the final population, the answers that the pipeline verified, and the best of all stages. The
-    /// first given start is verified, too. For a map the first two sources give at most two, because
-    /// verifying takes longer than searching.
-    std::size_t verifying = 3;
-    std::optional<CheckpointOptions> checkpoints = {}; ///< none: no checkpoints are written
-    /// Curves that several searches of one set-up share (DesignProblem).
-    std::shared_ptr<ResponseMemory> memory = nullptr;
-};
+using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< of a search for waves
+using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< of a search for waves
 
 /// A genome at its final amplitude, and its similarities. If time ran out during the verification of a map,
 /// the similarities without a result and similarity_worst are NaN.

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "domain/design/options.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
+#include "ga/observers/hall_of_fame.hpp"
+#include "ga/problem/comparison.hpp"
+
+namespace rough {
+
+/// A run of a pipeline on a design problem of any genome, and what it leaves for verification.
+template <ga::Problem P>
+struct Exploration {
+    using Genome = typename P::Genome;
+
+    ga::HallOfFame<P> seen;             ///< best individuals of all stages
+    ga::HallOfFame<P> verified;         ///< best under the objective that verifies
+    ga::Population<Genome> population;  ///< final; empty if a stage had nothing left
+    std::vector<Genome> front = {};     ///< the last one that was ranked by several objectives
+    std::optional<Genome> nearest = {}; ///< the best under a derived problem
+    ga::Counters counters = {};
+    std::vector<std::string> notes = {};
+    std::string stopped = {}; ///< why the run ended before its pipeline; empty if it did not
+    std::string nothing = {}; ///< the stage that had nothing left, in words; empty if none had
+
+    /// Keeps the best `max_seen` individuals, and the best `max_verified` under the objective `verifies`.
+    Exploration(const P& problem, std::size_t max_seen, std::size_t max_verified, const std::string& verifies)
+        : seen(problem, max_seen), verified(problem, max_verified, verifies), problem_(problem) {}
+
+    /// Runs the pipeline from the starts for `seconds`. `description` identifies version and task in
+    /// checkpoints.
+    void run(const ga::Stage<P>& pipeline, const std::string& name, const std::vector<Genome>& starts,
+             const SearchOptionsOf<P>& options, double seconds, const std::string& description,
+             std::vector<ga::Observer<Genome>> observers) {
+        observers.insert(observers.begin(), seen.observer());
+        observers.insert(observers.begin(), verified.observer());
+        observers.insert(observers.begin(), [this](const ga::Event<Genome>& event) { observe(event); });
+        std::optional<ga::Checkpoints<P>> checkpoints;
+        if (options.checkpoints) {
+            checkpoints.emplace(options.checkpoints->file, description + options.checkpoints->inputs,
+                                options.checkpoints->resume, options.checkpoints->interval);
+            checkpoints->keep("seen", seen.members);
+            checkpoints->keep("verified", verified.members);
+            checkpoints->keep("front", front);
+            if (options.checkpoints->add_values)
+                options.checkpoints->add_values(*checkpoints);
+        }
+        const ga::RunOptions run{.variant = name,
+                                 .seed = options.seed,
+                                 .threads = options.threads,
+                                 .budget = {options.evaluations, seconds, options.stop}};
+        try {
+            ga::OnThreads<P> on_threads(options.threads);
+            auto found =
+                ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem_,
+                           ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
+            for (const auto& individual : found.population)
+                seen.offer(individual);
+            if (found.best)
+                seen.offer(*found.best);
+            population = std::move(found.population);
+            counters = found.counters;
+            notes = found.notes;
+            stopped = found.stopped;
+        } catch (const ga::NothingLeft& left) {
+            nothing = left.what();
+            notes.push_back(nothing);
+        }
+    }
+
+    /// The best individuals of all stages that differ from `answer` and each other by at least `different`,
+    /// each with its smallest difference from those before it. `view` makes of a genome what `difference`
+    /// compares. `max_count` counts the answer.
+    template <class View, class Difference>
+    std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count,
+                                                       double different, View view,
+                                                       Difference difference) const {
+        std::vector views{view(answer)};
+        std::vector<std::pair<Genome, double>> others;
+        for (const auto& kept : seen.members) {
+            if (views.size() >= max_count || kept.value() < -1)
+                break;
+            auto candidate = view(kept.genome);
+            double smallest = 2;
+            for (const auto& other : views)
+                smallest = std::min(smallest, difference(candidate, other));
+            if (smallest < different)
+                continue;
+            others.emplace_back(kept.genome, smallest);
+            views.push_back(std::move(candidate));
+        }
+        return others;
+    }
+
+  private:
+    void observe(const ga::Event<Genome>& event) {
+        if (event.population.empty() || !ga::comparable(event.population))
+            return;
+        if (event.derived) {
+            nearest = ga::best_of(event.population, 1).front().genome;
+            return;
+        }
+        std::vector<Genome> ranked; // several objectives: by `pareto`
+        for (const auto& individual : ga::front_of(event.population))
+            if (individual.fitness.several())
+                ranked.push_back(individual.genome);
+        if (!ranked.empty())
+            front = std::move(ranked);
+    }
+
+    const P& problem_;
+};
+
+} // namespace rough
