@@ -47,6 +47,11 @@ Setting resistivity_setting() {
         "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i");
 }
 
+Setting shear_strength_setting() {
+    return positive("shear-strength", "",
+                    "shear strength sigma of the interface, MPa, for friction targets: friction = sigma A");
+}
+
 Setting max_pressure_setting() {
     return ga::number("max-pressure", "", ga::above_zero, 1e100,
                       "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa "
@@ -57,6 +62,8 @@ rough::Target goal_from(const Settings& settings, const std::string& file, const
     rough::TargetScales scales{.nominal_area = model.grid.is_2d() ? model.grid.nominal_area() : 0};
     if (settings.has("resistivity")) // C = 2 K_i/(E* (rho1 + rho2))
         scales.conductance_to_stiffness = 0.5 * model.body.effective_modulus * settings.number("resistivity");
+    if (settings.knows("shear-strength"))
+        settings.take("shear-strength", scales.shear_strength);
     rough::Target goal = placing(settings, "", [&] { return rough::read_target(file, scales); });
     expect_same_model(goal, model);
     return goal;

@@ -104,10 +104,19 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
     };
     if (what == "pressure")
         return scaled("pressure_MPa", in_mpa(unit), "Pa, kPa, MPa or GPa");
-    if (what == "load")
+    if (what == "load" || what == "normal")
         return scaled("pressure_MPa", over_area(in_newton(unit)), "uN, mN, N or kN");
     if (what == "displacement")
         return scaled("displacement_mm", in_mm(unit), "nm, um, mm or m");
+    if (what == "friction" || what == "shear") {
+        if (!(scales.shear_strength > 0))
+            throw InputError(file + ": column \"" + name +
+                                 "\" needs the shear strength; give a shear-strength",
+                             "shear-strength");
+        const Factor force = what == "shear" ? in_mpa(unit) : over_area(in_newton(unit));
+        return scaled("contact_fraction", force ? Factor(*force / scales.shear_strength) : force,
+                      what == "shear" ? "Pa, kPa, MPa or GPa" : "uN, mN, N or kN");
+    }
     if (what == "area") {
         const auto length = unit.ends_with('2') ? in_mm(unit.substr(0, unit.size() - 1)) : std::nullopt;
         return scaled("contact_fraction", over_area(length ? Factor(*length * *length) : length),

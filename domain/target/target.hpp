@@ -83,7 +83,8 @@ TargetTable read_target_table(const std::filesystem::path& file);
 struct TargetScales {
     double nominal_area = 0; ///< mm^2, for loads (N) and areas (mm^2); 0 refuses both (a line)
     double conductance_to_stiffness =
-        0; ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
+        0;                     ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
+    double shear_strength = 0; ///< sigma of friction = sigma A, MPa; 0: none
 };
 
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
@@ -91,9 +92,10 @@ struct TargetScales {
 /// conductance, or the pressure against displacement) and optionally lower and upper. Names may have other
 /// units. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the
 /// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
-/// square, e.g. area_mm2. A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um. A
-/// conductance C is read as the interface stiffness C E* (rho_1 + rho_2)/2. Lines "# key: value" record the
-/// model. Throws InputError that names file and line or column.
+/// square, e.g. area_mm2. With a shear strength sigma, friction_N or shear_MPa (over the nominal area) give
+/// the area A = friction/sigma, and normal_N is a load. A stiffness is a pressure or a load per length, e.g.
+/// stiffness_N_per_um. A conductance C is read as the interface stiffness C E* (rho_1 + rho_2)/2. Lines "#
+/// key: value" record the model. Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
 /// The target as a file: the recorded lines, the header, and one row per point with 17 digits.

@@ -46,7 +46,7 @@ TEST_CASE("a conductance is read as the interface stiffness with that conductanc
 }
 
 TEST_CASE("a target in other units equals the target in the usual units") {
-    const TargetScales on_map{.nominal_area = 4}; // mm^2
+    const TargetScales on_map{.nominal_area = 4, .shear_strength = 0.2}; // mm^2, MPa
     const auto same = [&](const std::string& text, const std::string& usual) {
         CAPTURE(text);
         const Target a = read_text(text, on_map), b = read_text(usual);
@@ -62,6 +62,9 @@ TEST_CASE("a target in other units equals the target in the usual units") {
     same("pressure_kPa,stiffness_GPa_per_m\n3,5\n", "pressure_MPa,stiffness_MPa_per_mm\n3e-3,5\n");
     same("pressure_Pa,interface_stiffness_N_per_nm\n3,8\n",
          "pressure_MPa,interface_stiffness_MPa_per_mm\n3e-6,2e6\n");
+    same("normal_N,friction_mN\n8,40\n", "pressure_MPa,contact_fraction\n2,0.05\n");
+    same("pressure_MPa,shear_kPa\n2,10\n", "pressure_MPa,contact_fraction\n2,0.05\n");
+    CHECK_THROWS_WITH(read_text("pressure_MPa,shear_MPa\n2,0.1\n"), Catch::Contains("give a shear-strength"));
 }
 
 TEST_CASE("a written target is read back to the bit, with its recorded model") {
