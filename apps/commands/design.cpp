@@ -1,5 +1,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
+#include "apps/commands/design/asperities.hpp"
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
@@ -18,21 +19,6 @@
 
 namespace app {
 
-namespace {
-
-/// Shares of --seconds after which the search, the tolerance (planned for a tenth) and the further checks of
-/// the answer end. The rest is for drawing the report.
-constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
-/// Seconds for drawing the report if the time is spent.
-constexpr double drawing_seconds = 3;
-
-int exit_code(const DesignRun& run) {
-    if (run.interrupted)
-        return exit_interrupted;
-    return run.summary.found ? 0 : 3;
-}
-
-/// Prints the verdict of a finished design again, and returns its exit code.
 int repeat_verdict(const std::filesystem::path& result) {
     const auto before = rough::parsed_json(rough::read_whole(result), result.string());
     const nlohmann::json::json_pointer found("/summary/found"), verdict("/verdict");
@@ -41,6 +27,25 @@ int repeat_verdict(const std::filesystem::path& result) {
         rough::refuse(result.string(), ": has no verdict; start again with --force");
     say(before.at(verdict).get<std::string>());
     return before.at(found) ? 0 : 3;
+}
+
+void write_page(const std::filesystem::path& folder, double seconds_left) {
+    constexpr double min_seconds = 3;
+    rough::write_atomically(
+        folder / "report.html",
+        render(page_source(folder), {.seconds = std::clamp(seconds_left, min_seconds, 3600.)}));
+}
+
+namespace {
+
+/// Shares of --seconds after which the search, the tolerance (planned for a tenth) and the further checks of
+/// the answer end. The rest is for drawing the report.
+constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
+
+int exit_code(const DesignRun& run) {
+    if (run.interrupted)
+        return exit_interrupted;
+    return run.summary.found ? 0 : 3;
 }
 
 /// Finds the smallest change of the controlled phases that brings a surface back to its target.
@@ -53,6 +58,9 @@ void morph_into(DesignRun& run) {
 }
 
 int design(const Settings& settings, const std::string& line) {
+    if (settings.has("asperities"))
+        return design_asperities(settings, line);
+    expect_none(settings, names_of(asperity_settings()), "given without --asperities; give both or none");
     const ga::Stopwatch clock;
     DesignRun run = design_from(settings);
     run.origin = {"design",
@@ -90,18 +98,11 @@ int design(const Settings& settings, const std::string& line) {
     run.options.checkpoints =
         rough::CheckpointOptions{checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); },
                                  checkpoint_interval(), key_of(run.origin.inputs)};
-    double best = -HUGE_VAL;
-    const auto report_progress = [&](const ga::Event<rough::Genome>& event) {
-        for (const auto& individual : event.population)
-            if (const ga::Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
-                best = std::max(best, individual.value());
-        progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
-                      readable(best, 5));
-    };
     if (run.from)
         morph_into(run);
     else
-        run.found = rough::search(run.searched, run.options, {recorder(run.stages), report_progress});
+        run.found = rough::search(run.searched, run.options,
+                                  {recorder(run.stages), shown_by<rough::Genome>(progress)});
     run.setup = exactly(run.found.setup);
     run.searched = run.found.setup;
     run.interrupted = interrupt.asked();
@@ -135,10 +136,7 @@ int design(const Settings& settings, const std::string& line) {
             } catch (const rough::InputError& error) { // the page has no pictures then
                 say(std::string("note: ") + error.what());
             }
-            rough::write_atomically(
-                folder / "report.html",
-                render(page_source(folder),
-                       {.seconds = std::clamp(limit - clock.seconds(), drawing_seconds, 3600.)}));
+            write_page(folder, limit - clock.seconds());
         }
     }
     if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
@@ -175,7 +173,8 @@ Command design_command() {
             "corrected instead: the phases of the named chromosomes are changed as little as is necessary to "
             "meet the target again. Exit code 0: found. 2: wrong use. 3: similarity or limits missed, a "
             "map not verified in time, or the target is out of reach. 130: interrupted. The best answer is "
-            "written, except after wrong use.",
+            "written, except after wrong use. With --asperities the surface is an array of spherical caps; "
+            "asperities.csv has their heights.",
             design_settings(),
             {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
              "design --like scan.txt --unit um --reach-similarity 0.99",
@@ -184,6 +183,8 @@ Command design_command() {
              "design --target stiffness.csv,area.csv --variant nsga2",
              "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
              "design --target target.csv --max-slope 0.05 --min-radius 0.01",
+             "design --asperities 8x8 --pitch 1.5 --radius 0.526 --heights 0:0.12:0.001 --modulus 1.36 "
+             "--target law.csv",
              "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
              "1\""},
             design};

@@ -63,25 +63,6 @@ Eigen::VectorXd forces(const Caps& caps, const Eigen::VectorXd& indentation, dou
     return stiffnesses(caps, indentation, modulus).cwiseProduct(indentation) * (2.0 / 3);
 }
 
-/// The caps as a map of about `nodes` nodes, mm: paraboloids, as Hertz's theory assumes. Nodes are the
-/// centres of square cells, an odd number of them along each pitch.
-Profile map_of(const Caps& caps, double nodes) {
-    const CapArray& array = caps.array;
-    const auto half = static_cast<Index>(std::sqrt(nodes / static_cast<double>(array.caps())) / 2 - 0.5);
-    const Index each = 2 * std::max<Index>(half, 1) + 1; // per pitch, so that a node is at each summit
-    const double spacing = array.pitch / static_cast<double>(each);
-    Profile map{Eigen::VectorXd(array.caps() * each * each), spacing, array.rows * each, spacing};
-    const Index columns = array.columns * each;
-    for (Index j = 0; j < map.rows; ++j)
-        for (Index i = 0; i < columns; ++i) {
-            const Index cap = j / each * array.columns + i / each;
-            const double x = (static_cast<double>(i) + 0.5) * spacing - array.x(cap),
-                         y = (static_cast<double>(j) + 0.5) * spacing - array.y(cap);
-            map.heights[j * columns + i] = caps.heights[cap] - (x * x + y * y) / (2 * caps.radii[cap]);
-        }
-    return map;
-}
-
 } // namespace
 
 CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel model)
@@ -202,10 +183,32 @@ double hertz_area(double force, double radius, double effective_modulus) {
     return pi * std::pow(0.75 * force * radius / effective_modulus, 2.0 / 3);
 }
 
+Profile map_of(const Caps& caps, double nodes, bool spheres, double depth) {
+    const CapArray& array = caps.array;
+    const auto half = static_cast<Index>(std::sqrt(nodes / static_cast<double>(array.caps())) / 2 - 0.5);
+    const Index each = 2 * std::max<Index>(half, 1) + 1; // per pitch, so that a node is at each summit
+    const double spacing = array.pitch / static_cast<double>(each), base = caps.heights.minCoeff() - depth;
+    Profile map{Eigen::VectorXd(array.caps() * each * each), spacing, array.rows * each, spacing};
+    const Index columns = array.columns * each;
+    for (Index j = 0; j < map.rows; ++j)
+        for (Index i = 0; i < columns; ++i) {
+            const Index cap = j / each * array.columns + i / each;
+            const double x = (static_cast<double>(i) + 0.5) * spacing - array.x(cap),
+                         y = (static_cast<double>(j) + 0.5) * spacing - array.y(cap), square = x * x + y * y,
+                         radius = caps.radii[cap];
+            const double below = !spheres ? square / (2 * radius)
+                                 : square < radius * radius
+                                     ? square / (radius + std::sqrt(radius * radius - square))
+                                     : HUGE_VAL;
+            map.heights[j * columns + i] = std::max(caps.heights[cap] - below, base);
+        }
+    return map;
+}
+
 std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modulus,
                                         const std::vector<double>& at, bool loads, double nodes,
                                         const ContactOptions& given) {
-    const Profile map = map_of(caps, nodes);
+    const Profile map = map_of(caps, nodes, false, HUGE_VAL);
     const auto [columns, rows] = map.shape();
     const double cell = map.spacing * map.spacing;
     const Index each = columns / caps.array.columns;

@@ -82,6 +82,11 @@ class CapContact {
 /// Area of one cap under a force: pi (3 F R/(4 E*))^(2/3), mm^2.
 double hertz_area(double force, double radius, double effective_modulus);
 
+/// The caps as a map of about `nodes` nodes, mm: paraboloids as Hertz's theory assumes, or spheres. Nodes are
+/// the centres of square cells, an odd number of them along each pitch. `depth` is that of the base below the
+/// lowest summit, mm.
+Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
+
 /// Caps pressed by boundary elements.
 struct MeshedCaps {
     double load = 0;           ///< N

@@ -21,22 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-/// A target for the page: its file's name, its quantity, its x axis, and the curves of its figure.
-json shown_json(const DesignRun& run, std::size_t index) {
-    const rough::Target& target = run.setup.targets[index];
-    json result = target_json(target);
-    result["weight"] = target.weight;
-    const std::string quantity =
-        rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
-    result["file"] = std::filesystem::path(target.name).filename().string();
-    result["quantity"] = quantity;
-    result["figure"] = std::to_string(index + 1) + " " + quantity +
-                       (target.against_pressure() ? " pressure" : " displacement") +
-                       (run.found.best.verification.on_finer.empty() ? "" : " finer") +
-                       (run.from ? " before" : "") + (target.has_band() ? " band" : "");
-    return result;
-}
-
 json answer_json(const rough::Answer& answer) {
     return {{"similarity", answer.similarity},
             {"similarity_refined", answer.similarity_refined},
@@ -118,7 +102,10 @@ json design_json(const DesignRun& run) {
                                {variant}});
     result["target"]["weight"] = run.setup.targets.front().weight;
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t)
-        result["targets"].push_back(shown_json(run, t));
+        result["targets"].push_back(
+            shown_json(run.setup.targets[t], t,
+                       std::string(run.found.best.verification.on_finer.empty() ? "" : " finer") +
+                           (run.from ? " before" : "")));
     result["is_2d"] = run.setup.model.grid.is_2d();
     result["required_similarity"] = run.setup.required_similarity;
     result["verified"] = run.found.best.is_verified();
@@ -127,12 +114,7 @@ json design_json(const DesignRun& run) {
     result["verdict"] = run.summary.verdict;
     result["summary"] = summary_json(run);
     result["interrupted"] = run.interrupted;
-    result["out_of_reach"] = json::array();
-    for (const auto& reason : run.out_of_reach)
-        result["out_of_reach"].push_back({{"reason", reason.reason},
-                                          {"at", reason.at},
-                                          {"highest_similarity", reason.bound},
-                                          {"on_this_grid", reason.on_this_grid}});
+    result["out_of_reach"] = out_of_reach_json(run.out_of_reach);
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;
@@ -164,6 +146,29 @@ json design_json(const DesignRun& run) {
 }
 
 } // namespace
+
+json shown_json(const rough::Target& target, std::size_t index, const std::string& curves) {
+    json result = target_json(target);
+    result["weight"] = target.weight;
+    const std::string quantity =
+        rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
+    result["file"] = std::filesystem::path(target.name).filename().string();
+    result["quantity"] = quantity;
+    result["figure"] = std::to_string(index + 1) + " " + quantity +
+                       (target.against_pressure() ? " pressure" : " displacement") + curves +
+                       (target.has_band() ? " band" : "");
+    return result;
+}
+
+json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons) {
+    json all = json::array();
+    for (const auto& reason : reasons)
+        all.push_back({{"reason", reason.reason},
+                       {"at", reason.at},
+                       {"highest_similarity", reason.bound},
+                       {"on_this_grid", reason.on_this_grid}});
+    return all;
+}
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
     write_json(folder / "result.json", design_json(run));

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
+#include "apps/prompt/terminal.hpp"
+#include "apps/prompt/units.hpp"
 #include "apps/report/record.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/design/morph.hpp"
@@ -12,6 +14,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -75,6 +78,52 @@ struct DesignRun {
     double seconds = 0;
     Origin origin;
 };
+
+/// The parameters of a search for designs of any genome.
+template <class P>
+Fields fields_of(rough::SearchOptionsOf<P>& options) {
+    return {
+        {positive("seconds", "",
+                  "wall time of the whole design; a map without time to verify is reported as not verified "
+                  "[until the pipeline ends]"),
+         options.seconds},
+        {ga::whole("evaluations", "", 1, "maximum number of curves and gradients [none]").up_to(1e9),
+         options.evaluations},
+        {ga::whole("alternatives", "", 1,
+                   "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
+                       "; 1 for a map, because verifying takes long]")
+             .up_to(100),
+         options.alternatives},
+        {seed_setting(), options.seed},
+        {threads_setting(), options.threads},
+    };
+}
+/// The pipeline of --variant or --pipeline, or the usual one. Throws rough::InputError on an unknown variant.
+std::string pipeline_from(const Settings& settings, const std::map<std::string, std::string>& variants,
+                          const std::string& usual);
+
+/// An observer that shows the path of each stage, the evaluations and the best similarity so far.
+template <class G>
+ga::Observer<G> shown_by(Progress& progress) {
+    return [&progress, best = -HUGE_VAL](const ga::Event<G>& event) mutable {
+        for (const auto& individual : event.population)
+            if (const ga::Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
+                best = std::max(best, individual.value());
+        progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
+                      readable(best, 5));
+    };
+}
+
+/// The targets of --target with their --weights.
+std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model);
+/// A target for the page: its points, file, quantity, and the argument of its figure with further `curves`.
+nlohmann::json shown_json(const rough::Target& target, std::size_t index, const std::string& curves);
+/// `out_of_reach` of result.json.
+nlohmann::json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons);
+/// Prints the verdict of a design that was finished before, and returns its exit code.
+int repeat_verdict(const std::filesystem::path& result);
+/// Draws the page of a folder in the time that is left, but at least in some seconds.
+void write_page(const std::filesystem::path& folder, double seconds_left);
 
 /// The parameters of a search that the program and Python share: everything except targets and files.
 std::vector<Setting> search_settings();

@@ -1,3 +1,4 @@
+#include "apps/commands/design/asperities.hpp"
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
@@ -16,21 +17,6 @@
 namespace app {
 
 namespace {
-
-std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
-    std::vector<rough::Target> goals;
-    for (const std::string& file : rough::listed(settings.text("target")))
-        goals.push_back(goal_from(settings, file, model));
-    if (settings.has("weights")) {
-        const auto weights = settings.numbers("weights");
-        if (weights.size() != goals.size())
-            settings.refuse("weights", std::to_string(weights.size()) + " given; give " +
-                                           std::to_string(goals.size()) + ", one per target");
-        for (std::size_t i = 0; i < goals.size(); ++i)
-            goals[i].weight = weights[i] / *std::max_element(weights.begin(), weights.end());
-    }
-    return goals;
-}
 
 /// The parameters that the set-up of a design holds.
 Fields fields_of(rough::DesignSetup& setup) {
@@ -82,24 +68,6 @@ Fields fields_of(rough::DesignSetup& setup) {
     };
 }
 
-Fields fields_of(rough::SearchOptions& options) {
-    return {
-        {positive("seconds", "",
-                  "wall time of the whole design; a map without time to verify is reported as not verified "
-                  "[until the pipeline ends]"),
-         options.seconds},
-        {ga::whole("evaluations", "", 1, "maximum number of curves and gradients [none]").up_to(1e9),
-         options.evaluations},
-        {ga::whole("alternatives", "", 1,
-                   "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
-                       "; 1 for a map, because verifying takes long]")
-             .up_to(100),
-         options.alternatives},
-        {seed_setting(), options.seed},
-        {threads_setting(), options.threads},
-    };
-}
-
 /// Throws if a gene's lower bound is above its upper bound.
 void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) {
     const auto shown = [&](const std::string& flag, double value) {
@@ -146,6 +114,7 @@ std::vector<Setting> design_settings() {
         {"like", "",
          "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
         resistivity_setting(),
+        shear_strength_setting(),
         {"from", "",
          "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
          "necessary to meet the target"},
@@ -160,7 +129,8 @@ std::vector<Setting> design_settings() {
             true),
         pictures_setting(),
     };
-    return joined({settings, search_settings(), scan_settings(), {resolution_setting()}});
+    return joined(
+        {settings, search_settings(), asperity_settings(), scan_settings(), {resolution_setting()}});
 }
 
 namespace {
@@ -224,6 +194,37 @@ void take_targets(const Settings& settings, DesignRun& run) {
 
 } // namespace
 
+std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
+    std::vector<rough::Target> goals;
+    for (const std::string& file : rough::listed(settings.text("target")))
+        goals.push_back(goal_from(settings, file, model));
+    if (settings.has("weights")) {
+        const auto weights = settings.numbers("weights");
+        if (weights.size() != goals.size())
+            settings.refuse("weights", std::to_string(weights.size()) + " given; give " +
+                                           std::to_string(goals.size()) + ", one per target");
+        for (std::size_t i = 0; i < goals.size(); ++i)
+            goals[i].weight = weights[i] / *std::max_element(weights.begin(), weights.end());
+    }
+    return goals;
+}
+
+std::string pipeline_from(const Settings& settings, const std::map<std::string, std::string>& variants,
+                          const std::string& usual) {
+    if (settings.given("variant") && settings.given("pipeline"))
+        throw rough::InputError("design: two pipelines are given; give either " + settings.place("variant") +
+                                " or " + settings.place("pipeline"));
+    if (!settings.has("variant"))
+        return settings.has("pipeline") ? settings.text("pipeline") : usual;
+    const std::string name = settings.text("variant");
+    std::vector<std::string> names;
+    for (const auto& [each, text] : variants)
+        names.push_back(each);
+    if (!variants.count(name))
+        settings.refuse("variant", "unknown variant '" + name + "'" + ga::suggestion(name, names));
+    return name;
+}
+
 void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                   const Settings& settings, rough::DesignSetup& setup, rough::Resolution resolution) {
     setup = like(setup, surface, model, name, rough::likeness_named(settings.text("quantity")),
@@ -264,20 +265,9 @@ DesignRun design_from(const Settings& settings,
     run.searched = setup;
     run.searched.model.accuracy = accuracy_from(settings);
 
-    if (settings.given("variant") && settings.given("pipeline"))
-        throw rough::InputError("design: two pipelines are given; give either " + settings.place("variant") +
-                                " or " + settings.place("pipeline"));
     rough::SearchOptions& options = run.options;
-    options.pipeline = settings.has("variant")    ? settings.text("variant")
-                       : settings.has("pipeline") ? settings.text("pipeline")
-                                                  : usual_variant(setup, settings.has("database"));
-    if (settings.has("variant") && !rough::design_variants().count(options.pipeline)) {
-        std::vector<std::string> names;
-        for (const auto& [name, text] : rough::design_variants())
-            names.push_back(name);
-        settings.refuse("variant", "unknown variant '" + options.pipeline + "'" +
-                                       ga::suggestion(options.pipeline, names));
-    }
+    options.pipeline =
+        pipeline_from(settings, rough::design_variants(), usual_variant(setup, settings.has("database")));
     if (grid.is_2d())
         options.alternatives = 1;
     take(settings, fields_of(options));

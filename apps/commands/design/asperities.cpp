@@ -1,0 +1,375 @@
+#include "apps/commands/design/asperities.hpp"
+
+#include "apps/commands/design/run.hpp"
+#include "apps/prompt/model_settings.hpp"
+#include "apps/report/csv.hpp"
+#include "apps/report/output.hpp"
+#include "apps/report/result.hpp"
+#include "apps/report/surface.hpp"
+#include "domain/asperities/design.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "domain/text/words.hpp"
+#include "ga/base/parallel.hpp"
+#include "ga/base/stopwatch.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double independent_error = 0.02; ///< error of A(F) by independent caps
+constexpr double base_depth =
+    0.25; ///< depth of a tile's base below the lowest summit, over the smallest radius
+constexpr double solid_nodes = 90000; ///< nodes of the tile
+constexpr int drawn_points = 200;     ///< points of a drawn curve
+
+struct CapRun {
+    rough::CapSetup setup;
+    rough::SearchOptionsOf<rough::CapProblem> options;
+    std::vector<rough::OutOfReach> out_of_reach;
+    double bound = 1; ///< no caps have a higher similarity
+    rough::CapSearch found;
+    std::vector<StageRecord> stages;
+    std::vector<rough::HeightTolerance> tolerance;
+    double other_model_error = NAN; ///< relative difference of the curves by independent and interacting caps
+    std::string verdict;
+    bool is_found = false, interrupted = false;
+    double seconds = 0;
+    Origin origin;
+};
+
+/// FROM:TO or FROM:TO:STEP, mm.
+rough::GeneRange range_from(const Settings& settings, const std::string& name) {
+    std::vector<double> parts;
+    std::string text = settings.text(name) + ":";
+    for (std::size_t at = 0, next; (next = text.find(':', at)) != std::string::npos; at = next + 1)
+        parts.push_back(rough::number_from(text.substr(at, next - at), settings.place(name)));
+    if (parts.size() < 2 || parts.size() > 3)
+        settings.refuse(name, settings.text(name) + " is not a range; give FROM:TO or FROM:TO:STEP");
+    return {parts[0], parts[1], parts.size() == 3 ? parts[2] : 0};
+}
+
+/// Throws if a setting is given that has no effect on caps.
+void expect_only_caps(const Settings& settings) {
+    std::vector<std::string> others = names_of(joined({scan_settings(), {resolution_setting()}}));
+    for (const char* name :
+         {"like",         "from",          "control",     "largest-change", "database",   "max-pressure",
+          "ridges",       "shortest-wave", "max-slope",   "max-height",     "min-radius", "hurst-from",
+          "hurst-to",     "gamma-from",    "gamma-to",    "lambda-from",    "lambda-to",  "noise",
+          "noise-length", "tilt",          "hardness",    "quantity",       "points",     "length",
+          "kernel",       "datum",         "strip-width", "layer",          "base",       "steps",
+          "reach",        "solver",        "tolerance"})
+        others.emplace_back(name);
+    expect_none(settings, others, "given with --asperities; omit it, as it is for sums of cosines only");
+}
+
+CapRun cap_run_from(const Settings& settings) {
+    expect_only_caps(settings);
+    CapRun run;
+    rough::CapSetup& setup = run.setup = cap_setup_from(settings);
+    setup.positions = settings.is_on("positions");
+    settings.take("reach-similarity", setup.required_similarity);
+    if (settings.has("nodes")) {
+        const auto nodes = settings.numbers("nodes");
+        setup.nodes = nodes[0] * nodes.back();
+    }
+    rough::Model model;
+    model.body.effective_modulus = setup.effective_modulus;
+    model.grid = {.nodes = setup.array.columns,
+                  .length = setup.array.pitch * static_cast<double>(setup.array.columns),
+                  .periodic = true, // the nominal area is that of all pitches
+                  .rows = setup.array.rows,
+                  .width = setup.array.pitch * static_cast<double>(setup.array.rows)};
+    setup.targets = goals_from(settings, model);
+    placing(settings, "", [&] {
+        validate(setup);
+        return 0;
+    });
+    const bool only_areas = std::ranges::all_of(setup.targets, [](const rough::Target& target) {
+        return target.quantity == rough::Quantity::area_at_pressure;
+    });
+    if (only_areas && accuracy_from(settings) >= independent_error)
+        setup.model = rough::CapModel::independent;
+    run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
+    take(settings, fields_of(run.options));
+    run.out_of_reach = out_of_reach(setup);
+    for (const rough::OutOfReach& reason : run.out_of_reach)
+        run.bound = std::min(run.bound, reason.bound);
+    if (run.bound >= (settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough))
+        run.out_of_reach.clear();
+    return run;
+}
+
+/// The largest relative difference of the targets' curves by independent and by interacting caps.
+double difference_of_models(const CapRun& run) {
+    double largest = 0;
+    for (const rough::Target& target : run.setup.targets) {
+        const auto values = [&](rough::CapModel model) {
+            return curve_of(run.setup, target, run.found.best.genome, model).values;
+        };
+        largest = std::max(
+            largest,
+            (values(rough::CapModel::independent).array() / values(rough::CapModel::interacting).array() - 1)
+                .abs()
+                .maxCoeff());
+    }
+    return largest;
+}
+
+void conclude(CapRun& run) {
+    const double required = run.setup.required_similarity, lowest = run.found.best.lowest();
+    run.is_found = lowest >= required && run.out_of_reach.empty();
+    const std::string wanted = "; " + brief(required, 15) + " is required";
+    if (!run.out_of_reach.empty())
+        run.verdict = "out of reach of these caps: " + run.out_of_reach.front().reason +
+                      "; no similarity is above " + readable(run.bound, 4) + ", the nearest found has " +
+                      readable(run.found.best.similarity, 4);
+    else if (std::isnan(lowest))
+        run.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by the " +
+                      cap_model_names()[static_cast<std::size_t>(run.setup.model)] +
+                      " model, no time was left for boundary elements" + wanted;
+    else
+        run.verdict = std::string(run.is_found ? "found" : "not found within the budget") +
+                      ": lowest similarity " + readable(lowest, 5) + ", by the " +
+                      cap_model_names()[static_cast<std::size_t>(run.setup.model)] +
+                      " model and by boundary elements at " +
+                      std::to_string(run.found.best.verification.meshed.size()) + " points" + wanted;
+}
+
+json genome_json(const CapRun& run, const rough::CapGenome& genome) {
+    const rough::Caps caps = caps_of(run.setup, genome);
+    json all = json::array();
+    for (rough::Index i = 0; i < caps.heights.size(); ++i)
+        all.push_back({{"height_mm", caps.heights[i]}, {"radius_mm", caps.radii[i]}});
+    return {{"columns", caps.array.columns},
+            {"rows", caps.array.rows},
+            {"pitch_mm", caps.array.pitch},
+            {"asperities", std::move(all)}};
+}
+
+json verification_json(const CapRun& run) {
+    const rough::CapVerification& verified = run.found.best.verification;
+    json loads = json::array();
+    for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
+        const rough::MeshedCaps& mesh = verified.meshed[s];
+        loads.push_back({{"load_N", mesh.load},
+                         {"area_mm2", mesh.area.sum()},
+                         {"area_from_nodes_mm2", {mesh.area_low.sum(), mesh.area_high.sum()}},
+                         {"area_by_model_mm2", verified.pressed[s].total_area()},
+                         {"approach_mm", mesh.approach},
+                         {"kkt_residual", mesh.kkt_residual}});
+    }
+    return {{"loads", std::move(loads)},
+            {"area_error", verified.area_error},
+            {"force_error", verified.force_error},
+            {"seconds", verified.seconds}};
+}
+
+void write_result(const CapRun& run, const std::filesystem::path& folder) {
+    const rough::CapSetup& setup = run.setup;
+    const auto range = [](const rough::GeneRange& of) {
+        return json{{"from", of.from}, {"to", of.to}, {"step", of.step > 0 ? json(of.step) : json()}};
+    };
+    json result = origin_json(run.origin);
+    result.update({{"asperities", {setup.array.columns, setup.array.rows}},
+                   {"pitch_mm", setup.array.pitch},
+                   {"heights_mm", range(setup.heights)},
+                   {"radii_mm", range(setup.radii)},
+                   {"effective_modulus_MPa", setup.effective_modulus},
+                   {"nominal_area_mm2", setup.array.nominal_area()},
+                   {"model", cap_model_names()[static_cast<std::size_t>(setup.model)]},
+                   {"required_similarity", setup.required_similarity},
+                   {"target", target_json(setup.targets.front())},
+                   {"verdict", run.verdict},
+                   {"summary", {{"found", run.is_found}}},
+                   {"interrupted", run.interrupted},
+                   {"out_of_reach", out_of_reach_json(run.out_of_reach)}});
+    for (std::size_t t = 0; t < setup.targets.size(); ++t)
+        result["targets"].push_back(shown_json(setup.targets[t], t, ""));
+    const rough::CapAnswer& best = run.found.best;
+    json& answer = result["variants"][run.found.name];
+    answer = {{"similarity", best.similarity},
+              {"similarity_refined", best.verification.similarity},
+              {"similarity_worst", best.lowest()},
+              {"genome", genome_json(run, best.genome)},
+              {"pipeline", run.found.pipeline},
+              {"stages", run.stages},
+              {"notes", run.found.notes},
+              {"stopped", run.found.stopped},
+              {"seconds", run.seconds},
+              {"search_seconds", run.found.seconds},
+              {"curves", run.found.counters.evaluations},
+              {"gradients", run.found.counters.gradients},
+              {"verification", verification_json(run)},
+              {"model_difference", run.other_model_error},
+              {"alternatives", json::array()}};
+    for (const rough::CapAnswer& one : run.found.alternatives)
+        answer["alternatives"].push_back({{"similarity", one.similarity},
+                                          {"difference", one.difference},
+                                          {"genome", genome_json(run, one.genome)}});
+    for (const auto& [genome, similarities] : run.found.front)
+        answer["front"].push_back({{"similarity", similarities}, {"genome", genome_json(run, genome)}});
+    for (const rough::HeightTolerance& one : run.tolerance)
+        answer["tolerance"].push_back({{"error", one.error}, {"height_rms_mm", one.rms}});
+    write_json(folder / "result.json", result);
+}
+
+/// Writes the caps, the spots at the verified loads, the curves and their points, the tile and its mould.
+void write_tables(const CapRun& run, const std::filesystem::path& folder) {
+    const rough::CapSetup& setup = run.setup;
+    const rough::CapAnswer& best = run.found.best;
+    const rough::CapVerification& verified = best.verification;
+    const rough::Caps caps = caps_of(setup, best.genome);
+    Csv table("x_mm,y_mm,height_mm,radius_mm"),
+        spots("load_N,x_mm,y_mm,spot_radius_mm,force_N,force_by_model_N,area_mm2,area_low_mm2,area_high_mm2"),
+        curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_finer");
+    for (rough::Index i = 0; i < caps.heights.size(); ++i) {
+        table.row(setup.array.x(i), setup.array.y(i), caps.heights[i], caps.radii[i]);
+        for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
+            const rough::MeshedCaps& mesh = verified.meshed[s];
+            spots.row(mesh.load, setup.array.x(i), setup.array.y(i),
+                      std::sqrt(mesh.area[i] / std::numbers::pi), mesh.force[i], verified.pressed[s].force[i],
+                      mesh.area[i], mesh.area_low[i], mesh.area_high[i]);
+        }
+    }
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        const rough::Target& target = setup.targets[t];
+        rough::Target drawn = target;
+        drawn.x = Eigen::VectorXd::LinSpaced(drawn_points, 0.2 * target.x[0], target.last());
+        const Eigen::VectorXd values = curve_of(setup, drawn, best.genome, setup.model).values,
+                              at = curve_of(setup, target, best.genome, setup.model).values;
+        for (rough::Index k = 0; k < drawn.points(); ++k)
+            curves.row(t + 1, "answer", drawn.x[k], values[k]);
+        for (rough::Index k = 0; k < target.points(); ++k)
+            points.row(t + 1, target.x[k], target.y[k], target.has_band() ? target.lower[k] : NAN,
+                       target.has_band() ? target.upper[k] : NAN, misfit(target, k, at[k]) / target.weight,
+                       NAN);
+    }
+    rough::write_atomically(folder / "asperities.csv", table.text());
+    rough::write_atomically(folder / "spots.csv", spots.text());
+    rough::write_atomically(folder / "curves.csv", curves.text());
+    rough::write_atomically(folder / "points.csv", points.text());
+    rough::Profile tile = map_of(caps, solid_nodes, true, base_depth * caps.radii.minCoeff());
+    write_solids(solids_of(tile, {}), folder, "tile");
+    const rough::Index columns = tile.shape().columns; // the mould is turned over, about y
+    for (rough::Index row = 0; row < tile.rows; ++row)
+        tile.heights.segment(row * columns, columns).reverseInPlace();
+    tile.heights *= -1;
+    write_solids(solids_of(tile, {}), folder, "mould");
+}
+
+} // namespace
+
+const std::vector<std::string>& cap_model_names() {
+    static const std::vector<std::string> names{"independent", "interacting"};
+    return names;
+}
+
+std::vector<Setting> cap_settings(const std::string& prefix) {
+    return {
+        Setting(ga::whole(prefix + "asperities", "", 1,
+                          "spherical caps in an array, NXxNY, instead of a sum of cosines")
+                    .up_to(4096))
+            .several('x'),
+        positive(prefix + "pitch", "", "distance of neighbouring caps, mm [1.5]"),
+        positive(prefix + "radius", "", "radius of all caps, mm [0.526]"),
+        {prefix + "radii", "", "radii of caps as genes, FROM:TO or FROM:TO:STEP, mm"},
+        {prefix + "heights", "", "heights of the summits, FROM:TO or FROM:TO:STEP, mm [0:0.12:0.001]"},
+    };
+}
+
+std::vector<Setting> asperity_settings() {
+    return joined({cap_settings(),
+                   {{"positions", "",
+                     "exchange caps at the end of the usual search, which changes interaction only", true}}});
+}
+
+rough::CapSetup cap_setup_from(const Settings& settings, const std::string& prefix) {
+    rough::CapSetup setup;
+    const std::string array = prefix + "asperities", radius = prefix + "radius", radii = prefix + "radii";
+    const auto sides = settings.numbers(array);
+    if (sides.size() != 2)
+        settings.refuse(array, settings.text(array) + " is not a pair; give NXxNY, e.g. 8x8");
+    setup.array = {static_cast<rough::Index>(sides[0]), static_cast<rough::Index>(sides[1])};
+    settings.take(prefix + "pitch", setup.array.pitch);
+    if (settings.has(radius) && settings.has(radii))
+        settings.refuse(radii, "given with " + settings.place(radius) + "; give one of both");
+    if (settings.has(radius))
+        setup.radii = {settings.number(radius), settings.number(radius), 0};
+    if (settings.has(radii))
+        setup.radii = range_from(settings, radii);
+    if (settings.has(prefix + "heights"))
+        setup.heights = range_from(settings, prefix + "heights");
+    setup.effective_modulus =
+        model_from(settings.with({{prefix + "nodes", ""}}), prefix).body.effective_modulus;
+    return setup;
+}
+
+int design_asperities(const Settings& settings, const std::string& line) {
+    const ga::Stopwatch clock;
+    CapRun run = cap_run_from(settings);
+    run.origin = {"asperities",
+                  RUGOSA_VERSION,
+                  line,
+                  run.options.seed,
+                  ga::thread_count(run.options.threads),
+                  inputs_json(settings.files())};
+    const bool resume = settings.is_on("resume");
+    if (resume && !settings.has("out"))
+        throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
+    const OutputFolder output(
+        settings.text("out"), "design",
+        {{"result.json", "asperities.csv", "spots.csv", "curves.csv", "points.csv", "tile.stl", "tile.3mf",
+          "mould.stl", "mould.3mf", "report.html", "checkpoint.cbor", "checkpoint.cbor.before"},
+         settings.files(),
+         settings.is_on("force"),
+         resume});
+    const auto& folder = output.path();
+    if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
+        return repeat_verdict(folder / "result.json");
+    const Interrupt interrupt;
+    Progress progress;
+    const double limit = run.options.seconds;
+    run.options.stop = &interrupt.flag();
+    const auto checkpoint = folder / "checkpoint.cbor";
+    run.options.checkpoints = {checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); },
+                               checkpoint_interval(), key_of(run.origin.inputs)};
+    run.found = search(run.setup, run.options,
+                       {recorder<rough::CapGenome>(run.stages), shown_by<rough::CapGenome>(progress)});
+    run.interrupted = interrupt.asked();
+    if (!run.interrupted) {
+        progress.show("tolerance");
+        run.other_model_error = difference_of_models(run);
+        run.tolerance =
+            height_tolerance(run.setup, run.found.best.genome, run.options.seed, 100, run.options.threads);
+    }
+    conclude(run);
+    run.seconds = clock.seconds();
+    write_result(run, output.restored());
+    write_tables(run, folder);
+    if (!run.interrupted && settings.choice("pictures") == 0)
+        write_page(folder, limit - clock.seconds());
+    if (run.found.stopped.empty())
+        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
+            std::filesystem::remove(folder / kept);
+    tell_notes(run.found.notes);
+    const rough::CapVerification& verified = run.found.best.verification;
+    say("Errors: independent caps differ from interacting ones by " + percent(run.other_model_error) +
+        "; the " + cap_model_names()[static_cast<std::size_t>(run.setup.model)] +
+        " model from boundary elements by " + percent(verified.area_error) + " in area and " +
+        percent(verified.force_error) + " of the largest force");
+    for (const rough::HeightTolerance& one : run.tolerance)
+        say("Tolerance: height errors of " + readable(1000 * one.rms) + " µm rms keep the law within " +
+            percent(one.error));
+    say(folder.string() + ": " + run.verdict + " (" + readable(run.found.seconds) + " s of search, " +
+        readable(verified.seconds) + " s of verification)");
+    return run.interrupted ? exit_interrupted : run.is_found ? 0 : 3;
+}
+
+} // namespace app

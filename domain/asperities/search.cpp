@@ -1,0 +1,313 @@
+#include "domain/asperities/design.hpp"
+#include "domain/design/explore.hpp"
+#include "domain/errors.hpp"
+#include "domain/problem/stored.hpp"
+#include "domain/text/json.hpp"
+#include "ga/base/number.hpp"
+#include "ga/base/stopwatch.hpp"
+#include "ga/refinement/refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rough {
+
+/// @cond
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapOutcome, misfits)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapArray, columns, rows, pitch)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GeneRange, from, to, step)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapSetup, array, effective_modulus, heights, radii, model, targets,
+                                   required_similarity, positions)
+/// @endcond
+
+namespace {
+
+using Designs = ga::Population<CapGenome>;
+using CapStage = ga::Stage<CapProblem>;
+
+constexpr std::size_t hall_size = 60;       ///< best individuals of all stages that are kept
+constexpr std::size_t max_compromises = 24; ///< size of the Pareto front
+constexpr double search_share =
+    0.6; ///< share of the time for the pipeline; boundary elements take the remainder
+constexpr double different_heights = 0.05; ///< rms difference of sorted heights over their range
+
+/// Rounds the genes to their steps, then moves single genes by a step if that lowers the misfits of the
+/// linear model. Repeats this from the misfits at the rounded point while they fall.
+struct RoundGenes {
+    std::vector<double> steps; ///< step of each gene; 0: real
+    std::vector<double> from;  ///< a value on the steps
+    int evaluations = 20;
+
+    Eigen::VectorXd improve(const ga::Landscape& land) const {
+        Eigen::VectorXd x = land.start;
+        ga::BestPoint best;
+        for (int used = 0; used <= evaluations && !land.exhausted(); ++used) {
+            const auto at = land.sensitivity(x);
+            if (used > 0) {
+                const double merit = at ? -cost(at->residuals) : -HUGE_VAL;
+                if (merit <= best.merit)
+                    break;
+                best.offer(x, merit);
+            }
+            const Eigen::VectorXd to = at ? moved(x, *at, land) : on_steps(x);
+            if (to == x)
+                break;
+            x = to;
+        }
+        return best.x.size() > 0 ? best.x : on_steps(x);
+    }
+
+  private:
+    /// Nearly the largest misfit, but smaller if fewer rows have it.
+    static double cost(const Eigen::VectorXd& r) {
+        const double largest = r.cwiseAbs().maxCoeff();
+        return largest > 0 ? largest * std::pow((r / largest).array().pow(8).sum(), 0.125) : 0;
+    }
+    Eigen::VectorXd on_steps(Eigen::VectorXd x) const {
+        for (Index i = 0; i < x.size(); ++i)
+            if (const auto g = static_cast<std::size_t>(i); steps[g] > 0)
+                x[i] = from[g] + steps[g] * std::round((x[i] - from[g]) / steps[g]);
+        return x;
+    }
+    Eigen::VectorXd moved(const Eigen::VectorXd& start, const ga::Sensitivity& at,
+                          const ga::Landscape& land) const {
+        Eigen::VectorXd x = on_steps(start), r = at.residuals + at.jacobian * (x - start);
+        double now = cost(r);
+        for (Index round = 0; round < 4 * x.size(); ++round) {
+            Index gene = -1;
+            double by = 0, lowest = now * (1 - 1e-9);
+            for (Index i = 0; i < x.size(); ++i)
+                for (const double step :
+                     {steps[static_cast<std::size_t>(i)], -steps[static_cast<std::size_t>(i)]})
+                    if (step != 0 && x[i] + step >= land.lower[i] - 1e-12 &&
+                        x[i] + step <= land.upper[i] + 1e-12)
+                        if (const double next = cost(r + step * at.jacobian.col(i)); next < lowest)
+                            lowest = next, gene = i, by = step;
+            if (gene < 0)
+                break;
+            x[gene] += by;
+            r += by * at.jacobian.col(gene);
+            now = lowest;
+        }
+        return on_steps(x);
+    }
+};
+
+/// `round N`: every scored genome on the steps of its genes, found with at most N gradients.
+CapStage round_stage(const CapSetup& setup, int evaluations) {
+    const CapProblem problem(setup);
+    RoundGenes method;
+    method.evaluations = evaluations;
+    for (const ga::Variable& variable : problem.bounds({})) {
+        method.steps.push_back(problem.range(variable.gene).step);
+        method.from.push_back(problem.range(variable.gene).from);
+    }
+    ga::Step<CapProblem> step;
+    step.text = "round " + std::to_string(evaluations);
+    step.check = [text = step.text](ga::CheckState& known) {
+        known.need_one_objective(text);
+        known.scored.reset();
+    };
+    step.apply = [method](Designs designs, ga::Context<CapProblem>& context) {
+        const ga::Method rounding{"round", [&](const ga::Landscape& land) { return method.improve(land); }};
+        ga::Rounds<CapProblem>::run(
+            designs.size(), context.door(), [&](std::size_t i, ga::EvaluationQueue<CapProblem>& door) {
+                if (designs[i].fitness.has_failed())
+                    return;
+                auto found = ga::Search<CapProblem>(context.problem(), door, context.watch(), designs[i],
+                                                    context.problem().bounds(designs[i].genome), 1 << 20)
+                                 .by(rounding, 0);
+                if (found)
+                    designs[i].genome = std::move(*found);
+            });
+        for (auto& design : designs)
+            context.make_child(design, ga::Parents(design.identity));
+        return designs;
+    };
+    return step;
+}
+
+/// `exchange RATE`: each cap changes places with another by this chance.
+CapStage exchange_stage(double rate) {
+    ga::Step<CapProblem> step;
+    step.text = "exchange " + ga::number(rate);
+    step.check = [](ga::CheckState& known) { known.scored.reset(); };
+    step.apply = [rate](Designs designs, ga::Context<CapProblem>& context) {
+        const auto caps = static_cast<std::size_t>(context.problem().setup().array.caps());
+        for (std::size_t i = 0; i < designs.size(); ++i) {
+            ga::Stream random = context.stream(i);
+            CapGenome& genome = designs[i].genome;
+            for (std::size_t a = 0; a < caps; ++a)
+                if (random.chance(rate)) {
+                    const std::size_t b = random.below(caps);
+                    for (std::size_t first = 0; first < genome.size(); first += caps)
+                        std::swap(genome[first + a], genome[first + b]);
+                }
+            context.make_child(designs[i], ga::Parents(designs[i].identity));
+        }
+        return designs;
+    };
+    return step;
+}
+
+} // namespace
+
+ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
+    auto registry = cap_engine_words();
+    registry.add({"round",
+                  "asperities",
+                  "puts every gene on its steps, with single steps that repair the curve",
+                  {ga::whole("evaluations", "20", 1, "maximum number of gradients").up_to(1e6)}},
+                 [setup](const ga::Arguments& a, const auto&...) {
+                     return round_stage(setup, static_cast<int>(a.count("evaluations")));
+                 });
+    registry.add({"exchange",
+                  "asperities",
+                  "exchanges the places of caps, which changes interaction only",
+                  {ga::number("rate", std::nullopt, 0, 1, "a cap's chance to change places")}},
+                 [](const ga::Arguments& a, const auto&...) { return exchange_stage(a.number("rate")); });
+    return registry;
+}
+
+ga::Variants cap_variants(const CapSetup& setup) {
+    ga::Variants variants;
+    // Random caps, refined by least squares and then for the smallest largest misfit, on the steps at last.
+    variants["pass"] = "sample 100 | score | best 12 | refine lm 30 | best 4 | refine lm 80 sharpen=30 | "
+                       "round 20 | score | best 1";
+    const std::string enough = ga::number(1 - 0.5 * (1 - setup.required_similarity));
+    variants["default"] =
+        "pass | until fitness " + enough + " generations 4 { pass | plus 1 }" +
+        (setup.positions ? " | repeat 30 { parents | exchange 0.05 | score | plus 1 }" : "");
+    variants["genetic"] =
+        "sample 50 | score | repeat 500 { tournament 2 | cross uniform | mutate 0.03 | score | elite 2 }";
+    return variants;
+}
+
+double CapAnswer::lowest() const {
+    return std::isnan(verification.similarity) ? verification.similarity
+                                               : std::min(similarity, verification.similarity);
+}
+
+namespace {
+
+/// Solves the caps at the first, the middle and the last point of the first target by boundary elements.
+CapVerification verified(const CapSetup& setup, const CapGenome& genome, const ContactOptions& options) {
+    const ga::Stopwatch clock;
+    const Target& target = setup.targets.front();
+    const double nominal = setup.array.nominal_area();
+    const Caps caps = caps_of(setup, genome);
+    const CapContact contact(setup.array, setup.effective_modulus, setup.model);
+    std::vector<Index> points{0, target.points() / 2, target.points() - 1};
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<double> at;
+    for (const Index k : points)
+        at.push_back(target.x[k] * (target.against_pressure() ? nominal : 1));
+    CapVerification found;
+    try {
+        found.meshed = pressed_on_mesh(caps, setup.effective_modulus, at, target.against_pressure(),
+                                       setup.nodes, options);
+    } catch (const NotConverged&) {
+        if (!is_stopped(options))
+            throw;
+        return found; // not verified
+    }
+    found.similarity = 1;
+    for (std::size_t s = 0; s < points.size(); ++s) {
+        const MeshedCaps& mesh = found.meshed[s];
+        const double value = value_of(setup, target.quantity, mesh.load, mesh.area.sum(), mesh.stiffness);
+        found.similarity = std::min(found.similarity, 1 - std::abs(misfit(target, points[s], value)));
+        const PressedCaps pressed = contact.at_load(caps, mesh.load);
+        found.area_error = std::max(found.area_error, std::abs(pressed.total_area() / mesh.area.sum() - 1));
+        found.force_error = std::max(found.force_error, (pressed.force - mesh.force).cwiseAbs().maxCoeff() /
+                                                            mesh.force.maxCoeff());
+        found.pressed.push_back(pressed);
+    }
+    found.seconds = clock.seconds();
+    return found;
+}
+
+} // namespace
+
+CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options,
+                 std::vector<ga::Observer<CapGenome>> observers) {
+    const ga::Stopwatch clock;
+    const CapProblem problem(setup);
+    CapSearch result;
+    const std::string text = options.pipeline.empty() ? "default" : options.pipeline;
+    const ga::Variants variants = cap_variants(setup);
+    ga::Parser<CapProblem> parser(cap_registry(setup), variants);
+    const CapStage pipeline = parser.parse(text);
+    result.name = variants.count(text) ? text : "pipeline";
+    result.pipeline = pipeline.text();
+    std::vector<CapGenome> starts = options.starts;
+    if (starts.empty()) {
+        ga::Stream random(options.seed);
+        starts.push_back(problem.sample(random));
+    }
+    CapSetup nameless = setup; // names of targets do not affect a result
+    for (Target& target : nameless.targets)
+        target.name.clear(), target.recorded.clear();
+    Exploration<CapProblem> explored(problem, hall_size, 1, "similarity");
+    explored.run(pipeline, result.name, starts, options, search_share * options.seconds,
+                 RUGOSA_VERSION " " + json_text(nlohmann::json(nameless), true), std::move(observers));
+    result.counters = explored.counters;
+    result.notes = explored.notes;
+    result.stopped = explored.stopped;
+
+    const auto within = [&](CapGenome genome) {
+        for (std::size_t g = 0; g < genome.size(); ++g)
+            genome[g] = problem.range(g).nearest(genome[g]);
+        return genome;
+    };
+    const auto offer = [&](const CapGenome& given) {
+        const CapGenome genome = within(given);
+        const double similarity = problem.evaluate(genome).similarity();
+        explored.seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
+    };
+    for (const CapGenome& genome : explored.front)
+        offer(genome);
+    const auto nearest = explored.seen.members; // genomes of a pipeline that ends before `round`
+    std::erase_if(explored.seen.members, [&](const auto& one) {
+        for (std::size_t g = 0; g < one.genome.size(); ++g)
+            if (std::abs(one.genome[g] - problem.range(g).nearest(one.genome[g])) > 1e-9)
+                return true;
+        return false;
+    });
+    if (explored.seen.members.empty())
+        offer(nearest.empty() ? starts.front() : nearest.front().genome);
+    std::vector<ga::Point> points;
+    for (const CapGenome& genome : explored.front) {
+        const CapOutcome outcome = problem.evaluate(within(genome));
+        points.emplace_back();
+        for (const Eigen::VectorXd& misfits : outcome.misfits)
+            points.back().push_back(similarity(misfits));
+        result.front.emplace_back(within(genome), points.back());
+    }
+    const auto ranks = ga::pareto_ranks(points);
+    for (std::size_t i = ranks.size(); i-- > 0;)
+        if (ranks[i] > 0)
+            result.front.erase(result.front.begin() + static_cast<std::ptrdiff_t>(i));
+    result.front.resize(std::min(result.front.size(), max_compromises));
+    result.best = {explored.seen.members.front().genome, explored.seen.members.front().value()};
+    result.alternatives = {result.best};
+    const double range = std::max(setup.heights.to - setup.heights.from, 1e-300);
+    for (const auto& [genome, difference] : explored.others_than(
+             result.best.genome, options.alternatives, different_heights,
+             [&](const CapGenome&genome) { // the curve of separate caps depends on the sorted depths only
+                 Eigen::VectorXd heights = caps_of(setup, genome).heights;
+                 std::sort(heights.begin(), heights.end());
+                 return Eigen::VectorXd(heights.array() - heights.maxCoeff());
+             },
+             [&](const Eigen::VectorXd&a, const Eigen::VectorXd&b) {
+                 return (a - b).norm() / std::sqrt(static_cast<double>(a.size())) / range;
+             }))
+        result.alternatives.push_back({genome, problem.evaluate(genome).similarity(), difference});
+    result.seconds = clock.seconds();
+    ContactOptions contact;
+    contact.stop = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds - clock.seconds(),
+                                       options.stop})] { return watch.expired(); };
+    result.best.verification = verified(setup, result.best.genome, contact);
+    return result;
+}
+
+} // namespace rough

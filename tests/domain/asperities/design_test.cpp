@@ -1,0 +1,154 @@
+#include "domain/asperities/design.hpp"
+#include "domain/errors.hpp"
+#include "ga/base/random.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace rough;
+
+namespace {
+
+/// The set-up of n x n caps as they are made of PDMS.
+CapSetup made_of_pdms(Index n, CapModel model = CapModel::interacting) {
+    CapSetup setup;
+    setup.array = {n, n, 1.5};
+    setup.effective_modulus = 1.36;
+    setup.model = model;
+    setup.required_similarity = 0.98;
+    setup.nodes = 64 * 64;
+    return setup;
+}
+
+/// The law of a force per area (mm^2 against N) as a target.
+template <class Law>
+Target target_of(const CapSetup& setup, double from, double to, Law law) {
+    Target target;
+    target.quantity = Quantity::area_at_pressure;
+    target.x = Eigen::VectorXd::LinSpaced(8, from, to) / setup.array.nominal_area();
+    target.y = target.x.unaryExpr(
+        [&](double x) { return law(x * setup.array.nominal_area()) / setup.array.nominal_area(); });
+    return target;
+}
+
+CapGenome random_genome(const CapSetup& setup, std::uint64_t seed) {
+    ga::Stream random(seed);
+    return CapProblem(setup).sample(random);
+}
+
+/// The curve of random caps as a target.
+Target hidden_law(const CapSetup& setup, std::uint64_t seed) {
+    Target target = target_of(setup, 0.01, 0.1, [](double) { return 1.0; });
+    const auto caps = static_cast<double>(setup.array.caps());
+    target.x *= caps / 16;
+    target.y = curve_of(setup, target, random_genome(setup, seed), setup.model).values;
+    return target;
+}
+
+bool is_on_steps(const CapSetup& setup, const CapGenome& genome) {
+    return std::ranges::all_of(
+        genome, [&](double height) { return std::abs(height - setup.heights.nearest(height)) < 1e-12; });
+}
+
+} // namespace
+
+TEST_CASE("derivatives of every target of caps equal differences") {
+    for (const CapModel model : {CapModel::independent, CapModel::interacting})
+        for (const Quantity quantity :
+             {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement,
+              Quantity::load_at_displacement, Quantity::interface_stiffness}) {
+            CapSetup setup = made_of_pdms(3, model);
+            setup.radii = {0.3, 0.53, 0};
+            setup.targets = {hidden_law(setup, 5)};
+            Target& target = setup.targets[0];
+            target.quantity = quantity;
+            if (!against_pressure(quantity))
+                target.x = Eigen::VectorXd::LinSpaced(8, 0.02, 0.1);
+            target.y.setConstant(0.1);
+            const CapProblem problem(setup);
+            CapGenome genome = random_genome(setup, 6);
+            for (double& gene : genome)
+                gene += 1.3e-4; // no cap touches exactly at a point
+            const ga::Sensitivity at = problem.sensitivity(genome, "goal1");
+            for (std::size_t g = 0; g < genome.size(); ++g) {
+                CapGenome up = genome, down = genome;
+                up[g] += 1e-7, down[g] -= 1e-7;
+                const Eigen::VectorXd difference =
+                    (problem.evaluate(up).misfits[0] - problem.evaluate(down).misfits[0]) / 2e-7;
+                INFO(name_of(quantity) << ", gene " << g);
+                CHECK((difference - at.jacobian.col(static_cast<Index>(g))).cwiseAbs().maxCoeff() <=
+                      1e-5 * at.jacobian.cwiseAbs().maxCoeff());
+            }
+        }
+}
+
+TEST_CASE("a search finds the law of hidden caps on whole steps, with any threads") {
+    CapSetup setup = made_of_pdms(4);
+    setup.targets = {hidden_law(setup, 11)};
+    const CapSearch found = search(setup, {.threads = 1});
+    CHECK(found.best.similarity >= 0.985);
+    CHECK(is_on_steps(setup, found.best.genome));
+    CHECK(found.best.verification.area_error < 0.02); // on a coarse map
+    CHECK(found.best.lowest() <= found.best.similarity);
+    CHECK(search(setup, {.threads = 2}).best.genome == found.best.genome);
+}
+
+TEST_CASE("an answer of a pipeline without round is on the steps") {
+    CapSetup setup = made_of_pdms(2);
+    setup.targets = {hidden_law(setup, 3)};
+    for (const char* pipeline : {"sample 4 | score | refine lm 5", "genetic"})
+        CHECK(is_on_steps(setup, search(setup, {.pipeline = pipeline, .evaluations = 200}).best.genome));
+}
+
+TEST_CASE("no caps have an area beyond the limits") {
+    for (const CapModel model : {CapModel::independent, CapModel::interacting})
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            CapSetup setup = made_of_pdms(4, model);
+            if (seed % 2 == 0)
+                setup.radii = {0.2, 0.53, 0};
+            setup.targets = {hidden_law(setup, seed)};
+            for (Index k = 0; k < setup.targets[0].points(); ++k) {
+                const double nominal = setup.array.nominal_area();
+                const AreaLimits limits = area_limits(setup, setup.targets[0].x[k] * nominal);
+                CHECK(setup.targets[0].y[k] * nominal >= limits.min);
+                CHECK(setup.targets[0].y[k] * nominal <= limits.max * (1 + 1e-12));
+            }
+            CHECK(out_of_reach(setup).empty());
+        }
+}
+
+TEST_CASE("a law below the area of one cap is out of reach, with the best similarity") {
+    CapSetup setup = made_of_pdms(8);
+    setup.targets = {target_of(setup, 0.01, 0.2, [](double force) { return 5.1788654 * force; })};
+    const auto found = out_of_reach(setup);
+    REQUIRE(found.size() == 1);
+    // One cap has 1.5 times the area of the first point.
+    const double one = hertz_area(0.01, 0.526, 1.36);
+    CHECK(found[0].bound == Approx(2 - one / 0.051788654).epsilon(1e-6));
+    CHECK(search(setup, {.pipeline = "pass", .evaluations = 300}).best.similarity <= found[0].bound);
+}
+
+TEST_CASE("larger errors of a law allow larger errors of heights") {
+    CapSetup setup = made_of_pdms(4);
+    setup.targets = {hidden_law(setup, 2)};
+    const auto levels = height_tolerance(setup, random_genome(setup, 2), 1, 40, 1);
+    REQUIRE(levels.size() == 3);
+    CHECK(0 < levels[0].rms);
+    CHECK(levels[0].rms < levels[1].rms);
+    CHECK(levels[1].rms < levels[2].rms);
+}
+
+TEST_CASE("ranges of caps without sense are refused") {
+    CapSetup good = made_of_pdms(2);
+    good.targets = {hidden_law(good, 1)};
+    for (const GeneRange& range :
+         {GeneRange{0.1, 0, 0}, GeneRange{0, 0.1, 0.2}, GeneRange{NAN, 1, 0}, GeneRange{0, INFINITY, 0}}) {
+        CapSetup setup = good;
+        setup.heights = range;
+        CHECK_THROWS_AS(CapProblem(setup), InputError);
+    }
+    CapSetup setup = good;
+    setup.radii = {0, 1, 0};
+    CHECK_THROWS_AS(CapProblem(setup), InputError);
+}
