@@ -14,16 +14,17 @@ namespace app {
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> all{
-        paper_experiment(),    variants_experiment(),  accuracy_experiment(),
-        chart_experiment(),    stability_experiment(), compare_experiment(),
-        readings_experiment(), features_experiment(),  statistical_experiment()};
+        paper_experiment(),       variants_experiment(),      accuracy_experiment(), chart_experiment(),
+        stability_experiment(),   compare_experiment(),       readings_experiment(), features_experiment(),
+        statistical_experiment(), metainterfaces_experiment()};
     return all;
 }
 
 std::vector<Setting> Experiment::all_settings() const {
     return joined(
         {{{"experiment.kind", "paper",
-           "paper, variants, accuracy, chart, stability, compare, readings, features or statistical"},
+           "paper, variants, accuracy, chart, stability, compare, readings, features, statistical or "
+           "metainterfaces"},
           ga::whole("experiment.seed", "1", 0,
                     "seed of the random numbers; the first one if each variant runs several times")
               .up_to(0x1p53),

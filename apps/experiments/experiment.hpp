@@ -57,6 +57,7 @@ Experiment stability_experiment();
 Experiment compare_experiment();
 Experiment readings_experiment();
 Experiment features_experiment();
+Experiment metainterfaces_experiment();
 Experiment statistical_experiment();
 
 /// All kinds of experiments.

@@ -1,3 +1,4 @@
+#include "apps/commands/design/asperities.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/external/process.hpp"
@@ -96,6 +97,30 @@ Experiment features_experiment() {
             .run = [](const Settings& settings, const Conditions& conditions) {
                 return findings_of_script(features_experiment(), settings, conditions);
             }};
+}
+
+Experiment metainterfaces_experiment() {
+    std::vector<Setting> caps = cap_settings("caps.");
+    for (Setting& setting : caps)
+        setting.fallback = setting.name == "caps.asperities" ? "8x8" : "";
+    return {
+        .kind = "metainterfaces",
+        .summary = "arrays of spherical caps whose contact area follows given laws of the load",
+        .settings = joined(
+            {{{"targets.files", "", "laws of area against load (CSV), separated by commas"},
+              positive("caps.modulus", "1.36", "effective modulus E*, MPa"),
+              ga::number("caps.similarity", "0.98", -1, 1, "required similarity"),
+              ga::whole("caps.nodes", "", 32, "nodes along each side of the verification [1024]").up_to(4096),
+              {"caps.accuracy", "", "relative error allowed for the model of the search"},
+              {"caps.large-laws", "", "names of the laws of the larger array"},
+              {"caps.large-asperities", "40x25", "caps of the larger array, NXxNY"},
+              {"caps.large-accuracy", "0.02", "accuracy for the larger array"},
+              {"caps.large-pipeline", "default", "pipeline for the larger array"}},
+             caps}),
+        .files = {"laws.csv", "curves.csv"},
+        .run = [](const Settings& settings, const Conditions& conditions) {
+            return findings_of_script(metainterfaces_experiment(), settings, conditions);
+        }};
 }
 
 Experiment readings_experiment() {
