@@ -10,8 +10,8 @@ namespace ga {
 struct RunOptions {
     std::string variant = "pipeline"; ///< first word of every path; does not affect random numbers
     std::uint64_t seed = 1;           ///< keys every random stream
-    int threads = 0;                  ///< 0 for OpenMP's default; does not affect a result
-    std::size_t memory_bytes = std::size_t{1} << 30; ///< for known outcomes; does not affect a result
+    int threads = 0; ///< threads of `run`, 0 for OpenMP's default; `run_by` uses those of its evaluator
+    std::size_t memory_bytes = std::size_t{1} << 30; ///< memory for known outcomes; does not affect a result
     Budget budget = {};                              ///< limits at which the run stops early
     /// Memory for one population; a run that would exceed it ends with its current population.
     std::size_t population_bytes = std::size_t{1} << 30;
@@ -20,15 +20,15 @@ struct RunOptions {
 /// The result of a run.
 template <class G>
 struct Result {
-    /// The last population. If the run was stopped, its scored individuals and those kept from the
-    /// generation's start, best first.
+    /// The last population. If the run was stopped: its scored individuals and those kept from the
+    /// generation's start. Only those under the most frequent policy remain, best first.
     Population<G> population;
     std::optional<Individual<G>> best; ///< the best of the whole run under the problem's first objective
     Counters counters;                 ///< spent by the run
     std::vector<std::string> notes;    ///< remarks of stages, each under its path
     std::string stopped;               ///< why the run ended early; empty if it did not
     double seconds = 0;                ///< in all processes of the run
-    Population<G> front = {};          ///< the individuals that no other one dominates
+    Population<G> front = {};          ///< individuals of `population` that no other one dominates
 };
 
 /// The facts that are known of an unscored population. Throws UsageError if the problem has no objective.
@@ -95,8 +95,8 @@ template <class G>
     return next;
 }
 
-/// Scores a start population again if it comes scored, because another problem may have scored it. The run
-/// then knows its best.
+/// Scores a start population again if it is already scored under one objective of this problem. Another
+/// problem may have made the old fitness. The run then knows the best start.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))
@@ -166,10 +166,10 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
     return result;
 }
 
-/// Runs a pipeline on a population; `evaluator` makes every paid call. The pipeline is checked first, with a
-/// UsageError if it cannot work. The same seed gives the same bits for any number of threads, any memory and
-/// any evaluator with the same outcomes. Only a run that ends on seconds or a stop may differ. With a
-/// checkpointer this holds for any number of interruptions.
+/// Runs a pipeline on a population; `evaluator` makes every call of `evaluate` and every derivative. Throws
+/// UsageError before any evaluation if the pipeline cannot work. The same seed gives the same bits for any
+/// number of threads, any memory and any evaluator with the same outcomes. Only a run that ends on seconds or
+/// a stop may differ. With a checkpointer this holds for any number of interruptions.
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)

@@ -25,7 +25,7 @@ struct Objective {
     bool minimise = false;                         ///< whether lower is better
 };
 
-/// All that ga knows of a domain: a genome, the paid call `evaluate`, and objectives of its outcome.
+/// All that ga knows of a domain: a genome, the expensive call `evaluate`, and objectives of its outcome.
 /// `evaluate` is pure: it is called from several threads and its outcomes are remembered; it may throw. There
 /// is at least one objective; `score()` uses the first.
 template <class P>
@@ -50,8 +50,8 @@ concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
     { problem.key(genome) } -> std::convertible_to<std::string>;
 };
 
-/// Optional: the final form of a genome after its evaluation, by which `score` replaces it. It must have the
-/// genome's key, so that forgetting an outcome does not affect a result.
+/// Optional: the final form of a genome after its evaluation. `score` replaces an evaluated genome by this
+/// final form. It must have the genome's key, so that forgetting an outcome does not affect a result.
 template <class P>
 concept Settling = requires(const P& problem, const typename P::Genome& genome,
                             const typename P::Outcome& outcome) {
@@ -135,7 +135,7 @@ std::vector<double> violations_of(const P& problem, const typename P::Outcome& o
         return problem.violation(outcome);
 }
 
-/// Optional: the memory of an outcome in bytes, if it owns more than itself.
+/// Optional: bytes that an outcome owns outside the object itself, e.g. on the heap.
 template <class P>
 concept Weighed = requires(const P& problem, const typename P::Outcome& outcome) {
     { problem.bytes(outcome) } -> std::convertible_to<std::size_t>;
@@ -263,8 +263,8 @@ constexpr bool members_fit() {
 }
 
 /// Whether a genome from outside the run may enter it: a start, one of a checkpoint or one that another
-/// language has made. A permutation has each number once, bounds refer to genes that exist, and the problem's
-/// `valid` holds.
+/// language has made. A permutation must have each number once. If the problem has `valid`, it decides about
+/// all else. Otherwise, in a vector of double, every gene that has bounds must exist and be finite.
 template <Problem P>
 bool is_valid(const P& problem, const typename P::Genome& genome) {
     if constexpr (std::same_as<typename P::Genome, Permutation>)
