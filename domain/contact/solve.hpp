@@ -15,15 +15,16 @@ enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
 const std::vector<std::string>& solver_names(); ///< in the order of Solver
 const std::string& name_of(Solver solver);      ///< auto, nested, nnls, polonsky-keer or active-set
-bool is_direct(Solver solver); ///< whether it solves to rounding, by a factor, and has no tolerance
+/// Whether it solves by a factor of H, up to rounding; ContactOptions::tolerance is not used.
+bool is_direct(Solver solver);
 
 /// How contact is to be solved.
 struct ContactOptions {
     Solver solver = Solver::automatic; ///< which method
-    double tolerance = 1e-6;           ///< largest kkt_residual that an iterative solver leaves
+    double tolerance = 1e-6;           ///< relative residual at which an iterative solver ends
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
     double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
-    int threads = 1;           ///< for a curve of an area; the curve does not depend on them
+    int threads = 1; ///< threads for a map of 16,384 nodes or more; the curve does not depend on their number
     std::function<bool()> stop = {}; ///< called now and then if set; true ends the solution with NotConverged
 };
 
@@ -32,8 +33,9 @@ inline bool is_stopped(const ContactOptions& options) { return options.stop && o
 
 /// One load step's answer. Pressures are means over the length, MPa; lengths in mm.
 struct LoadStep {
-    double displacement =
-        0; ///< approach Delta from the highest node, mm (periodic: from there to the mean plane)
+    /// Approach Delta since first touch, mm. On a periodic half-plane or half-space it is measured against
+    /// the mean plane of the body's surface.
+    double displacement = 0;
     double pressure = 0;          ///< P = sum p_i delta / L, MPa
     double tangent_stiffness = 0; ///< dP/dDelta at the step's contact set, MPa/mm
     double kkt_residual = 0;      ///< certificate, relative; see solve_contact
@@ -68,31 +70,38 @@ struct ContactCurve {
 ///
 /// At Delta = 0 the touching nodes count as contact without pressure, so that K is the stiffness of first
 /// loading. `automatic` continues with another solver if the chosen one does not settle, needs too much
-/// memory or far more work than predicted. With a hardness p_H, pressures are at most p_H. Nodes at p_H (held
-/// nodes) may sink in, so that u <= Delta - g0 there. K is then that of the elastic nodes. Only `automatic`
-/// and `active_set` accept a hardness; a projected Newton method solves such steps to 1e-11. Throws
-/// InputError if a profile, body or displacement has no solution, NotConverged if the certificate of a step
-/// exceeds the solver's tolerance.
+/// memory or far more work than predicted.
+///
+/// With a hardness p_H, pressures are at most p_H. Nodes at p_H (held nodes) may sink in, so that u <= Delta
+/// - g0 there. K is then that of the elastic nodes. Only `automatic` and `active_set` accept a hardness. A
+/// projected Newton method solves such steps until the gaps are 1e-11 of the approach, or rounding allows no
+/// better.
+///
+/// Throws InputError if a profile, body or displacement has no solution. Throws NotConverged if the
+/// certificate of a step exceeds its limit. For an iterative solver the limit is twice `tolerance`. For a
+/// direct solver, and with a hardness, it is 1e-9, or the bound of rounding if that is larger.
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
 
-/// Presses to each of the mean pressures (MPa, > 0, increasing). If a solver does not have load control
-/// (the table in solvers/solvers.hpp) or fails on a line, Newton's method finds the displacements.
-/// Without a hardness it converges, because P is convex in Delta; with one the pressure agrees to 1e-8 or
-/// better. Throws InputError also for a pressure above that of full contact (periodic).
+/// Presses to each of the mean pressures (MPa, > 0, increasing). Newton's method finds the displacements if
+/// the solver does not take loads (the table in solvers/solvers.hpp), and always with a hardness. It also
+/// does so if `automatic` fails on a line. Without a hardness the method converges, because P is convex in
+/// Delta. With a hardness the pressure agrees to 1e-8 or better. Throws InputError also for a pressure above
+/// that of full contact (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
-/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. A direct solver
-/// finds it to 12 digits of pressure, with a hardness to 8 or more. An iterative solver on a line ends at
-/// most 3 tolerances above the pressure. Therefore a curve to this displacement does not end below the
-/// pressure. Throws the same as solve_contact_at_pressures.
+/// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. With a direct solver the
+/// pressure agrees to 12 digits. With a hardness it agrees to at least 8 digits. An iterative solver on a
+/// line ends at most 3 tolerances above the pressure. Therefore a curve to this displacement does not end
+/// below the pressure. Throws the same as solve_contact_at_pressures.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
-/// A solved curve as it would be with another datum distance (mm), exactly and without a solution; states
-/// included. Throws InputError for a body without a datum, or a datum up to (L + delta)/4.
+/// Converts a solved curve and its states to another datum (mm), exactly and without a new contact solution.
+/// The surface must be a line on the free half-plane, and the datum must exceed (L + delta)/4. Throws
+/// InputError otherwise, but does not refuse a datum of 0.
 ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
 
 /// Predicted cost of a curve of `steps` steps on `nodes` nodes by the cheaper of the solvers nested and
@@ -100,11 +109,13 @@ ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& 
 double predicted_cost(double nodes, double contact, double steps);
 
 /// K_full, MPa/mm: the stiffness of the body when all `nodes` of a grid, `spacing` mm apart, are in contact:
-/// K_full = (delta/L) 1' H^-1 1. Infinite on a periodic half-plane, whose displacement is relative to the
-/// mean plane; 1/C0 of layers on a rigid base (mean_compliance).
-/// It is the half-plane's part of a profile's stiffness K: 1/K_i = 1/K - 1/K_full is the interface's, in
-/// which the datum cancels. Found by conjugate gradients at d = L, moved to the body's datum exactly, and
-/// remembered for all threads. Throws InputError for a body without a solution, NotConverged if H w is not 1.
+/// K_full = (delta/L) 1' H^-1 1. It is infinite on a periodic half-plane, whose displacement is relative to
+/// the mean plane. For layers on a rigid base it is 1/C0 (mean_compliance).
+///
+/// The interface stiffness K_i of 1/K_i = 1/K - 1/K_full does not depend on the datum. Conjugate gradients
+/// solve H w = 1, on the free half-plane for d = L. An exact formula converts that result to the body's
+/// datum. The solution is cached for all threads. Throws InputError for a body without a solution. Throws
+/// NotConverged if the residual of H w = 1 exceeds 1e-8.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
 /// K_full on the grid of a line or a map; a free map has no datum.
 double full_contact_stiffness(const Profile& surface, const Body& body);
