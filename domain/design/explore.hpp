@@ -19,7 +19,7 @@ struct Exploration {
     std::optional<Genome> nearest = {}; ///< the best under a derived problem
     ga::Counters counters = {};
     std::vector<std::string> notes = {};
-    std::string stopped = {}; ///< why the run ended before its pipeline; empty if it did not
+    std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
     std::string nothing = {}; ///< the stage that had nothing left, in words; empty if none had
 
     /// Keeps the best `max_seen` individuals, and the best `max_verified` under the objective `verifies`.

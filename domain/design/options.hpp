@@ -46,9 +46,9 @@ struct SearchOptionsOf {
     const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
     std::size_t alternatives = 3;                        ///< how many different answers, the best included
     /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. Sources
-    /// are the final population, the answers that the pipeline verified, and the best of all stages. The
-    /// first given start is verified, too. For a map the first two sources give at most two, because
-    /// verifying takes longer than searching.
+    /// are the final population, the answers that the pipeline verified and, for a profile, the best of all
+    /// stages. For a profile the first given start is verified, too. For a map the first two give at most two
+    /// genomes each. If they give none, the best of all stages is verified. (Only for DesignProblem.)
     std::size_t verifying = 3;
     std::optional<CheckpointOptionsOf<P>> checkpoints = {}; ///< none: no checkpoints are written
     /// Curves that several searches of one set-up share (only for DesignProblem).

@@ -9,8 +9,8 @@
 
 namespace rough {
 
-using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< of a search for waves
-using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< of a search for waves
+using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< options of a search for waves
+using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< checkpoints of a search for waves
 
 /// A genome at its final amplitude, and its similarities. If time ran out during the verification of a map,
 /// the similarities without a result and similarity_worst are NaN.
@@ -20,8 +20,8 @@ struct Answer {
     double similarity_refined = 0; ///< on a grid four times finer, with Eq. 11 applied again
     double similarity_stepped = 0; ///< with four times the load steps, also for a measured target
     double similarity_worst = 0;   ///< lowest of these three and of finer grid and steps together
-    /// Similarity that 95 % of 200 draws of the noise and each tilt keep under the set-up's errors. NaN:
-    /// without errors or without time.
+    /// Lowest similarity under the set-up's errors: the one that 95 % of 200 noise draws reach, or that of a
+    /// tilt. NaN without errors, for a map, for an unverified answer and from verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
     bool within_limits = true;      ///< it keeps every limit of the set-up
     double difference = 1;          ///< smallest difference from the answers before it
@@ -58,12 +58,12 @@ struct SearchResult {
     Answer best;                      ///< the answer of the highest rank (search)
     std::vector<Answer> alternatives; ///< the best, then the next best that differ from all before them
     std::vector<Compromise> front;    ///< from `pareto`; empty if the pipeline does not have it
-    /// If the set-up has errors: the Pareto front of the verified answers' similarities with and without
-    /// errors, by falling similarity without.
+    /// For a profile whose set-up has errors: the answers on the Pareto front of the similarities without and
+    /// with errors. They are sorted by falling similarity without errors.
     std::vector<Answer> made;
     ga::Counters counters;          ///< evaluations spent
     std::vector<std::string> notes; ///< remarks of stages
-    std::string stopped;            ///< why the search ended before its pipeline; empty if it did not
+    std::string stopped;            ///< why a stop or a budget ended the pipeline early; empty if neither did
     std::string name;               ///< the variant's name or "pipeline": first word of every path
     std::string pipeline;           ///< text that was run
     DesignSetup setup;              ///< completed
@@ -72,11 +72,13 @@ struct SearchResult {
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.
 void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 
-/// Runs a pipeline on a design. Verifies its answers and the best individuals of all stages. The best answer
-/// has the highest rank: answers within the limits first, then verified ones, by lowest(). There is always an
-/// answer, if only a start. Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another
-/// search. Throws InputError on starts for a pipeline that makes its starts, NotConverged if no curve of the
-/// run could be computed.
+/// Runs a pipeline on a design and verifies the genomes that SearchOptions::verifying describes, and the
+/// alternatives. The best answer has the highest rank: answers within the limits first, then verified ones,
+/// by lowest(). If the search is stopped before its first curve, the answer is a start. If it has made curves
+/// only on coarser grids, the answer is the best genome of the last stage with these.
+///
+/// Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search. Throws InputError
+/// if starts are given to a pipeline that makes starts. Throws NotConverged if every evaluation failed.
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 
@@ -86,10 +88,11 @@ struct Unreachable {
     double bound = 1;                ///< no profile has a higher similarity
 };
 
-/// Similarity from which on a target is not reported as out of reach, unless another one is required.
+/// A target is reported as out of reach if no profile can have this similarity. A caller may require another
+/// value.
 constexpr double exact_enough = 0.999;
 
-/// The verdict on a set-up, without approximations; `required` is the similarity that is enough.
+/// The verdict on a set-up, without approximations; `required` is the similarity that the caller requires.
 Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
 
 /// Curves and gradients that suffice to find the nearest profile to a target out of reach.
