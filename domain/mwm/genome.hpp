@@ -22,9 +22,10 @@ struct Series {
     std::vector<Chromosome> chromosomes; ///< at least one, each n once
 };
 
-/// A rough profile: scale * sum of series. A cross-over adds the parents' series.
+/// A rough surface: `scale` times the sum of its series. The paper's GCO and CCO add the parents' series
+/// (`sum`).
 ///
-/// `scale` is the amplitude of the whole profile. Changing it needs no new contact solution: it scales
+/// `scale` is the amplitude of the whole surface. Changing it needs no new contact solution: it scales
 /// pressures and displacements, and leaves stiffness and contact sets as they are. So Eq. 11 changes only
 /// `scale`.
 struct Genome {
@@ -33,15 +34,16 @@ struct Genome {
 };
 
 /// Checks every number. Throws InputError, with `where` in front, on an empty genome or series, a chromosome
-/// without phases, or an n twice in a series. It also refuses A = 0, gamma <= 1, lambda <= 0, n < 1, and
-/// numbers that are not finite.
+/// without phases, or an n twice in a series. It also refuses scale = 0, A = 0, gamma <= 1, lambda <= 0,
+/// n < 1, and numbers that are not finite.
 void validate(const Genome& genome, const std::string& where);
 
-/// The profile with scale 1; its amplitudes are multiplied by the scale.
+/// The genome of this surface with scale 1; the amplitudes A are multiplied by the scale.
 Genome folded(Genome genome);
 
-/// The sum of the two parents' profiles. Series that differ only in amplitude become one. The order of the
-/// parents does not matter, not even to the last bit.
+/// The sum of the two parents' surfaces, with scale 1. Series that differ only in amplitude become one, and
+/// series whose amplitudes cancel are removed. The order of the parents does not matter, not even to the last
+/// bit.
 Genome sum(const Genome& left, const Genome& right);
 
 /// The bits of all numbers except the scale. The responses of genomes with equal keys differ only by the
@@ -66,14 +68,15 @@ std::vector<double> genes(const Genome& genome);
 /// The genome with its genes replaced; `values` has as many as genes(genome).
 Genome with_genes(Genome genome, const std::vector<double>& values);
 
-/// Cross-over of length scales. The chromosomes of each genome, ordered from the longest wavelength
-/// to the shortest, change places. Each keeps the genes of its series and the scale of its genome.
-/// Chromosomes with equal series genes form one series afterwards, and empty series are removed. Numbers
-/// of chromosomes stay. This one exchanges every other piece between `cuts` cuts, at places that both genomes
-/// have.
+/// Cross-over of length scales. Orders the chromosomes of each genome from the longest wavelength to the
+/// shortest. Cuts both lists at the same random places, `cuts` or as many as fit, and exchanges every second
+/// piece. A chromosome keeps its series' genes; A is multiplied by the genome's scale, which becomes 1.
+/// Chromosomes with equal series genes form one series afterwards. Each genome keeps its number of
+/// chromosomes.
 void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
 
-/// Exchanges each place that both genomes have with probability 1/2.
+/// Exchanges, in the lists of cross_points, the chromosomes at each place of the shorter list with
+/// probability 1/2. Scales and series change as there.
 void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 
 } // namespace rough

@@ -25,8 +25,9 @@ inline Profile profile_of(const std::vector<double>& heights, double spacing) {
     return {Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Index>(heights.size())), spacing};
 }
 
-/// Difference of two profiles: 1 minus the correlation coefficient of their heights. It takes the higher
-/// coefficient of the two profiles as they are and with one mirrored end to end. 0 to 2.
+/// Difference of two surfaces on equal grids: 1 minus the larger of two correlation coefficients. They are
+/// those of the heights as they are, and with one sequence reversed. The result is from 0 to 2, and 0 if one
+/// surface is flat.
 inline double difference(const Profile& left, const Profile& right) {
     const Eigen::VectorXd a = left.heights.array() - left.heights.mean(),
                           b = right.heights.array() - right.heights.mean();
