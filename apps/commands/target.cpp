@@ -6,9 +6,12 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
+#include "apps/report/render.hpp"
+#include "domain/contact/kernel.hpp"
 #include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/json.hpp"
 
 namespace app {
 
@@ -21,6 +24,7 @@ std::vector<Setting> target_settings() {
         {"genome", "", "genome file (JSON); its response becomes the target"},
         {"like", "", "measured profile; its response becomes the target"},
         {"check", "", "target file to check; none is written"},
+        {"draw", "", "page to write (HTML), on which a person draws a target and saves it"},
         Setting("quantity", "stiffness",
                 "quantity of the target, against displacement for area-displacement and load, else against "
                 "pressure")
@@ -84,13 +88,46 @@ int report(const rough::Target& goal, const rough::Model& model, const Settings&
     return reasons.empty() ? 0 : 3;
 }
 
+/// Writes the page on which a person draws a target for the model of the flags, and saves it as NAME.csv.
+void write_drawing_page(const std::filesystem::path& page, const Settings& settings) {
+    const rough::Model model = completed(model_from(settings));
+    const bool nests = contact_sets_nest(model.body, model.grid);
+    nlohmann::json data{{"file", page.stem().string() + ".csv"},
+                        {"quantity", rough::quantity_names()[settings.choice("quantity")]},
+                        {"to", settings.has("to") ? nlohmann::json(settings.number("to")) : nullptr},
+                        {"points", settings.whole<rough::Index>("points")},
+                        {"band", settings.has("band") ? 100 * settings.number("band") : 0},
+                        {"recorded", recorded_model(model)},
+                        {"nests", nests},
+                        {"full_contact", nests ? nlohmann::json(stiffness_limits(model).max) : nullptr},
+                        {"modulus", model.body.effective_modulus},
+                        {"length_mm", model.grid.length},
+                        {"area", model.grid.is_2d() ? nlohmann::json(model.grid.nominal_area()) : nullptr}};
+    for (const std::string& name : rough::quantity_names()) {
+        const rough::Columns columns = columns_of(rough::quantity_named(name));
+        data["quantities"].push_back({{"name", name}, {"x", columns.x}, {"y", columns.y}});
+    }
+    std::string text = rough::json_text(data, true);
+    for (std::size_t at; (at = text.find('<')) != std::string::npos;)
+        text.replace(at, 1, "\\u003c"); // no tag within the page's script
+    rough::write_atomically(page, render({.values = {{"kind", "draw"}, {"data", text}}, .folder = {}}));
+    say("open " + page.string() + " in a browser; it saves " + data["file"].get<std::string>());
+}
+
 int target(const Settings& settings, const std::string&) {
     int given = 0;
-    for (const char* source : {"formula", "genome", "like", "check"})
+    for (const char* source : {"formula", "genome", "like", "check", "draw"})
         given += settings.has(source);
     if (given != 1)
         throw rough::InputError(
-            "target: not exactly one source is given; give one of --formula, --genome, --like and --check");
+            "target: not exactly one source is given; give one of --formula, --genome, --like, --check and "
+            "--draw");
+    if (settings.has("draw")) {
+        if (settings.has("out"))
+            throw rough::InputError("--out: given with --draw; omit it, as the page saves the target");
+        write_drawing_page(expect_writable(settings.text("draw"), settings, "--draw"), settings);
+        return 0;
+    }
     if (settings.has("check")) {
         const rough::Model model = model_from(settings);
         const rough::Target goal = goal_from(settings, settings.text("check"), model);
@@ -118,18 +155,21 @@ int target(const Settings& settings, const std::string&) {
 } // namespace
 
 Command target_command() {
-    return {"target",
-            "make or check a target file for a design",
-            "(--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv) [--out T.csv] "
-            "[flags]",
-            "Makes a target file for rugosa design, or checks one. The check is a proof: no profile has the "
-            "response of a target that it reports as out of reach. A new file records its body, length and "
-            "datum. Exit code 3: no profile can reach the target.",
-            target_settings(),
-            {"target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
-             "target --genome surface.json --quantity area --out area.csv",
-             "target --like scan.txt --unit um --band 0.02 --out target.csv", "target --check target.csv"},
-            target};
+    return {
+        "target",
+        "make or check a target file for a design",
+        "(--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv | --draw T.html) "
+        "[--out T.csv] [flags]",
+        "Makes a target file for rugosa design, or checks one. The check is a proof: no profile has the "
+        "response of a target that it reports as out of reach. A new file records its body, length and "
+        "datum. Exit code 3: no profile can reach the target. --draw writes a page that works offline. A "
+        "person draws a curve on it with the mouse or a finger, sees whether it can be met, and saves it.",
+        target_settings(),
+        {"target --draw target.html --quantity area",
+         "target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
+         "target --genome surface.json --quantity area --out area.csv",
+         "target --like scan.txt --unit um --band 0.02 --out target.csv", "target --check target.csv"},
+        target};
 }
 
 } // namespace app

@@ -102,7 +102,7 @@ class Settings {
     std::vector<std::filesystem::path> paths(const std::string& name) const;
     std::size_t one_of(const std::string& name, const std::vector<std::string>& words) const;
 
-    /// The existing files that the values name, except --out and --report: those that are read.
+    /// The existing files that the values name, except --out, --report and --draw: those that are read.
     std::vector<std::filesystem::path> files() const;
 
     /// The name of the setting in messages: "--nodes", "nodes" in Python, "paper.ini:12: model.nodes", or

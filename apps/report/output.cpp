@@ -230,17 +230,17 @@ void write_json(const fs::path& file, const nlohmann::json& content) {
     rough::write_atomically(file, rough::json_text(content) + "\n");
 }
 
-fs::path expect_writable(const fs::path& file, const Settings& settings) {
+fs::path expect_writable(const fs::path& file, const Settings& settings, const std::string& flag) {
     std::error_code error;
     if (fs::is_directory(file, error))
-        refuse("--out: ", file.string(), " is a folder; give the name of a file");
+        refuse(flag, ": ", file.string(), " is a folder; give the name of a file");
     if (is_among(file, settings.files()))
-        refuse("--out: ", file.string(), " is read here and would be overwritten; choose another name");
+        refuse(flag, ": ", file.string(), " is read here and would be overwritten; choose another name");
     if (fs::is_regular_file(file, error) && !settings.is_on("force"))
-        refuse("--out: ", file.string(), " exists; choose another name or set --force");
+        refuse(flag, ": ", file.string(), " exists; choose another name or set --force");
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error))
-        refuse("--out: the folder ", folder.string(), " does not exist; make it or choose another");
+        refuse(flag, ": the folder ", folder.string(), " does not exist; make it or choose another");
     return fs::exists(file, error) && !fs::is_regular_file(file, error) ? file : rough::without_links(file);
 }
 

@@ -74,8 +74,9 @@ void tell_notes(const std::vector<std::string>& notes);
 /// Writes a JSON file whole or not at all. NaN becomes null.
 void write_json(const std::filesystem::path& file, const nlohmann::json& content);
 
-/// The path to write for --out or a file next to it: the target of a symbolic link there. Throws
+/// The path to write for a flag or a file next to it: the target of a symbolic link there. Throws
 /// rough::InputError if its folder is missing, the command reads the file, or it exists without --force.
-std::filesystem::path expect_writable(const std::filesystem::path& file, const Settings& settings);
+std::filesystem::path expect_writable(const std::filesystem::path& file, const Settings& settings,
+                                      const std::string& flag = "--out");
 
 } // namespace app

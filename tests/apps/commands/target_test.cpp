@@ -4,6 +4,7 @@
 #include "tests/apps/program.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -68,4 +69,28 @@ TEST_CASE("a target is checked against its model, and reported if out of reach")
     const Ended soft = rugosa("target --check soft.csv", folder.path());
     CHECK(soft.code == 3);
     CHECK_THAT(soft.out, Catch::Contains("on this grid") && Catch::Contains("single node"));
+}
+
+TEST_CASE("target writes an offline page to draw on, with the model's limits, and no second source") {
+    const Folder folder;
+    done(folder, "target --draw 'my <page>.html' --quantity load --to 2e-3 --kernel strip --points 30");
+    const std::string page = rough::read_whole(folder / "my <page>.html");
+    const std::string begin = "id=\"data\">";
+    const std::size_t at = page.find(begin) + begin.size();
+    const auto data = nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+    CHECK(data["file"] == "my <page>.csv");
+    CHECK(data["quantity"] == "load");
+    CHECK(data["to"] == 2e-3);
+    CHECK(data["points"] == 30);
+    CHECK(data["recorded"]["kernel"] == "strip");
+    CHECK(data["full_contact"] > 0);
+    for (std::size_t q = 0; q < rough::quantity_names().size(); ++q)
+        CHECK(data["quantities"][q]["y"] == columns_of(static_cast<rough::Quantity>(q)).y);
+    CHECK_THAT(page, !Catch::Contains("src=") && !Catch::Contains("{{"));
+    done(folder, "target --draw periodic.html --kernel periodic");
+    CHECK_THAT(rough::read_whole(folder / "periodic.html"), Catch::Contains("\"full_contact\":null"));
+    check_refused(rugosa("target --draw periodic.html", folder.path()), "--draw: periodic.html exists");
+    done(folder, "target --draw periodic.html --force");
+    check_refused(rugosa("target --draw a.html --check b.csv", folder.path()), "not exactly one source");
+    check_refused(rugosa("target --draw a.html --out b.csv", folder.path()), "--out: given with --draw");
 }
