@@ -72,14 +72,14 @@ int design(const Settings& settings, const std::string& line) {
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
-    const OutputFolder output(
-        settings.text("out"), "design",
-        {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
-          "checkpoint.cbor.before", "surface.stl", "surface.3mf", "curves.csv", "points.csv",
-          "heights-drawn.csv", "map.csv", "front.csv", "made.csv", "tolerance.csv"},
-         settings.files(),
-         settings.is_on("force"),
-         resume});
+    const OutputFolder output(settings.text("out"), "design",
+                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
+                                "checkpoint.cbor.before", "surface.stl", "surface.3mf", "surface.png",
+                                "surface-scale.json", "curves.csv", "points.csv", "heights-drawn.csv",
+                                "map.csv", "front.csv", "made.csv", "tolerance.csv"},
+                               settings.files(),
+                               settings.is_on("force"),
+                               resume});
     const auto& folder = output.path();
     if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
         return repeat_verdict(folder / "result.json");
@@ -165,9 +165,10 @@ Command design_command() {
             "(--target T.csv | --like SCAN.txt [--unit U]) [flags]",
             "Designs a rough surface whose response is that of the target, and verifies the answer. Writes "
             "result.json, genome.json, answer.csv and report.html to a folder, and for a map a tile to print "
-            "(surface.3mf, surface.stl). A target is a CSV file with the columns pressure_MPa and "
-            "stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm and contact_fraction "
-            "or pressure_MPa. Columns lower and upper are a tolerance band. The answer is verified on its "
+            "(surface.3mf, surface.stl, surface.png). A target is a CSV file with the columns pressure_MPa "
+            "and stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm and "
+            "contact_fraction or pressure_MPa. Columns lower and upper are a tolerance band. The answer is "
+            "verified on its "
             "grid, on a grid four times finer, in four times the load steps, and in both. Its lowest "
             "similarity must be at least 0.99, or --reach-similarity. With --from a surface in production is "
             "corrected instead: the phases of the named chromosomes are changed as little as is necessary to "

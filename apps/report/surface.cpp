@@ -2,12 +2,16 @@
 
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
+#include "apps/report/output.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/solve.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
+#include "domain/profile/height_image.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/text/atomic_file.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -153,6 +157,22 @@ std::vector<std::string> write_solids(const Solids& solids, const std::filesyste
     write(name + ".stl", solids.stl, "no printer can use a solid of more than 1e6 nodes");
     write(name + ".3mf", solids.three_mf, "it takes 500 bytes per node and there are over 1e5 nodes");
     return files;
+}
+
+std::vector<std::string> write_height_image(const rough::Profile& surface, const rough::Extrusion& extrusion,
+                                            const std::filesystem::path& folder, const std::string& name) {
+    try {
+        const rough::HeightImage image = height_image(surface, extrusion);
+        nlohmann::json scale{{"image", name + ".png"}};
+        for (const auto& [key, value] : image.scale)
+            scale[key] = value;
+        rough::write_atomically(folder / (name + ".png"), image.png);
+        write_json(folder / (name + "-scale.json"), scale);
+        return {name + ".png", name + "-scale.json"};
+    } catch (const rough::InputError& error) {
+        say("note: " + name + ".png is left out: " + error.what());
+        return {};
+    }
 }
 
 } // namespace app

@@ -42,4 +42,9 @@ std::string print_note(const rough::Profile& surface, const rough::Extrusion& ex
 std::vector<std::string> write_solids(const Solids& solids, const std::filesystem::path& folder,
                                       const std::string& name);
 
+/// Writes NAME.png, the heights in 16 bits, and NAME-scale.json, its scale. Prints why they are left out if
+/// there are too many nodes. Returns the names of those written.
+std::vector<std::string> write_height_image(const rough::Profile& surface, const rough::Extrusion& extrusion,
+                                            const std::filesystem::path& folder, const std::string& name);
+
 } // namespace app

@@ -20,6 +20,13 @@ constexpr double min_levels = 256, levels = 16777216;
 
 } // namespace
 
+double width_of(const Profile& surface, const Extrusion& extrusion) {
+    const auto [columns, rows] = surface.shape();
+    return surface.is_2d()        ? surface.row_spacing * static_cast<double>(rows - 1)
+           : extrusion.width != 0 ? extrusion.width
+                                  : surface.spacing * static_cast<double>(columns - 1) / 4;
+}
+
 Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, map_rows] = surface.shape();
     const bool is_2d = surface.is_2d();
@@ -30,9 +37,7 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
                "; give 2 x 2 or more without a width: maps are as wide as they are");
     const double lowest = surface.heights.minCoeff(), range = surface.heights.maxCoeff() - lowest;
     const double length = surface.spacing * static_cast<double>(columns - 1);
-    const double width = is_2d                  ? surface.row_spacing * static_cast<double>(rows - 1)
-                         : extrusion.width != 0 ? extrusion.width
-                                                : length / 4;
+    const double width = width_of(surface, extrusion);
     const double thickest = range * levels / min_levels;
     const double base =
         extrusion.base != 0 ? extrusion.base : std::max(range, std::min(length / 10, thickest / 4));

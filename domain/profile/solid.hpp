@@ -18,6 +18,9 @@ struct Extrusion {
     double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
 };
 
+/// Width of the solid of a profile along its ridges, or of a map, mm.
+double width_of(const Profile& surface, const Extrusion& extrusion);
+
 /// A closed surface of triangles.
 struct Mesh {
     std::vector<Eigen::Vector3f> vertices;            ///< mm

@@ -3,7 +3,7 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/solid.hpp"
+#include "domain/profile/height_image.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -77,6 +77,7 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
             const rough::Profile answer = sample(genome, setup.model.grid);
             CHECK(rough::read_whole(folder / "r" / "surface.stl") == binary_stl(answer));
             CHECK(rough::read_whole(folder / "r" / "surface.3mf") == three_mf(answer));
+            CHECK(rough::read_whole(folder / "r" / "surface.png") == height_image(answer).png);
         }
         if (!is_map && setup.max_pressure)
             continue;

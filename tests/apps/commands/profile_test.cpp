@@ -1,7 +1,7 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
+#include "domain/profile/height_image.hpp"
 #include "domain/profile/roughness.hpp"
-#include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
@@ -50,6 +50,8 @@ TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a g
     CHECK(rough::read_scan(out / "profile.x3p", {.detrend = rough::Detrend::none})
               .profile.heights.isApprox(profile.heights, 1e-14));
     CHECK(rough::read_whole(out / "profile.3mf") == three_mf(profile, {.magnify = 100}));
+    CHECK(rough::read_whole(out / "profile.png") == height_image(profile).png);
+    CHECK(json_in(out / "profile-scale.json")["lowest_height_mm"] == profile.heights.minCoeff());
     const auto bearing = rows_of(out / "bearing.csv", "material_ratio,height_mm");
     CHECK(bearing.size() == 700);
     CHECK(bearing.front()[1] == profile.heights.maxCoeff());
