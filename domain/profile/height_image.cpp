@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +11,7 @@
 namespace rough {
 namespace {
 
-constexpr double white = 65535, max_pixels = 25e6;
+constexpr double white = 65535, max_pixels = 25e6, max_side = 1e6; // the last is that of libpng
 
 void append(png_structp png, png_bytep data, std::size_t size) noexcept {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
@@ -50,9 +51,10 @@ HeightImage height_image(const Profile& surface, const Extrusion& extrusion) {
     const double width = width_of(surface, extrusion);
     const double rows = surface.is_2d() ? static_cast<double>(map_rows) // else nearly square pixels
                                         : std::max(2.0, 1 + std::round(width / surface.spacing));
-    if (!(rows * static_cast<double>(columns) <= max_pixels))
-        refuse("height image: ", columns, " x ", rows, " pixels are more than ", max_pixels,
-               "; use fewer nodes or a smaller width");
+    const auto side = static_cast<double>(columns);
+    if (!(rows * side <= max_pixels && std::max(rows, side) <= max_side))
+        refuse("height image: ", columns, " x ", rows, " pixels are more than ", max_pixels, " or than ",
+               max_side, " along a side; use fewer nodes or a smaller width");
     const double lowest = surface.heights.minCoeff(), level = (surface.heights.maxCoeff() - lowest) / white;
     std::vector<std::uint16_t> greys(static_cast<std::size_t>(surface.nodes()));
     for (std::size_t i = 0; i < greys.size() && level > 0; ++i)
