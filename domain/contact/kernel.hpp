@@ -48,7 +48,8 @@ Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team)
 Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape);
 
 /// Whether contact sets only grow under load. They do if H^-1 has no positive entry off its diagonal. This is
-/// true on each half-space; with layers it is tested on the circulant of this grid.
+/// proven for lines on a half-space. For maps on a half-space it is taken from the continuous surface (Barber
+/// 1974). With layers it is tested on the circulant of this grid.
 bool contact_sets_nest(const UnitBody& body, Extent shape);
 /// Whether contact sets only grow, for a body and grid in mm.
 bool contact_sets_nest(const Body& body, const Grid& grid);

@@ -369,7 +369,7 @@ ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& 
     changed.datum = datum;
     checked_body(profile, changed);
     const double compliance = -datum_sensitivity(1, length, body.effective_modulus) *
-                              std::log(datum / completed(body, length).datum);
+                              std::log(completed(changed, length).datum / completed(body, length).datum);
     for (std::size_t j = 0; j < curve.steps.size(); ++j) {
         LoadStep& step = curve.steps[j];
         // 1/K(d2) = 1/K(d1) + (2 L/(pi E*)) ln(d2/d1), and w = H_AA^-1 1 shrinks as K does

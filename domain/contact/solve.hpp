@@ -101,7 +101,7 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 
 /// Converts a solved curve and its states to another datum (mm), exactly and without a new contact solution.
 /// The surface must be a line on the free half-plane, and the datum must exceed (L + delta)/4. Throws
-/// InputError otherwise, but does not refuse a datum of 0.
+/// InputError otherwise. A datum of 0 stands for L.
 ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
 
 /// Predicted cost of a curve of `steps` steps on `nodes` nodes by the cheaper of the solvers nested and

@@ -165,7 +165,11 @@ TEST_CASE("a curve with another datum follows without a new solution", "[contact
         if (scene.body.kernel != Kernel::free)
             continue;
         const double length = profile_length(scene.profile, Kernel::free);
-        const ContactCurve moved = with_datum(solved(scene), scene.profile, scene.body, 7 * length);
+        const auto by = [&](double datum) {
+            return with_datum(solved(scene), scene.profile, scene.body, datum);
+        };
+        CHECK(by(0).steps[0].displacement == by(length).steps[0].displacement); // the default
+        const ContactCurve moved = by(7 * length);
         Scene other = scene;
         other.body.datum = 7 * length;
         for (std::size_t j = 0; j < moved.steps.size(); ++j)
