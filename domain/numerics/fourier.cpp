@@ -11,7 +11,7 @@ namespace rough {
 
 namespace {
 
-std::mutex planner; ///< FFTW's planner is not thread-safe; executing a plan on new arrays is
+std::mutex planner; ///< planning is not thread-safe; executing a plan on new arrays is
 
 template <typename Key, typename Plan, typename Make>
 Plan cached(const std::type_identity_t<Key>& key, std::map<Key, Plan>& plans, Make make) {
@@ -21,28 +21,6 @@ Plan cached(const std::type_identity_t<Key>& key, std::map<Key, Plan>& plans, Ma
 }
 
 using ShapeKey = std::pair<Index, Index>;
-
-/// FFTW's functions in one precision, whose names begin with `prefix`.
-template <typename Real>
-struct Call;
-#define RUGOSA_FFTW(Real, prefix)                                                                            \
-    template <>                                                                                              \
-    struct Call<Real> {                                                                                      \
-        using Complex = prefix##_complex;                                                                    \
-        static constexpr auto plan_forward = prefix##_plan_many_dft_r2c;                                     \
-        static constexpr auto plan_backward = prefix##_plan_many_dft_c2r;                                    \
-        static constexpr auto plan_complex = prefix##_plan_many_dft;                                         \
-        static constexpr auto forward = prefix##_execute_dft_r2c;                                            \
-        static constexpr auto backward = prefix##_execute_dft_c2r;                                           \
-        static constexpr auto complex = prefix##_execute_dft;                                                \
-    }
-RUGOSA_FFTW(double, fftw);
-RUGOSA_FFTW(float, fftwf);
-
-template <typename Real>
-typename Call<Real>::Complex* as_fftw(std::complex<Real>* numbers) {
-    return reinterpret_cast<typename Call<Real>::Complex*>(numbers);
-}
 
 /// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of
 /// the rows.
@@ -72,15 +50,11 @@ template <typename Real>
 PlanPair<Real> complex_lines(Index n, Index count, Index stride) {
     static std::map<std::array<Index, 3>, PlanPair<Real>> plans;
     return cached({n, count, stride}, plans, [=] {
-        const int length = static_cast<int>(n), many = static_cast<int>(count),
-                  apart = static_cast<int>(stride);
         AlignedBuffer<std::complex<Real>> lines(count * stride);
-        auto* line = as_fftw(lines.data());
-        const auto plan = [&](int sign) {
-            return Call<Real>::plan_complex(1, &length, many, line, nullptr, 1, apart, line, nullptr, 1,
-                                            apart, sign, FFTW_ESTIMATE);
+        const auto plan = [&](bool inverse) {
+            return FftLibrary<Real>::complex_plan({n, 1}, count, stride, lines.data(), inverse);
         };
-        return PlanPair<Real>{plan(FFTW_FORWARD), plan(FFTW_BACKWARD)};
+        return PlanPair<Real>{plan(false), plan(true)};
     });
 }
 
@@ -95,15 +69,10 @@ template <typename Real>
 PlanPair<Real> real_lines(Index columns, Index count) {
     static std::map<std::array<Index, 2>, PlanPair<Real>> plans;
     return cached({columns, count}, plans, [=] {
-        using Fftw = Call<Real>;
-        const int n = static_cast<int>(columns), half = n / 2 + 1, many = static_cast<int>(count);
         AlignedBuffer<Real> real(count * columns);
-        AlignedBuffer<std::complex<Real>> transform(count * half);
-        auto* wave = as_fftw(transform.data());
-        return PlanPair<Real>{Fftw::plan_forward(1, &n, many, real.data(), nullptr, 1, n, wave, nullptr, 1,
-                                                 half, FFTW_ESTIMATE),
-                              Fftw::plan_backward(1, &n, many, wave, nullptr, 1, half, real.data(), nullptr,
-                                                  1, n, FFTW_ESTIMATE)};
+        AlignedBuffer<std::complex<Real>> wave(count * (columns / 2 + 1));
+        return PlanPair<Real>{FftLibrary<Real>::forward_plan({columns, 1}, count, real.data(), wave.data()),
+                              FftLibrary<Real>::backward_plan({columns, 1}, count, wave.data(), real.data())};
     });
 }
 
@@ -161,25 +130,20 @@ FourierPlan fourier_plan(Extent shape) {
     static std::map<ShapeKey, FourierPlan> plans;
     return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
         AlignedBuffer<double> real(shape.nodes());
-        AlignedBuffer<fftw_complex> transform((shape.columns / 2 + 1) * shape.rows);
-        const int n[] = {static_cast<int>(shape.rows), static_cast<int>(shape.columns)},
-                  line = shape.rows == 1 ? 1 : 0; // a single row is a transform of one dimension
-        return FourierPlan{
-            fftw_plan_dft_r2c(2 - line, n + line, real.data(), transform.data(), FFTW_ESTIMATE),
-            fftw_plan_dft_c2r(2 - line, n + line, transform.data(), real.data(), FFTW_ESTIMATE)};
+        AlignedBuffer<std::complex<double>> wave((shape.columns / 2 + 1) * shape.rows);
+        return FourierPlan{FftLibrary<double>::forward_plan(shape, 1, real.data(), wave.data()),
+                           FftLibrary<double>::backward_plan(shape, 1, wave.data(), real.data())};
     });
 }
 
 FourierPlan complex_fourier_plan(Extent shape) {
     static std::map<ShapeKey, FourierPlan> plans;
     return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
-        AlignedBuffer<fftw_complex> work(shape.nodes());
-        const int n[] = {static_cast<int>(shape.rows), static_cast<int>(shape.columns)},
-                  line = shape.rows == 1 ? 1 : 0;
-        const auto plan = [&](int sign) {
-            return fftw_plan_dft(2 - line, n + line, work.data(), work.data(), sign, FFTW_ESTIMATE);
+        AlignedBuffer<std::complex<double>> work(shape.nodes());
+        const auto plan = [&](bool inverse) {
+            return FftLibrary<double>::complex_plan(shape, 1, shape.nodes(), work.data(), inverse);
         };
-        return FourierPlan{plan(FFTW_FORWARD), plan(FFTW_BACKWARD)};
+        return FourierPlan{plan(false), plan(true)};
     });
 }
 
@@ -188,7 +152,7 @@ Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.nodes());
     std::copy_n(numbers.data(), shape.nodes(), real.data());
-    fftw_execute_dft_r2c(fourier_plan(shape).forward, real.data(), as_fftw(transform.data()));
+    FftLibrary<double>::execute(fourier_plan(shape).forward, real.data(), transform.data());
     return Eigen::ArrayXXcd::Map(transform.data(), half.columns, half.rows);
 }
 
@@ -197,15 +161,15 @@ Eigen::ArrayXXd inverse_fourier_transform(const Eigen::ArrayXXcd& half, Index co
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.size());
     std::copy_n(half.data(), half.size(), transform.data());
-    fftw_execute_dft_c2r(fourier_plan(shape).backward, as_fftw(transform.data()), real.data());
+    FftLibrary<double>::execute(fourier_plan(shape).backward, transform.data(), real.data());
     return Eigen::ArrayXXd::Map(real.data(), shape.columns, shape.rows);
 }
 
 Eigen::ArrayXXcd inverse_complex_transform(const Eigen::ArrayXXcd& transform) {
     AlignedBuffer<std::complex<double>> work(transform.size());
     std::copy_n(transform.data(), transform.size(), work.data());
-    fftw_execute_dft(complex_fourier_plan({transform.rows(), transform.cols()}).backward,
-                     as_fftw(work.data()), as_fftw(work.data()));
+    FftLibrary<double>::execute(complex_fourier_plan({transform.rows(), transform.cols()}).backward,
+                                work.data(), work.data());
     return Eigen::ArrayXXcd::Map(work.data(), transform.rows(), transform.cols());
 }
 
@@ -246,7 +210,7 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
                 for (Index c = 0; c < count; ++c)
                     for (Index k = 0; k < n; ++k)
                         in[c * n + k] = number(first + c, k);
-                fftw_execute_dft_r2c(plans.of(count).forward, in, as_fftw(out));
+                FftLibrary<double>::execute(plans.of(count).forward, in, out);
                 for (Index c = 0; c < count; ++c)
                     for (Index k = 0; k < half; ++k)
                         put(first + c, k, out[c * half + k].real());
@@ -304,7 +268,7 @@ const Real* BasicFourierOperator<Real>::apply() {
     const auto each_rows = [&](auto job) {
         work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
             job(real_.data() + first * n, rows == 1 ? real_.data() : reinterpret_cast<Real*>(memory), count,
-                plans.of(count), as_fftw(transform + first * half_));
+                plans.of(count), transform + first * half_);
         });
     };
     each_rows([&](const Real* from, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
@@ -313,7 +277,7 @@ const Real* BasicFourierOperator<Real>::apply() {
                 std::copy_n(from + c * n, n, row + c * longer);
             std::fill(row + c * longer + n, row + (c + 1) * longer, Real(0));
         }
-        Call<Real>::forward(plan.forward, row, wave);
+        FftLibrary<Real>::execute(plan.forward, row, wave);
     });
     if (padded_.rows == 1)
         multiply(transform, spectrum_.data(), half_);
@@ -321,15 +285,15 @@ const Real* BasicFourierOperator<Real>::apply() {
         const PlanPair<Real> plan = column_plans<Real>(padded_.rows);
         each_column(transform, {half_, rows}, padded_.rows, work_,
                     [&](std::complex<Real>* columns, Index first, Index count, Index stride) {
-                        Call<Real>::complex(plan.forward, as_fftw(columns), as_fftw(columns));
+                        FftLibrary<Real>::execute(plan.forward, columns, columns);
                         for (Index c = 0; c < count; ++c)
                             multiply_mirrored(columns + c * stride, spectrum_.data() + (first + c) * lines_,
                                               padded_.rows);
-                        Call<Real>::complex(plan.backward, as_fftw(columns), as_fftw(columns));
+                        FftLibrary<Real>::execute(plan.backward, columns, columns);
                     });
     }
     each_rows([&](Real* to, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
-        Call<Real>::backward(plan.backward, wave, row);
+        FftLibrary<Real>::execute(plan.backward, wave, row);
         for (Index c = 0; rows > 1 && c < count; ++c)
             std::copy_n(row + c * longer, n, to + c * n);
     });
@@ -418,7 +382,7 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
                                     for (Index c = 0; c < count; ++c)
                                         Eigen::Map<Eigen::ArrayXcd>(columns + c * stride, whole_.rows) *=
                                             twist_y_;
-                                fftw_execute_dft(plan.forward, as_fftw(columns), as_fftw(columns));
+                                FftLibrary<double>::execute(plan.forward, columns, columns);
                                 for (Index c = 0; c < count; ++c)
                                     for (Index l = 0; l < lines; ++l)
                                         eigenvalues[(first + c) * lines + l] =
@@ -444,9 +408,9 @@ void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
         }
         const FourierPlan& plan = plans.of(count);
         if (skew_x)
-            fftw_execute_dft(plan.forward, as_fftw(wave), as_fftw(wave));
+            FftLibrary<double>::execute(plan.forward, wave, wave);
         else
-            fftw_execute_dft_r2c(plan.forward, row, as_fftw(wave));
+            FftLibrary<double>::execute(plan.forward, row, wave);
     });
 }
 
@@ -461,9 +425,9 @@ void SplitOperator::backward(bool skew_x, Take take) {
         std::complex<double>* wave = wave_ + first * columns;
         const FourierPlan& plan = plans.of(count);
         if (skew_x)
-            fftw_execute_dft(plan.backward, as_fftw(wave), as_fftw(wave));
+            FftLibrary<double>::execute(plan.backward, wave, wave);
         else
-            fftw_execute_dft_c2r(plan.backward, as_fftw(wave), row);
+            FftLibrary<double>::execute(plan.backward, wave, row);
         for (Index c = 0; c < count; ++c) {
             for (Index j = 0; skew_x && j < half; ++j) {
                 const std::complex<double> pair = wave[c * half + j] * std::conj(twist_x_[j]);
@@ -480,11 +444,11 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
     const FourierPlan plan = column_plans<double>(rows);
     const auto multiplied = [&](std::complex<double>* columns, const Eigen::ArrayXd& eigenvalues, Index first,
                                 Index count, Index stride, bool skew) {
-        fftw_execute_dft(plan.forward, as_fftw(columns), as_fftw(columns));
+        FftLibrary<double>::execute(plan.forward, columns, columns);
         for (Index c = 0; c < count; ++c)
             multiply_mirrored(columns + c * stride, eigenvalues.data() + (first + c) * (rows / 2 + 1), rows,
                               skew);
-        fftw_execute_dft(plan.backward, as_fftw(columns), as_fftw(columns));
+        FftLibrary<double>::execute(plan.backward, columns, columns);
     };
     wave_ = shared_memory<std::complex<double>>((whole_.columns / 2 + 1) * shape_.rows);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "domain/numerics/aligned.hpp"
+#include "domain/numerics/fft_library.hpp"
 #include "domain/numerics/team.hpp"
-
-#include <fftw3.h>
 
 #include <array>
 #include <complex>
@@ -12,16 +11,11 @@
 
 namespace rough {
 
-/// FFTW's plan in one precision.
-template <typename Real>
-using Plan = std::conditional_t<std::is_same_v<Real, float>, fftwf_plan, fftw_plan>;
-
-/// A transform and its inverse, planned once (FFTW_ESTIMATE, under a lock) and safe to execute from any
-/// thread.
+/// A transform and its inverse, planned once under a lock and safe to execute from any thread.
 template <typename Real>
 struct PlanPair {
-    Plan<Real> forward;  ///< unnormalised
-    Plan<Real> backward; ///< its inverse, times the number of values
+    typename FftLibrary<Real>::Plan forward;  ///< unnormalised
+    typename FftLibrary<Real>::Plan backward; ///< its inverse, times the number of values
 };
 /// In double precision.
 using FourierPlan = PlanPair<double>;
