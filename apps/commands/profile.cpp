@@ -256,10 +256,10 @@ void write_description(const Description& of, const Settings& settings, const ro
     const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
                                                        : settings.has("profile") ? "profile"
                                                                                  : "surface");
-    std::vector<std::string> names{of.kind + ".json",    of.kind + ".x3p",     of.kind + ".stl",
-                                   of.kind + ".3mf",     of.kind + ".png",     of.kind + "-scale.json",
-                                   "bearing.csv",        "spectrum-drawn.csv", "report.html",
-                                   of.pictures[0].first, of.pictures[1].first};
+    std::vector<std::string> names{of.kind + ".json", of.kind + ".x3p",     of.kind + ".stl",
+                                   of.kind + ".3mf",  of.kind + ".png",     of.kind + "-scale.json",
+                                   of.kind + ".sur",  "bearing.csv",        "spectrum-drawn.csv",
+                                   "report.html",     of.pictures[0].first, of.pictures[1].first};
     for (const Table& table : of.tables)
         names.push_back(table.first);
     const OutputFolder out(settings.text("out"), source.stem().string(),
@@ -267,13 +267,14 @@ void write_description(const Description& of, const Settings& settings, const ro
     const auto write = [&](const std::string& name, const std::string& content) {
         rough::write_atomically(out.path() / name, content);
     };
-    std::vector<std::string> files{of.kind + ".json", "bearing.csv", of.kind + ".x3p"};
+    std::vector<std::string> files{of.kind + ".json", "bearing.csv", of.kind + ".x3p", of.kind + ".sur"};
     for (const auto& [name, content] : of.tables) {
         write(name, content());
         if (std::find(of.unlisted.begin(), of.unlisted.end(), name) == of.unlisted.end())
             files.push_back(name);
     }
     write(of.kind + ".x3p", x3p(*of.surface));
+    write(of.kind + ".sur", sur(*of.surface));
     write("bearing.csv", bearing_csv(of.surface->heights));
     write("spectrum-drawn.csv", drawn_csv({"wave_number_rad_per_mm", "density"},
                                           {of.spectrum.wave_number, of.spectrum.density}, true));
@@ -323,12 +324,14 @@ Command profile_command() {
         "profile",
         "describe a surface: heights, solid to print (STL), picture, roughness, spectrum",
         "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] [flags]",
-        "Writes for a profile: report.html, heights (heights.csv, profile.x3p), a solid to print or mesh "
+        "Writes for a profile: report.html, heights (heights.csv, profile.x3p, profile.sur), a solid to "
+        "print or mesh "
         "(profile.3mf in mm, profile.stl), a 16-bit height map (profile.png), a picture (profile.svg), "
         "parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with --lambda-c), the material "
         "ratio curve (bearing.csv) and the power spectrum (spectrum.csv, spectrum.svg; lines.csv for the "
         "waves of a genome). For a map, or a genome on --nodes NXxNY: ISO 25178 parameters (surface.json), "
-        "heights.txt, surface.x3p, surface.vtk, a tile to print (surface.3mf, surface.stl), a 16-bit height "
+        "heights.txt, surface.x3p, surface.sur, surface.vtk, a tile to print (surface.3mf, surface.stl), a "
+        "16-bit height "
         "map (surface.png), a picture (heights.svg), bearing.csv and the areal spectrum.",
         profile_settings(),
         {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",

@@ -1,5 +1,6 @@
 #include "domain/errors.hpp"
 #include "domain/scan/height_map.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/text/bytes.hpp"
 #include "domain/text/words.hpp"
 
@@ -7,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 namespace rough {
 namespace {
@@ -210,6 +213,48 @@ std::optional<HeightMap> binary_map(const std::string& bytes, const std::string&
         if (bytes.starts_with(format.begins))
             return format.read(bytes, file);
     return std::nullopt;
+}
+
+std::string sur(const Profile& surface) {
+    constexpr double most = 1 << 30; // in steps of the heights
+    const auto [columns, rows] = surface.shape();
+    if (surface.nodes() > std::numeric_limits<std::int32_t>::max())
+        refuse("sur: ", surface.nodes(), " heights are too many for the format; give fewer nodes");
+    const double largest = surface.heights.cwiseAbs().maxCoeff();
+    const auto step = static_cast<float>(largest > 0 ? largest / most : 1);
+    std::vector<std::int32_t> heights;
+    for (const double height : surface.heights)
+        heights.push_back(static_cast<std::int32_t>(std::lround(height / step)));
+    const auto [lowest, highest] = std::ranges::minmax(heights);
+
+    std::string bytes = "DIGITAL SURF";
+    const auto text = [&](std::string_view word, std::size_t size) {
+        bytes += word;
+        bytes.append(size - word.size(), ' ');
+    };
+    const auto halves = [&](std::initializer_list<int> numbers) {
+        for (const int number : numbers)
+            append_little_endian(bytes, static_cast<std::int16_t>(number));
+    };
+    const auto zeros_to = [&](std::size_t place) { bytes.resize(place, '\0'); };
+    halves({0, 1, 1, surface.is_2d() ? 2 : 1}); // lowest byte first, one object, version, its type
+    text("rugosa", 30);
+    text("", 30);
+    halves({0, 0, 1, 0, 1}); // material, acquisition, range, no missing heights, absolute heights
+    zeros_to(98);
+    halves({32});
+    for (const Index number : {Index(lowest), Index(highest), columns, rows, surface.nodes()})
+        append_little_endian(bytes, static_cast<std::int32_t>(number));
+    for (const double size : {surface.spacing, surface.row_spacing, static_cast<double>(step)})
+        append_little_endian(bytes, static_cast<float>(size));
+    for (const char* word : {"X", "Y", "Z", "mm", "mm", "mm", "mm", "mm", "mm"}) // axes, steps, lengths
+        text(word, 16);
+    for (int axis = 0; axis < 3; ++axis)
+        append_little_endian(bytes, 1.f); // of the units of steps and lengths
+    zeros_to(512);
+    for (const std::int32_t height : heights)
+        append_little_endian(bytes, height);
+    return bytes;
 }
 
 } // namespace rough

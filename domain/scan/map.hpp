@@ -32,6 +32,10 @@ Map read_map(const std::filesystem::path& path, const MapLayout& layout);
 /// standard's check sums.
 std::string x3p(const Profile& surface);
 
+/// A profile or a map (mm) as the bytes of a Digital Surf file (PRO or SUR): heights in whole numbers of 32
+/// bits, to 5e-10 of the highest |height|. Throws InputError on over 2^31 - 1 heights.
+std::string sur(const Profile& surface);
+
 /// A map as a legacy VTK file's bytes (version 3.0, binary): a structured grid of points (x, y, z) in mm. Its
 /// scalar `height_mm` shows as a relief in viewers.
 std::string vtk(const Profile& map);

@@ -323,6 +323,20 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
         CHECK_THAT(refusal(bytes), Catch::Contains(fault));
 }
 
+TEST_CASE("surfaces written as SUR are read back to 1e-9 of the highest height", "[map]") {
+    const Map map = as_map(sur(relief));
+    CHECK(map.heights.shape() == relief.shape());
+    CHECK(map.heights.spacing == Approx(0.01).epsilon(1e-7)); // the format's
+    CHECK(map.heights.row_spacing == Approx(0.025).epsilon(1e-7));
+    const double largest = relief.heights.cwiseAbs().maxCoeff();
+    CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() <= 1e-9 * largest);
+    CHECK_THAT(map.account, Catch::Contains("SUR"));
+    const Profile line{1e-3 * Eigen::VectorXd::Random(300), 0.002};
+    const Scan scan = read(sur(line), {});
+    CHECK((scan.profile.heights - line.heights).cwiseAbs().maxCoeff() <= 1e-12);
+    CHECK(read(sur({Eigen::VectorXd::Zero(9), 1}), {}).profile.heights.isZero());
+}
+
 TEST_CASE("a map written as X3P is read back with both spacings", "[map]") {
     const Map map = as_map(x3p(relief));
     CHECK(map.heights.shape() == relief.shape());
