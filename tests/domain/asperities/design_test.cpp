@@ -32,7 +32,9 @@ Target target_of(const CapSetup& setup, double from, double to, Law law) {
     return target;
 }
 
-CapGenome random_genome(const CapSetup& setup, std::uint64_t seed) {
+CapGenome random_genome(CapSetup setup, std::uint64_t seed) {
+    if (setup.targets.empty()) // which do not affect the genome
+        setup.targets = {target_of(setup, 0.01, 0.1, [](double) { return 1.0; })};
     ga::Stream random(seed);
     return CapProblem(setup).sample(random);
 }
