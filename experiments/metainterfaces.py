@@ -38,12 +38,13 @@ def flags_of(law):
 
 def trials_of(law):
     """The designs of a law by name: flags that replace those of the array."""
-    trials = {"heights": {}}
-    if SETTINGS["caps.radii"] and law not in LARGE:
-        trials["heights and radii"] = {"radius": "", "radii": SETTINGS["caps.radii"]}
-    if law in LARGE:
-        trials["heights"] = {"pipeline": SETTINGS["caps.large-pipeline"]}
-        trials["genetic"] = {"variant": "genetic"}
+    search = {"pipeline": SETTINGS["caps.large-pipeline"]} if law in LARGE else {}
+    trials = {"heights": search}
+    if SETTINGS["caps.radii"]:
+        radii = {"radius": "", "radii": SETTINGS["caps.radii"]}
+        trials["heights and radii"] = {**search, **radii}
+        if law in LARGE:
+            trials["heights and radii, genetic"] = {"variant": "genetic", **radii}
     return trials
 
 
@@ -84,7 +85,7 @@ def main():
         for trial, changes in trials_of(law).items():
             flags = {**flags_of(law), **changes}
             given = [word for name, value in flags.items() if value for word in ("--" + name, value)]
-            result, folder = designed(target, law + "-" + trial.replace(" ", "-"), given)
+            result, folder = designed(target, law + "-" + trial.replace(",", "").replace(" ", "-"), given)
             rows.append(row_of(law, trial, result))
             curves += curves_of(law, trial, result, folder)
     write_csv("laws.csv", rows)

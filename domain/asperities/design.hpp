@@ -11,7 +11,9 @@ namespace rough {
 
 /// Values that a gene may have: `from` to `to`, in steps if `step` is above 0.
 struct GeneRange {
-    double from = 0, to = 0, step = 0; ///< mm
+    double from = 0; ///< lowest value, mm
+    double to = 0;   ///< highest value, mm
+    double step = 0; ///< mm; 0: any value between
 
     bool is_free() const { return from < to; } ///< whether there is more than one value
     double nearest(double value) const;        ///< the allowed value nearest to another
@@ -22,7 +24,7 @@ using CapGenome = std::vector<double>;
 
 /// The task of a design with caps.
 struct CapSetup {
-    CapArray array = {};
+    CapArray array = {};                    ///< places of the caps
     double effective_modulus = 1;           ///< E*, MPa
     GeneRange heights = {0, 0.12, 0.001};   ///< heights of the summits
     GeneRange radii = {0.526, 0.526, 0};    ///< one radius if it is not free
@@ -62,14 +64,15 @@ struct CapOutcome {
 /// `goal2`, ...: on one target.
 class CapProblem {
   public:
-    using Genome = CapGenome;
-    using Outcome = CapOutcome;
+    using Genome = CapGenome;   ///< heights, and radii if they are genes
+    using Outcome = CapOutcome; ///< misfits to the targets
 
     /// Throws InputError as validate() does.
     explicit CapProblem(CapSetup setup);
 
     /// The misfits. Throws NotConverged if the contact cannot be solved.
     Outcome evaluate(const Genome& genome) const;
+    /// `similarity`, then one per target.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
     /// The ranges of heights and radii.
     const std::vector<ga::Variable>& bounds(const Genome&) const { return bounds_; }
@@ -81,7 +84,7 @@ class CapProblem {
     /// Misfits at the objective's points, with exact derivatives.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
-    const CapSetup& setup() const { return setup_; }
+    const CapSetup& setup() const { return setup_; } ///< as given
     /// The range of a gene.
     const GeneRange& range(std::size_t gene) const;
 
@@ -113,7 +116,7 @@ struct CapVerification {
 
 /// A design with caps, and its similarities.
 struct CapAnswer {
-    CapGenome genome;
+    CapGenome genome;                  ///< on the steps of its ranges
     double similarity = 0;             ///< similarity by the model
     double difference = 1;             ///< smallest difference from the answers before it
     CapVerification verification = {}; ///< empty for alternatives
@@ -124,13 +127,15 @@ struct CapAnswer {
 
 /// The result of a search and its cost.
 struct CapSearch {
-    CapAnswer best;
+    CapAnswer best;                                               ///< verified
     std::vector<CapAnswer> alternatives;                          ///< the best first
     std::vector<std::pair<CapGenome, std::vector<double>>> front; ///< with similarities to each target
-    ga::Counters counters;
-    std::vector<std::string> notes;
-    std::string stopped, name, pipeline; ///< as in SearchResult
-    double seconds = 0;                  ///< wall time without verification
+    ga::Counters counters;                                        ///< of the pipeline
+    std::vector<std::string> notes;                               ///< remarks of stages
+    std::string stopped;  ///< why a stop or a budget ended the pipeline early
+    std::string name;     ///< of the variant, or "pipeline"
+    std::string pipeline; ///< its text
+    double seconds = 0;   ///< wall time without verification
 };
 
 /// Runs a pipeline on a design with caps, and verifies its best answer within the ranges by boundary
@@ -141,7 +146,8 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
 
 /// The area (mm^2) that caps of the set-up can have under a force (N), if each has the area of its force.
 struct AreaLimits {
-    double min, max;
+    double min; ///< mm^2
+    double max; ///< mm^2
 };
 /// The limits: one cap of the smallest radius, and all caps alike with the largest radius. The lower limit of
 /// independent caps also counts the range of heights, because every cap is within it of the highest one.

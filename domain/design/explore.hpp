@@ -10,15 +10,15 @@ namespace rough {
 /// A run of a pipeline on a design problem of any genome, and what it leaves for verification.
 template <ga::Problem P>
 struct Exploration {
-    using Genome = typename P::Genome;
+    using Genome = typename P::Genome; ///< of the problem
 
-    ga::HallOfFame<P> seen;             ///< best individuals of all stages
-    ga::HallOfFame<P> verified;         ///< best under the objective that verifies
-    ga::Population<Genome> population;  ///< final; empty if a stage had nothing left
-    std::vector<Genome> front = {};     ///< the last one that was ranked by several objectives
-    std::optional<Genome> nearest = {}; ///< the best under a derived problem
-    ga::Counters counters = {};
-    std::vector<std::string> notes = {};
+    ga::HallOfFame<P> seen;              ///< best individuals of all stages
+    ga::HallOfFame<P> verified;          ///< best under the objective that verifies
+    ga::Population<Genome> population;   ///< final; empty if a stage had nothing left
+    std::vector<Genome> front = {};      ///< the last one that was ranked by several objectives
+    std::optional<Genome> nearest = {};  ///< the best under a derived problem
+    ga::Counters counters = {};          ///< spent by the pipeline
+    std::vector<std::string> notes = {}; ///< remarks of stages
     std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
     std::string nothing = {}; ///< the stage that had nothing left, in words; empty if none had
 

@@ -70,8 +70,10 @@ struct FftLibrary;
             prefix##_execute_dft_c2r(plan, as_fftw(in), out);                                                \
         }                                                                                                    \
     }
+/// @cond
 RUGOSA_FFTW(double, fftw);
 RUGOSA_FFTW(float, fftwf);
+/// @endcond
 #undef RUGOSA_FFTW
 
 #else

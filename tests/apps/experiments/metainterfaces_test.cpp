@@ -1,0 +1,32 @@
+#include "apps/report/csv.hpp"
+#include "domain/text/atomic_file.hpp"
+#include "tests/apps/results.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace app::testing;
+using nlohmann::json;
+
+TEST_CASE("laws of contact area are designed by caps, verified, and shown side by side") {
+    const Folder folder;
+    const Ended ended = rugosa("run " RUGOSA_SOURCE "/experiments/metainterfaces.ini --out r --set "
+                               "targets.files=" RUGOSA_SOURCE "/experiments/laws/power_0.8.csv," RUGOSA_SOURCE
+                               "/experiments/laws/linear_too_long.csv "
+                               "--set caps.nodes=512 --set caps.radii=",
+                               folder.path());
+    INFO(ended.err);
+    REQUIRE(ended.code == 0);
+    const json result = result_in(folder / "r");
+    CHECK(result["summary"] == "1 of 2 laws met");
+    REQUIRE(result["rows"].size() == 2);
+    for (const json& row : result["rows"]) {
+        const bool reachable = row["law"] == "power_0.8";
+        CHECK(row["verified"].get<double>() <= row["similarity"].get<double>());
+        CHECK((row["verified"].get<double>() > 0.98) == reachable);
+        CHECK((row["bound"].get<double>() == 1) == reachable);
+        CHECK(row["similarity"].get<double>() <= row["bound"].get<double>() + 1e-9);
+    }
+    const std::string page = rough::read_whole(folder / "r" / "report.html");
+    CHECK_THAT(page, Catch::Contains("power_0.8") && Catch::Contains("linear_too_long"));
+    CHECK_THAT(page, Catch::Contains("<svg"));
+}
