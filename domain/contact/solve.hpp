@@ -15,7 +15,7 @@ enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
 const std::vector<std::string>& solver_names(); ///< in the order of Solver
 const std::string& name_of(Solver solver);      ///< auto, nested, nnls, polonsky-keer or active-set
-/// Whether it solves by a factor of H, up to rounding; ContactOptions::tolerance is not used.
+/// Whether it solves by a factorisation of H, up to rounding; ContactOptions::tolerance is not used.
 bool is_direct(Solver solver);
 
 /// How contact is to be solved.
@@ -94,8 +94,8 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 
 /// The displacement at which the mean pressure is `pressure` (MPa, > 0), mm. With a direct solver the
 /// pressure agrees to 12 digits. With a hardness it agrees to at least 8 digits. An iterative solver on a
-/// line ends at most 3 tolerances above the pressure. Therefore a curve to this displacement does not end
-/// below the pressure. Throws the same as solve_contact_at_pressures.
+/// line aims 2 tolerances (relative) above the pressure. A curve to this displacement therefore ends between
+/// the pressure and 3 tolerances above it. Throws the same as solve_contact_at_pressures.
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
@@ -113,15 +113,16 @@ double predicted_cost(double nodes, double contact, double steps);
 /// the mean plane. For layers on a rigid base it is 1/C0 (mean_compliance).
 ///
 /// The interface stiffness K_i of 1/K_i = 1/K - 1/K_full does not depend on the datum. Conjugate gradients
-/// solve H w = 1, on the free half-plane for d = L. An exact formula converts that result to the body's
-/// datum. The solution is cached for all threads. Throws InputError for a body without a solution. Throws
-/// NotConverged if the residual of H w = 1 exceeds 1e-8.
+/// solve H w = 1, on the free half-plane for a datum d = L. An exact formula converts that result to the
+/// body's datum. The solution is cached for all threads. Throws InputError for a body without a solution.
+/// Throws NotConverged if the residual of H w = 1 exceeds 1e-8.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
 /// K_full on the grid of a line or a map; a free map has no datum.
 double full_contact_stiffness(const Profile& surface, const Body& body);
 
-/// The mean pressure (MPa) at which a periodic profile reaches full contact without tension at any node: -min
-/// H^-1 Z. Throws InputError for a body without a solution.
+/// The mean pressure (MPa) at which a periodic profile reaches full contact without tension at any node. It
+/// is minus the lowest nodal pressure of the zero-mean full-contact field. Throws InputError for a body
+/// without a solution.
 double full_contact_load(const Profile& profile, const Body& body);
 
 } // namespace rough

@@ -18,8 +18,10 @@ struct Answer {
     Genome genome;                 ///< amplitude final
     double similarity = 0;         ///< on the set-up's grid
     double similarity_refined = 0; ///< on a grid four times finer, with Eq. 11 applied again
-    double similarity_stepped = 0; ///< with four times the load steps, also for a measured target
-    double similarity_worst = 0;   ///< lowest of these three and of finer grid and steps together
+    /// With four times the load steps. A target that is computed from a measured profile is computed again in
+    /// these steps, too.
+    double similarity_stepped = 0;
+    double similarity_worst = 0; ///< lowest of these three and of finer grid and steps together
     /// Lowest similarity under the set-up's errors: the one that 95 % of 200 noise draws reach, or that of a
     /// tilt. NaN without errors, for a map, for an unverified answer and from verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
@@ -37,8 +39,8 @@ struct Answer {
 /// similarity on the set-up's grid and load steps is still computed; the other similarities may be NaN.
 /// Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The answer's response under the set-up; pass exactly(setup) for a response without approximations. For an
-/// answer that is not verified, the response in its verification.
+/// The answer's response under the set-up; pass exactly(setup) for a response without approximations. If the
+/// verification is incomplete, the response on the set-up's grid.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.
@@ -95,7 +97,7 @@ constexpr double exact_enough = 0.999;
 /// The verdict on a set-up, without approximations; `required` is the similarity that the caller requires.
 Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
 
-/// Curves and gradients that suffice to find the nearest profile to a target out of reach.
+/// Limit on evaluations if the target is out of reach.
 constexpr long enough_for_the_nearest = 3000;
 
 } // namespace rough

@@ -15,19 +15,20 @@ struct Chromosome {
 
 /// One multivariate Weierstrass-Mandelbrot (MWM) series (paper, Eq. 1-3). Lengths in mm.
 struct Series {
-    double A = 1;       ///< amplitude, != 0; with lambda in mm, the unit that makes G_n a length in mm
-    double H = 0.5;     ///< Hurst exponent, dimensionless
-    double gamma = 1.5; ///< ratio of neighbouring wavenumbers, > 1
-    double lambda = 1;  ///< longest wavelength, mm
+    /// Amplitude, not 0, in the unit that makes G_n (Eq. 2, waves.hpp) a length in mm if lambda is in mm.
+    double A = 1;
+    double H = 0.5;                      ///< Hurst exponent, dimensionless
+    double gamma = 1.5;                  ///< ratio of neighbouring wavenumbers, > 1
+    double lambda = 1;                   ///< longest wavelength, mm
     std::vector<Chromosome> chromosomes; ///< at least one, each n once
 };
 
 /// A rough surface: `scale` times the sum of its series. The paper's GCO and CCO add the parents' series
 /// (`sum`).
 ///
-/// `scale` is the amplitude of the whole surface. Changing it needs no new contact solution: it scales
-/// pressures and displacements, and leaves stiffness and contact sets as they are. So Eq. 11 changes only
-/// `scale`.
+/// `scale` is the amplitude of the whole surface. A positive factor on it needs no new contact solution: it
+/// scales pressures and displacements, and leaves stiffness and contact sets as they are. So Eq. 11 changes
+/// only `scale`.
 struct Genome {
     double scale = 1;           ///< != 0
     std::vector<Series> series; ///< at least one
@@ -46,8 +47,8 @@ Genome folded(Genome genome);
 /// bit.
 Genome sum(const Genome& left, const Genome& right);
 
-/// The bits of all numbers except the scale. The responses of genomes with equal keys differ only by the
-/// scale.
+/// The bits of all numbers except the scale. The responses of genomes with equal keys and scales of equal
+/// sign differ only by the scale.
 std::string shape_key(const Genome& genome);
 
 /// Kind and place of a gene.

@@ -27,7 +27,7 @@ struct Result {
     Counters counters;                 ///< spent by the run
     std::vector<std::string> notes;    ///< remarks of stages, each under its path
     std::string stopped;               ///< why the run ended early; empty if it did not
-    double seconds = 0;                ///< in all processes of the run
+    double seconds = 0;                ///< wall time, including that before each resumption
     Population<G> front = {};          ///< individuals of `population` that no other one dominates
 };
 
@@ -95,8 +95,8 @@ template <class G>
     return next;
 }
 
-/// Scores a start population again if it is already scored under one objective of this problem. Another
-/// problem may have made the old fitness. The run then knows the best start.
+/// Scores a start population again if it is already scored under one objective of this problem, because
+/// another problem may have scored it. The best start is thus known to the run.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))

@@ -102,8 +102,7 @@ typename P::Genome with_genes(const P& problem, const typename P::Genome& genome
 /// Residuals and their derivatives; defined in ga/refinement/sensitivity.hpp.
 struct Sensitivity;
 
-/// Optional: the derivative from which `refine` builds every form (squares, minimax, or a form of the
-/// domain).
+/// Optional: residuals and Jacobian, used by `lm`, `mma`, `minimax`, `emit` and methods of the domain.
 template <class P>
 concept Sensitive = HasGenes<P> &&
     requires(const P& problem, const typename P::Genome& genome, const std::string& objective) {
