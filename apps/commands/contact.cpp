@@ -151,9 +151,9 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     if (end.is_reached(response))
         pressed.warnings.push_back(
             "the elastic answer ends at " + readable(response.pressure[end.step]) +
-            " MPa: from this load on a node carries over " + readable(limit) + " MPa, " +
+            " MPa: from this load on the highest node pressure is over " + readable(limit) + " MPa, " +
             (settings.has("material") ? "the hardness of " + settings.text("material")
-                                      : std::string("a tenth of E*, more than any solid")) +
+                                      : std::string("a tenth of E*, which no solid withstands")) +
             " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
 }
 

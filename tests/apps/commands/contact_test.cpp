@@ -137,7 +137,7 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     const std::string words = of["resolution"]["words"];
     const std::string page = rough::read_whole(folder / "page.html");
     for (const std::string& part :
-         {words, std::string("This is line contact"), std::string("Shaded: the band")})
+         {words, std::string("This is line contact"), std::string("Shaded: the range")})
         CHECK_THAT(page, Catch::Contains(part));
 
     const Ended off = done(folder, press + "--resolution off --report page.html");
