@@ -453,7 +453,8 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
     wave_ = shared_memory<std::complex<double>>((whole_.columns / 2 + 1) * shape_.rows);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());
     for (const bool skew_x : {false, true}) {
-        const auto& [even, skew] = eigenvalues_[skew_x];
+        const auto& even = eigenvalues_[skew_x][0]; // no structured binding: clang 14 cannot capture it
+        const auto& skew = eigenvalues_[skew_x][1];
         if (even.size() == 0)
             continue;
         forward(skew_x, shape_.rows, [&](Index j, double* row) {
