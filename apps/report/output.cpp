@@ -122,7 +122,8 @@ void OutputFolder::lock() {
     if (is_taken())
         refuse("--out: ", path_.string(), " is in use by another run; choose another folder, or wait");
     if (locked_ >= 0)
-        ga::hold_folder(path_, locked_);
+        if (::access("/proc/self/fd", X_OK) == 0) // without /proc, as in a bare chroot, by its name
+            ga::hold_folder(path_, locked_);
 }
 
 OutputFolder::~OutputFolder() {
