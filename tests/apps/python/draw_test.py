@@ -155,7 +155,7 @@ class Draw(WithFolder):
     def test_load(self):
         page = self.browser
         page.type(quantity="load")
-        page.draw(lambda x: 0.3 * x + 0.3 * x ** 2)
+        page.draw(lambda x: 0.3 * x + 0.2 * x ** 2)
         page.click("correct")
         self.expect("open")
         self.check(0)
