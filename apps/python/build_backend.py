@@ -37,12 +37,14 @@ def _bundle(package, folder):
     module = next(package.glob("_rugosa*.so"))
     found = re.findall(r"^\s*(\S+) => (/\S+)", subprocess.check_output(["ldd", module], text=True), re.MULTILINE)
     of_the_system = re.compile(r"(libc|libm|libdl|librt|libpthread|libgcc_s|libstdc\+\+|libz|ld-linux.*)\.so")
-    files = {f"rugosa/libraries/{name}": pathlib.Path(path).read_bytes() for name, path in found
-             if not of_the_system.match(name)}
-    bundled = pathlib.Path(shutil.copy(module, folder))
-    # DT_RPATH, so that the libraries find each other by it, too.
-    subprocess.run(["patchelf", "--force-rpath", "--set-rpath", "$ORIGIN/libraries", bundled], check=True)
-    return files | {f"rugosa/{module.name}": bundled.read_bytes()}
+    bundled = {f"rugosa/{module.name}": (module, "$ORIGIN/libraries")}
+    bundled |= {f"rugosa/libraries/{name}": (path, "$ORIGIN") for name, path in found if not of_the_system.match(name)}
+    files = {}
+    for name, (path, places) in bundled.items():
+        copy = pathlib.Path(shutil.copy(path, folder))
+        subprocess.run(["patchelf", "--set-rpath", places, copy], check=True)
+        files[name] = copy.read_bytes()
+    return files
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
