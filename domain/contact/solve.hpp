@@ -23,7 +23,7 @@ struct ContactOptions {
     Solver solver = Solver::automatic; ///< which method
     double tolerance = 1e-6;           ///< relative residual at which an iterative solver ends
     bool states = false;       ///< keep each step's contact set, pressures and tangent vector for the adjoint
-    double memory_limit = 2e9; ///< bytes; a factor predicted to need more is refused
+    double memory_limit = 2e9; ///< bytes; a factorisation predicted to need more is refused
     int threads = 1; ///< threads for a map of 16,384 nodes or more; the curve does not depend on their number
     std::function<bool()> stop = {}; ///< called now and then if set; true ends the solution with NotConverged
 };
@@ -74,8 +74,8 @@ struct ContactCurve {
 ///
 /// With a hardness p_H, pressures are at most p_H. Nodes at p_H (held nodes) may sink in, so that u <= Delta
 /// - g0 there. K is then that of the elastic nodes. Only `automatic` and `active_set` accept a hardness. A
-/// projected Newton method solves such steps until the gaps are 1e-11 of the approach, or rounding allows no
-/// better.
+/// projected Newton method solves steps with held nodes until the gaps are 1e-11 of the approach, or rounding
+/// allows no better.
 ///
 /// Throws InputError if a profile, body or displacement has no solution. Throws NotConverged if the
 /// certificate of a step exceeds its limit. For an iterative solver the limit is twice `tolerance`. For a

@@ -22,8 +22,9 @@ struct Answer {
     /// these steps, too.
     double similarity_stepped = 0;
     double similarity_worst = 0; ///< lowest of these three and of finer grid and steps together
-    /// Lowest similarity under the set-up's errors: the one that 95 % of 200 noise draws reach, or that of a
-    /// tilt. NaN without errors, for a map, for an unverified answer and from verified_answer().
+    /// Lowest similarity under the set-up's errors: the lower of the one that 95 % of 200 noise draws reach
+    /// and the lowest under tilt. NaN without errors, for a map, for an unverified answer and from
+    /// verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
     bool within_limits = true;      ///< it keeps every limit of the set-up
     double difference = 1;          ///< smallest difference from the answers before it
@@ -77,7 +78,7 @@ void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 /// Runs a pipeline on a design and verifies the genomes that SearchOptions::verifying describes, and the
 /// alternatives. The best answer has the highest rank: answers within the limits first, then verified ones,
 /// by lowest(). If the search is stopped before its first curve, the answer is a start. If it has made curves
-/// only on coarser grids, the answer is the best genome of the last stage with these.
+/// only on coarser grids, the answer is the best genome of the last stage that made some.
 ///
 /// Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search. Throws InputError
 /// if starts are given to a pipeline that makes starts. Throws NotConverged if every evaluation failed.

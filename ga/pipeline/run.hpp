@@ -95,8 +95,8 @@ template <class G>
     return next;
 }
 
-/// Scores a start population again if it is already scored under one objective of this problem, because
-/// another problem may have scored it. The best start is thus known to the run.
+/// Scores a start population again if its objective has the name of one of this problem's, because another
+/// problem may have made the values. The best start is thus known to the run.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))
@@ -169,7 +169,8 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
 /// Runs a pipeline on a population; `evaluator` makes every call of `evaluate` and every derivative. Throws
 /// UsageError before any evaluation if the pipeline cannot work. The same seed gives the same bits for any
 /// number of threads, any memory and any evaluator with the same outcomes. Only a run that ends on seconds or
-/// a stop may differ. With a checkpointer this holds for any number of interruptions.
+/// a stop may differ. A run that is resumed from its
+/// checkpoints gives the same bits, too.
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
