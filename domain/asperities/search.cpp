@@ -259,13 +259,20 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
             genome[g] = problem.range(g).nearest(genome[g]);
         return genome;
     };
-    const auto offer = [&](const CapGenome& given) {
-        const CapGenome genome = within(given);
-        const double similarity = problem.evaluate(genome).similarity();
-        explored.seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
+    const auto offer = [&](const CapGenome& genome, const CapOutcome& outcome) {
+        explored.seen.offer(
+            {genome, 0, {}, ga::Fitness(ga::Name("similarity"), outcome.similarity()), nullptr});
     };
-    for (const CapGenome& genome : explored.front)
-        offer(genome);
+    std::vector<ga::Point> points;
+    for (const CapGenome& ranked : explored.front) {
+        const CapGenome genome = within(ranked);
+        const CapOutcome outcome = problem.evaluate(genome);
+        offer(genome, outcome);
+        points.emplace_back();
+        for (const Eigen::VectorXd& misfits : outcome.misfits)
+            points.back().push_back(similarity(misfits));
+        result.front.emplace_back(genome, points.back());
+    }
     const auto nearest = explored.seen.members; // genomes of a pipeline that ends before `round`
     std::erase_if(explored.seen.members, [&](const auto& one) {
         for (std::size_t g = 0; g < one.genome.size(); ++g)
@@ -273,15 +280,9 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
                 return true;
         return false;
     });
-    if (explored.seen.members.empty())
-        offer(nearest.empty() ? starts.front() : nearest.front().genome);
-    std::vector<ga::Point> points;
-    for (const CapGenome& genome : explored.front) {
-        const CapOutcome outcome = problem.evaluate(within(genome));
-        points.emplace_back();
-        for (const Eigen::VectorXd& misfits : outcome.misfits)
-            points.back().push_back(similarity(misfits));
-        result.front.emplace_back(within(genome), points.back());
+    if (explored.seen.members.empty()) {
+        const CapGenome genome = within(nearest.empty() ? starts.front() : nearest.front().genome);
+        offer(genome, problem.evaluate(genome));
     }
     const auto ranks = ga::pareto_ranks(points);
     for (std::size_t i = ranks.size(); i-- > 0;)
