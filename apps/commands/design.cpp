@@ -19,6 +19,18 @@
 
 namespace app {
 
+Origin origin_of(const char* kind, const std::string& line, const Settings& settings, std::uint64_t seed,
+                 int threads) {
+    return {kind, RUGOSA_VERSION, line, seed, ga::thread_count(threads), inputs_json(settings.files())};
+}
+
+bool resumes(const Settings& settings) {
+    const bool resume = settings.is_on("resume");
+    if (resume && !settings.has("out"))
+        throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
+    return resume;
+}
+
 int repeat_verdict(const std::filesystem::path& result) {
     const auto before = rough::parsed_json(rough::read_whole(result), result.string());
     const nlohmann::json::json_pointer found("/summary/found"), verdict("/verdict");
@@ -63,15 +75,8 @@ int design(const Settings& settings, const std::string& line) {
     expect_none(settings, names_of(asperity_settings()), "given without --asperities; give both or none");
     const ga::Stopwatch clock;
     DesignRun run = design_from(settings);
-    run.origin = {"design",
-                  RUGOSA_VERSION,
-                  line,
-                  run.options.seed,
-                  ga::thread_count(run.options.threads),
-                  inputs_json(settings.files())};
-    const bool resume = settings.is_on("resume");
-    if (resume && !settings.has("out"))
-        throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
+    run.origin = origin_of("design", line, settings, run.options.seed, run.options.threads);
+    const bool resume = resumes(settings);
     const OutputFolder output(settings.text("out"), "design",
                               {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
                                 "checkpoint.cbor.before", "surface.stl", "surface.3mf", "surface.png",

@@ -314,15 +314,8 @@ rough::CapSetup cap_setup_from(const Settings& settings, const std::string& pref
 int design_asperities(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
     CapRun run = cap_run_from(settings);
-    run.origin = {"asperities",
-                  RUGOSA_VERSION,
-                  line,
-                  run.options.seed,
-                  ga::thread_count(run.options.threads),
-                  inputs_json(settings.files())};
-    const bool resume = settings.is_on("resume");
-    if (resume && !settings.has("out"))
-        throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
+    run.origin = origin_of("asperities", line, settings, run.options.seed, run.options.threads);
+    const bool resume = resumes(settings);
     const OutputFolder output(
         settings.text("out"), "design",
         {{"result.json", "asperities.csv", "spots.csv", "curves.csv", "points.csv", "tile.stl", "tile.3mf",
