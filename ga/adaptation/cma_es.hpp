@@ -233,7 +233,7 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     s.cloud.path_sigma = numbers(c.at(3), n), s.cloud.path_c = numbers(c.at(4), n);
     s.cloud.axes = numbers(c.at(5), n * n).reshaped(n, n);
     s.cloud.scales = numbers(c.at(6), n);
-    s.cloud.learnt = c.at(7), s.cloud.drawn = c.at(8);
+    read_part(c.at(7), s.cloud.learnt), read_part(c.at(8), s.cloud.drawn);
     read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent);
     CmaPlan& p = s.plan;
     read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
@@ -243,9 +243,9 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     constexpr std::size_t most = 10'000'000; // children
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.cloud.sigma > 0 &&
                                     s.run.lambda <= most && s.plan.usual <= most));
-    j.at(6).get_to(s.children);
+    read_part(j.at(6), s.children);
     s.ended = j.at(7);
-    j.at(8).get_to(s.mirrored);
+    read_part(j.at(8), s.mirrored);
     expect_fit(s.mirrored.size() == s.children.size());
 }
 ///@}

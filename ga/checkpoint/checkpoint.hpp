@@ -103,7 +103,7 @@ using nlohmann::json;
 ///@{ Write and read the parts of a checkpoint without loss. Reading throws nlohmann's exceptions on other
 /// JSON.
 inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
-inline void from_json(const json& j, Permutation& permutation) { j.get_to(permutation.order); }
+inline void from_json(const json& j, Permutation& permutation) { read_part(j, permutation.order); }
 
 inline void to_json(json& j, const Counters& c) {
     j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
@@ -129,9 +129,8 @@ void to_json(json& j, const Individual<G>& individual) {
 }
 template <class G>
 void from_json(const json& j, Individual<G>& individual) {
-    j.at(0).get_to(individual.genome);
-    j.at(1).get_to(individual.identity);
-    const auto parents = j.at(2).get<std::vector<Identity>>();
+    std::vector<Identity> parents;
+    read_parts(j, individual.genome, individual.identity, parents);
     individual.parents = parents.size() == 2   ? Parents(parents[0], parents[1])
                          : parents.size() == 1 ? Parents(parents[0])
                                                : Parents();
@@ -143,14 +142,20 @@ void from_json(const json& j, Individual<G>& individual) {
         else if (scored.size() == 4)
             individual.fitness = Fitness(policy, scored.at(1).get<Point>())
                                      .constrained(scored.at(3), scored.at(2).get<double>());
-        else
+        else {
+            std::size_t replicates = 0;
+            read_part(scored.at(5), replicates);
             individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(4).get<bool>())
                                      .constrained(scored.at(3), scored.at(2).get<double>())
-                                     .averaged(scored.at(5));
+                                     .averaged(replicates);
+        }
     }
     individual.origin.reset();
-    if (!j.at(4).is_null())
-        individual.origin = std::make_shared<const G>(j.at(4).get<G>());
+    if (!j.at(4).is_null()) {
+        G origin;
+        read_part(j.at(4), origin);
+        individual.origin = std::make_shared<const G>(std::move(origin));
+    }
 }
 
 template <class G>
@@ -169,10 +174,9 @@ void to_json(json& j, const Frame<G>& frame) {
 }
 template <class G>
 void from_json(const json& j, Frame<G>& frame) {
-    j.at(0).get_to(frame.next);
-    j.at(1).get_to(frame.population);
-    j.at(2).get_to(frame.kept);
-    for (const auto& row : j.at(3).get<std::vector<std::vector<std::uint64_t>>>()) {
+    std::vector<std::vector<std::uint64_t>> numbers;
+    read_parts(j, frame.next, frame.population, frame.kept, numbers);
+    for (const auto& row : numbers) {
         frame.numbers.emplace_back();
         for (const std::uint64_t bits : row)
             frame.numbers.back().push_back(std::bit_cast<double>(bits));
@@ -284,7 +288,7 @@ class Checkpoints : public Checkpointer<P> {
     void keep(const std::string& name, T& value) {
         kept_.push_back({name, [&value] { return json(value); },
                          [&value](const json& j, const P& problem) {
-                             j.get_to(value);
+                             read_part(j, value);
                              expect_valid(can_be_kept(problem, value));
                          }});
     }
@@ -317,9 +321,10 @@ class Checkpoints : public Checkpointer<P> {
             for (const auto& value : kept_)
                 value.read(j.at("kept").at(value.name), ledger.problem());
             recall(j, ledger);
-            auto snapshot = j.at("snapshot").get<Taken>();
+            Taken snapshot;
+            read_part(j.at("snapshot"), snapshot);
             if (!j.at("answer").is_null())
-                answer_ = j.at("answer").get<Population<Genome>>();
+                read_part(j.at("answer"), answer_.emplace());
             expect_valid(can_be_kept(ledger.problem(), snapshot) &&
                          (!answer_ || can_be_kept(ledger.problem(), *answer_)));
             return snapshot;
@@ -397,7 +402,8 @@ class Checkpoints : public Checkpointer<P> {
         if constexpr (Storable<Outcome>) {
             const auto each = [&ledger](const json& list, auto take) {
                 for (const json& entry : list) {
-                    const Fingerprint print{entry.at(0), entry.at(1)};
+                    Fingerprint print;
+                    read_parts(entry, print.high, print.low);
                     if (entry.size() == 3) {
                         auto outcome = entry.at(2).get<Outcome>();
                         if constexpr (ValidatesOutcomes<P>)

@@ -147,11 +147,31 @@ class HeldState {
     void (*write_)(const std::any&, nlohmann::json&) = nullptr;
 };
 
-/// Reads the parts of a value, in order, from the array that its to_json has written.
+/// Reads a value that its to_json has written. Throws UsageError if a whole number is stored as a real one,
+/// because C++ does not define every such conversion, and nlohmann's exceptions on other JSON.
+template <class T, class Json>
+void read_part(const Json& j, T& value) {
+    if constexpr (std::integral<T> && !std::same_as<T, bool>) {
+        expect_fit(j.is_number_integer());
+        j.get_to(value);
+    } else if constexpr (requires { value.push_back(typename T::value_type()); } &&
+                         !std::same_as<T, std::string> && !std::same_as<T, Json>) {
+        value.clear();
+        for (const Json& part : j.template get_ref<const typename Json::array_t&>()) {
+            typename T::value_type read;
+            read_part(part, read);
+            value.push_back(std::move(read));
+        }
+    } else {
+        j.get_to(value);
+    }
+}
+/// Reads the parts of a value, in order, from the array that its to_json has written. Throws as read_part
+/// does.
 template <class Json, class... Parts>
 void read_parts(const Json& j, Parts&... parts) {
     std::size_t i = 0;
-    (j.at(i++).get_to(parts), ...);
+    (read_part(j.at(i++), parts), ...);
 }
 
 /// A stage's result, as observers see it.

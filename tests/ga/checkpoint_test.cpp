@@ -276,6 +276,9 @@ TEST_CASE("a forged checkpoint that nests too deep or does not fit is refused") 
     const json good = stopped(file, evolving);
     for (const auto& [place, value] :
          std::vector<std::pair<std::string, json>>{{"/snapshot/0/0/0", 99},
+                                                   {"/snapshot/0/0/0", 1e300}, // whole numbers only
+                                                   {"/snapshot/0/1/2/0/0/1", 0.5},
+                                                   {"/snapshot/2", -1e300},
                                                    {"/snapshot/0/1/2", json::array()},
                                                    {"/snapshot/0/1/3", json::array()}}) {
         json altered = good;
