@@ -116,7 +116,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
         // Load control would take six times longer.
         const ContactCurve curve = solve_contact(surface, body, displacements, options);
         responses.push_back(response_of(curve.steps, curve.solver, displacement_range(surface, body.kernel),
-                                        full_contact_stiffness(surface, body)));
+                                        full_contact_stiffness(surface, body, options.threads)));
     }
     return responses;
 }

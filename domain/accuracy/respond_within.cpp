@@ -119,7 +119,7 @@ class Question {
             rows_.push_back(step.displacement);
         count_ = static_cast<Index>(rows_.size());
         response_.range = displacement_range(whole_, resolved.body.kernel);
-        response_.full_stiffness = full_contact_stiffness(whole_, resolved.body);
+        response_.full_stiffness = full_contact_stiffness(whole_, resolved.body, model_.contact.threads);
         account_.accuracy = accuracy_;
         account_.resolved_nodes = whole_.nodes();
         account_.rows = static_cast<int>(count_);

@@ -386,7 +386,7 @@ double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
     return full_contact_stiffness(Profile{Eigen::VectorXd::Zero(nodes), spacing}, body);
 }
 
-double full_contact_stiffness(const Profile& surface, const Body& given) {
+double full_contact_stiffness(const Profile& surface, const Body& given, int threads) {
     if (given.kernel == Kernel::periodic) { // on a rigid base 1/C0
         const double modulus = given.effective_modulus;
         return modulus / mean_compliance(completed(given, 0).layering, modulus);
@@ -398,7 +398,8 @@ double full_contact_stiffness(const Profile& surface, const Body& given) {
     checked_body(flat, body);
     Body at_length = body;
     at_length.datum = length;
-    const ContactProblem problem = make_problem(flat, at_length, {});
+    Team team(useful_threads(flat, threads));
+    const ContactProblem problem = make_problem(flat, at_length, {}, team);
     const bool strip = body.kernel == Kernel::strip;
     const double other = strip ? problem.strip_width : problem.row_spacing;
     const double stiffness =

@@ -117,8 +117,8 @@ double predicted_cost(double nodes, double contact, double steps);
 /// body's datum. The solution is cached for all threads. Throws InputError for a body without a solution.
 /// Throws NotConverged if the residual of H w = 1 exceeds 1e-8.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
-/// K_full on the grid of a line or a map; a free map has no datum.
-double full_contact_stiffness(const Profile& surface, const Body& body);
+/// K_full on the grid of a line or a map, which up to `threads` threads share; a free map has no datum.
+double full_contact_stiffness(const Profile& surface, const Body& body, int threads = 1);
 
 /// The mean pressure (MPa) at which a periodic profile reaches full contact without tension at any node. It
 /// is minus the lowest nodal pressure of the zero-mean full-contact field. Throws InputError for a body

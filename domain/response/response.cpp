@@ -100,7 +100,8 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
     const ContactCurve curve = press(profile, body, loading, options);
-    return response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body));
+    return response_of(curve.steps, curve.solver, range,
+                       full_contact_stiffness(profile, body, options.threads));
 }
 
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& given,
@@ -159,9 +160,10 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                 smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
         area = {std::move(smooth.fraction), std::move(smooth.by_height)};
     }
-    return {response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body)),
-            {std::move(d_pressure), std::move(d_last)},
-            std::move(area)};
+    return {
+        response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads)),
+        {std::move(d_pressure), std::move(d_last)},
+        std::move(area)};
 }
 
 Response scaled(Response response, double factor) {

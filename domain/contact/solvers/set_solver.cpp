@@ -138,7 +138,7 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
     if (problem.kernel == Kernel::periodic) {
         eigenvalues = periodic_spectrum(problem, shape);
     } else {
-        const Eigen::VectorXd h = influence_column(problem, shape);
+        const Eigen::VectorXd h = influence_column(problem, shape, *problem.team);
         Eigen::ArrayXXd column(shape.columns, shape.rows);
         // Blends h with its mirror image; the first entry has none.
         const auto blended = [](const auto& entry, Index j, Index m) {
