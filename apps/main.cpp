@@ -13,11 +13,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <malloc.h>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <unistd.h>
 
 namespace {
 
@@ -126,9 +128,23 @@ int run(app::Words words) {
     }
 }
 
+/// Starts the program once more with a short wait of OpenMP's threads for each other, unless the user has
+/// chosen one. libgomp reads it before main. Its usual wait occupies a core, so that two curves on two
+/// threads each take several times as long as on one.
+void shorten_waits(char** values) {
+    if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY"))
+        return;
+    std::error_code unknown;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    ::setenv("GOMP_SPINCOUNT", "1000", 1);
+    if (!unknown)
+        ::execv(self.c_str(), values); // returns if it fails; then the waits stay long
+}
+
 } // namespace
 
 int main(int count, char** values) {
+    shorten_waits(values);
     std::signal(SIGPIPE, SIG_IGN); // the work continues without a reader
     std::signal(SIGXFSZ, SIG_IGN); // writing to a file that may not grow fails, but does not end the program
     // Each contact solution frees megabytes. Returning them to the system takes longer than the solution.
