@@ -137,12 +137,12 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     const std::string words = of["resolution"]["words"];
     const std::string page = rough::read_whole(folder / "page.html");
     for (const std::string& part :
-         {words, std::string("This is line contact"), std::string("Shaded: the range")})
+         {words, std::string("This is line contact"), std::string("The shaded band")})
         CHECK_THAT(page, Catch::Contains(part));
 
     const Ended off = done(folder, press + "--resolution off --report page.html");
     CHECK_THAT(off.out, Catch::Contains("band not computed"));
-    CHECK_THAT(rough::read_whole(folder / "page.html"), Catch::Contains("Band not computed"));
+    CHECK_THAT(rough::read_whole(folder / "page.html"), Catch::Contains("The band was not computed"));
     const std::string table = rough::read_whole(folder / "c.csv");
     CHECK(table.starts_with(header + "\n"));
     CHECK(table.ends_with(",,,,\n"));
