@@ -150,21 +150,22 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     const rough::ElasticEnd end = elastic_end(pressed_surface(pressed), pressed.model, response, limit);
     if (end.is_reached(response))
         pressed.warnings.push_back(
-            "the elastic answer ends at " + readable(response.pressure[end.step]) +
-            " MPa: from this load on the highest node pressure is over " + readable(limit) + " MPa, " +
+            "the solution is not elastic from " + readable(response.pressure[end.step]) +
+            " MPa on: the highest node pressure exceeds " + readable(limit) + " MPa, " +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, which no solid withstands")) +
-            " (at the last load " + readable(end.largest_pressure) + " MPa); --hardness caps pressures");
+            " (at the last load " + readable(end.largest_pressure) +
+            " MPa); use --hardness to limit pressures");
 }
 
 /// In words: the contact of a scan or map at the last load, and whether its spots are resolved.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
-    const std::string width = "half of the contact is at most " + std::to_string(pressed.spot_width) +
-                              (pressed.spot_width == 1 ? " node" : " nodes") +
-                              " wide: " + (pressed.spot_width < rough::resolved_spot_nodes ? "not " : "") +
-                              "resolved";
+    const std::string width =
+        "half of the contact is in spots at most " + std::to_string(pressed.spot_width) +
+        (pressed.spot_width == 1 ? " node" : " nodes") +
+        " wide: " + (pressed.spot_width < rough::resolved_spot_nodes ? "not " : "") + "resolved";
     if (!pressed.band.is_computed())
         return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
     return "contact " + readable(100 * low_area[last]) + " to " + percent(high_area[last]) + ", K " +

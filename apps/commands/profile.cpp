@@ -109,7 +109,7 @@ Description described_profile(const Settings& settings) {
         account =
             source.name + ": " + readable(grid.length, 6) + " mm, " + std::to_string(lines.size()) +
             " waves, the shortest " + readable(shortest) + " nodes long" +
-            (shortest < 8 ? " (waves under 8 nodes: slopes, curvatures and light contact depend on the grid)"
+            (shortest < 8 ? " (under 8, so that slopes, curvatures and light contact depend on the grid)"
                           : "");
         jump =
             jump_note(*source.genome, grid.length, profile->heights.maxCoeff() - profile->heights.minCoeff());

@@ -86,8 +86,8 @@ std::string resolution_warning(const rough::Profile& surface, const rough::Model
         return "";
     return "contact spots are not resolved at " + std::to_string(unresolved) + " of " +
            std::to_string(pressures.size()) + " loads, up to " + readable(pressure) +
-           " MPa: half of the contact there is at most " + nodes_in_words(widest) +
-           " wide, so its area depends on the node spacing; measure with a finer one";
+           " MPa: half of the contact area is in spots at most " + nodes_in_words(widest) +
+           " wide, so the area depends on the node spacing; measure with a finer node spacing";
 }
 
 std::string resolution_warning(const rough::Profile& surface, bool periodic) {
@@ -99,10 +99,10 @@ std::string resolution_warning(const rough::Profile& surface, bool periodic) {
     const rough::Index width = rough::spot_width(highest, surface.shape(), periodic);
     if (width >= rough::resolved_spot_nodes)
         return "";
-    return "contact spots are not resolved at light load: half of the highest 1 % of the nodes are in groups "
+    return "contact spots are not resolved at light load: half of the highest 1 % of nodes are in groups "
            "at most " +
            nodes_in_words(width) +
-           " wide, so their contact area depends on the node spacing; measure with a finer one";
+           " wide, so their contact area depends on the node spacing; measure with a finer node spacing";
 }
 
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {

@@ -352,7 +352,7 @@ Points in_order(Points points, bool fills, const std::string& file, Account& acc
         refuse(file, ": ", counted(points.size(), "point"), "; give 2 or more");
     if (points.at(0) <= points.at(points.size() - 1))
         return points;
-    account.say("x runs backwards, reversed");
+    account.say("x was decreasing, so the points were reversed");
     const auto reverse = [](auto& list) { std::reverse(list.begin(), list.end()); };
     reverse(points.x), reverse(points.heights), reverse(points.last_digit), reverse(points.line);
     return points;
@@ -364,8 +364,8 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
     const Index all = static_cast<Index>(points.size());
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)
-            account.say("spacing even within ", fit.deviation,
-                        " mm of rounding, read as evenly spaced; heights are unchanged");
+            account.say("x deviates from even spacing by up to ", fit.deviation,
+                        " mm because of rounding and is treated as even; heights are unchanged");
         return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
     }
     std::vector<double> x = points.x;
@@ -384,7 +384,7 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
         account.say("spacing uneven (", *shortest, " to ", *longest, " mm)");
     }
     const Index count = nodes == 0 ? all : nodes;
-    account.say("resampled linearly to ", count, " even nodes");
+    account.say("resampled linearly to ", count, " evenly spaced nodes");
     return resampled(x, points.heights, count);
 }
 

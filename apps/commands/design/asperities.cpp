@@ -128,7 +128,7 @@ void conclude(CapRun& run) {
     const std::string wanted = "; " + brief(required, 15) + " is required";
     if (!run.out_of_reach.empty())
         run.verdict = "out of reach of these caps: " + run.out_of_reach.front().reason +
-                      "; no similarity is above " + readable(run.bound, 4) + ", the nearest found has " +
+                      "; no similarity is above " + readable(run.bound, 4) + "; the best design found has " +
                       readable(run.found.best.similarity, 4);
     else if (std::isnan(lowest))
         run.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by the " +

@@ -81,17 +81,17 @@ std::string verdict_of(const DesignRun& run, double verified) {
                               run.setup.errors.tilt > 0 ? ", tilted" : "",
                               run.trust_options.hardness > 0 ? ", under the hardness" : "");
     if (!run.out_of_reach.empty())
-        line = run.out_of_reach.front().verdict() + "; no similarity is above " + readable(run.bound, 4) +
-               ", the nearest found has " +
+        line = run.out_of_reach.front().verdict() + "; no profile has a similarity above " +
+               readable(run.bound, 4) + "; the best design found has " +
                (std::isnan(verified) ? readable(designed, 4) + " as designed" : readable(verified, 4));
     else if (std::isnan(verified))
         line = "not verified: similarity " + readable(designed, 4) + " as designed, " + wanted + "; " +
-               (run.interrupted ? "it was stopped before finer grids and load steps"
-                                : "the time did not suffice for finer grids and load steps");
+               (run.interrupted ? "the design was interrupted before the checks on finer grids and load steps"
+                                : "the time did not suffice for the checks on finer grids and load steps");
     else if (run.morphed)
-        line = (is_enough ? "brought back: similarity " + readable(verified, 5)
-                          : "not brought back: similarity " + below(verified, required)) +
-               " after " + readable(run.morphed->before, 4) + " before; " + wanted + "; lowest " +
+        line = (is_enough ? "restored: similarity " + readable(verified, 5)
+                          : "not restored: similarity " + below(verified, required)) +
+               ", before " + readable(run.morphed->before, 4) + "; " + wanted + "; lowest similarity " +
                readable(run.found.best.lowest(), 4) + ", " + conditions;
     else if (is_enough)
         line =
@@ -99,10 +99,11 @@ std::string verdict_of(const DesignRun& run, double verified) {
             ", " + conditions +
             (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
-        line = "not found within the budget: the nearest curve found has a lowest similarity of " +
-               (std::isinf(verified) ? "none" : below(verified, required)) + ", " + conditions + "; " +
-               wanted;
-    return line + (run.found.best.within_limits ? "" : "; no answer holds every limit");
+        line = "not found within the budget: the best design has " +
+               (std::isinf(verified) ? "no response in one of the checks"
+                                     : "a lowest similarity of " + below(verified, required)) +
+               ", " + conditions + "; " + wanted;
+    return line + (run.found.best.within_limits ? "" : "; no answer meets all limits on shape");
 }
 
 /// A target's largest misfit in all that an answer was verified by, relative to the target.
@@ -207,7 +208,7 @@ std::string yielding(const DesignRun& run) {
     const std::string highest = "highest node pressure " + readable(unit.factor * peak) + " " + unit.name +
                                 ", " + percent(peak / run.setup.model.body.effective_modulus) + " of E*";
     if (hardness <= 0)
-        return "taken as elastic; " + highest + " (--hardness verifies it)";
+        return "assumed to be elastic; " + highest + " (--hardness verifies it)";
     if (peak <= hardness)
         return "elastic: " + highest + ", within the hardness";
     std::string all = "yields: " + highest + ", above the hardness";
@@ -253,14 +254,15 @@ std::string carries_over(const DesignRun& run) {
         const Quantity quantity = target.quantity;
         std::string scope = "for this length only";
         if (quantity == Quantity::interface_stiffness)
-            scope = line_of(is_2d ? "" : "over any datum, and ", "over lengths weakly, at light loads");
+            scope = line_of(is_2d ? "" : "for any datum, and ",
+                            "approximately for other lengths, at light loads");
         else if (is_2d)
             scope += ", with no datum to choose";
         else if (quantity == Quantity::area_at_pressure)
-            scope = "over any datum, " + scope;
+            scope = "for any datum, " + scope;
         else if (has_datum)
             scope = "for this length and datum only, " + brief(model.body.datum, 5) + " mm" +
-                    (quantity == Quantity::stiffness ? " (interface_stiffness carries over)" : "");
+                    (quantity == Quantity::stiffness ? " (interface_stiffness holds for others)" : "");
         if (const std::string words = in_words(quantity) + ": " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
@@ -275,7 +277,7 @@ std::string moved(const rough::Morphed& morphed) {
     for (const rough::PhaseChange& change : morphed.changes)
         join(all, std::to_string(change.place.series + 1) + ":" + std::to_string(change.n) + " by " +
                       readable(change.after - change.before) + " rad" +
-                      (change.at_limit ? " (as far as it may)" : ""));
+                      (change.at_limit ? " (the largest permitted change)" : ""));
     return all;
 }
 
@@ -297,8 +299,8 @@ std::string in_the_way(const DesignRun& run) {
                 return std::abs(a.misfit) < std::abs(b.misfit);
             });
         const rough::Target& target = targets[largest.target];
-        return "out of reach of these chromosomes within the largest change: " +
-               std::to_string(missed.size()) + " points, the worst off by " +
+        return "these chromosomes cannot match " + std::to_string(missed.size()) +
+               " points within the largest permitted change; the largest misfit is " +
                percent(largest.misfit / target.weight) + at(target, largest.x);
     }
     std::size_t worst = 0;
@@ -323,18 +325,18 @@ std::string in_the_way(const DesignRun& run) {
     const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()),
                  wanted = target.y[largest.point] * nodes;
     if (is_contact_fraction(target.quantity) && 0.5 / wanted > allowed)
-        join(all, "the requested area there is " + readable(wanted) + " of " + brief(nodes, 9) +
-                      " nodes, of which half a node is " + percent(0.5 / wanted) +
-                      ": more --nodes resolve it");
+        join(all, "the requested area" + at(target, target.x[largest.point]) + " is " + readable(wanted) +
+                      " of " + brief(nodes, 9) + " nodes, so half a node changes it by " +
+                      percent(0.5 / wanted) + ": use more --nodes");
     for (const rough::Margin& margin : run.margins)
         if (margin.limit > 0 && margin.margin() < 0.05)
-            join(all, in_words(margin) + " is at its limit");
+            join(all, in_words(margin) + (margin.holds() ? " is close to its limit" : " violates its limit"));
     if (!run.found.best.is_verified() && !run.interrupted)
         join(all, "the time did not suffice to verify the answer: give more --seconds, or fewer --nodes");
     if (!run.found.stopped.empty())
-        join(all, "the search was ended early: " + run.found.stopped);
+        join(all, "the search ended early: " + run.found.stopped);
     else if (run.out_of_reach.empty())
-        join(all, "the search ended by itself: try another --seed, or more --seconds");
+        join(all, "the search ended without success: try another --seed, or more --seconds");
     return all;
 }
 

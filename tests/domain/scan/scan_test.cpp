@@ -173,7 +173,7 @@ TEST_CASE("unevenly spaced points are resampled on the straight lines between th
     for (Index i = 0; i < 4; ++i)
         CHECK(scan.profile.heights[i] == Approx(2 * 11. / 4 * double(i)));
     CHECK(scan.profile.heights[4] == Approx(0).margin(1e-12));
-    CHECK_THAT(scan.account, Catch::Contains("resampled linearly to 5 even nodes"));
+    CHECK_THAT(scan.account, Catch::Contains("resampled linearly to 5 evenly spaced nodes"));
     CHECK(read("0 0\n1 2\n4 8\n10 20\n11 0\n", {.detrend = Detrend::none, .nodes = 45}).profile.heights[4] ==
           Approx(2));
 }
@@ -191,7 +191,7 @@ TEST_CASE("a spacing rounded in its last digit is even and leaves heights unchan
     const Scan scan = read(text);
     CHECK(scan.profile.spacing == Approx(spacing).epsilon(1e-7));
     CHECK(scan.profile.heights == heights);
-    CHECK_THAT(scan.account, Catch::Contains("read as evenly spaced"));
+    CHECK_THAT(scan.account, Catch::Contains("treated as even"));
 }
 
 TEST_CASE("points out of order are refused with their line") {
