@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// The whole engine but refinement (ga/refinement/refinement.hpp), operators that learn and niches
+/// The whole engine except refinement (ga/refinement/refinement.hpp), operators that learn and niches
 /// (ga/adaptation/adaptation.hpp), text (ga/text/), checkpoints and observers.
 #include "ga/blocks/islands.hpp"
 #include "ga/blocks/pair.hpp"
@@ -17,6 +17,5 @@
 #include "ga/variation/mutate.hpp"
 #include "ga/variation/sample.hpp"
 
-/// The engine of genetic algorithms: a population flows through stages, whatever the domain. Includes nothing
-/// of any domain.
+/// The engine of genetic algorithms: a population passes through stages. It does not depend on a domain.
 namespace ga {}

@@ -9,19 +9,20 @@
 namespace ga {
 
 /// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). It
-/// starts at the best of the population. Each generation learns from the last children that are still in the
-/// population, and replaces the population by new children. Steps are in widths between a gene's bounds. A
-/// gene outside its bounds is reflected at them until it is inside; bad children that were reflected are not
-/// learnt from. Steps of refined children are shortened to sqrt(n) + 2n/(n + 2) standard deviations (Hansen
-/// 2011, Injecting external solutions into CMA-ES). After a run has ended (`over`), CmaPlan starts another at
-/// a uniform random mean; genes without bounds start as in the first run.
+/// starts at the best of the population. It learns from those children of the previous generation that are
+/// still in the population. Then new children replace the population. Steps are given as fractions of the
+/// distance between a gene's bounds. A gene outside its bounds is reflected at them until it is inside.
+/// Negative weights of reflected children are set to 0. Steps of refined children are shortened to sqrt(n) +
+/// 2n/(n + 2) standard deviations (Hansen 2011, Injecting external solutions into CMA-ES). After a run has
+/// ended (`over`), CmaPlan starts another at a uniform random mean; genes without bounds start as in the
+/// first run.
 struct CmaEs : Operator {
-    double sigma = 0.3;         ///< first standard deviation, in widths between bounds, > 0
+    double sigma = 0.3; ///< first standard deviation, as a fraction of the distance between bounds, > 0
     std::size_t population = 0; ///< children of the first run; 0 for 4 + 3 ln n
     std::string restarts =
         "bipop"; ///< ipop, bipop, or none; with none an ended run returns its population unchanged
 
-    /// The learnt state; coordinates are genes in widths between their bounds.
+    /// The learnt state. Coordinates are genes divided by the distance between their bounds.
     struct State {
         std::vector<Variable> moving;   ///< the genes that move
         Eigen::VectorXd first;          ///< the first run's starting point
@@ -106,7 +107,7 @@ struct CmaEs : Operator {
         return std::clamp(v.lower + std::abs(std::remainder(value - v.lower, 2 * width)), v.lower, v.upper);
     }
 
-    /// The moving genes in widths between their bounds.
+    /// The moving genes divided by the distance between their bounds.
     static Eigen::VectorXd coordinates(const std::vector<double>& genes,
                                        const std::vector<Variable>& moving) {
         Eigen::VectorXd x(static_cast<Eigen::Index>(moving.size()));

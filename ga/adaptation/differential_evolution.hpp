@@ -8,10 +8,10 @@
 namespace ga {
 
 /// The mutant is v = base + F1 (a - base) + F2 (b - c). The trial takes genes of v from among those that may
-/// move. Binomial cross-over takes one gene in any case and each other with probability CR (Storn and Price
-/// 1997, Eq. 2-4). Exponential cross-over takes one, and the next ones in a ring while draws are below CR
-/// (Storn and Price 1995). A gene beyond a bound is set halfway between the target and the bound (Zhang and
-/// Sanderson 2009). Genes that one of the vectors lacks stay.
+/// move. Binomial cross-over always takes one random gene, and each other gene with probability CR (Storn and
+/// Price 1997, Eq. 2-4). Exponential cross-over takes one, and the next ones in a ring while draws are below
+/// CR (Storn and Price 1995). A gene beyond a bound is set halfway between the target and the bound (Zhang
+/// and Sanderson 2009). Genes that one of the vectors lacks are not changed.
 struct Difference {
     const std::vector<double>& base; ///< genes
     const std::vector<double>& a;    ///< genes

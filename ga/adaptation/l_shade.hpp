@@ -57,10 +57,10 @@ struct SuccessHistory {
 
 /// L-SHADE (Tanabe and Fukunaga 2014): differential evolution by current-to-pbest/1/bin with an archive of
 /// replaced parents. It learns F and CR from its successes and shrinks its population linearly to 4 over
-/// `evaluations`. A trial replaces every individual; `duel` after `score` keeps the better. Without a limit
-/// of evaluations the population keeps its size, which is SHADE.
+/// `evaluations`. A trial replaces every individual. `duel` after `score` keeps the better of the two.
+/// Without a limit of evaluations the population keeps its size, which is SHADE.
 struct LShade : Operator {
-    long evaluations = 0;   ///< when the population is 4; 0 for the run's budget
+    long evaluations = 0;   ///< evaluations at which the population has shrunk to 4; 0 for the run's budget
     std::size_t memory = 6; ///< entries of the success history, H
     double archive = 2.6;   ///< size of the archive, in populations
     double p = 0.11;        ///< share of the best in current-to-pbest
@@ -72,7 +72,7 @@ struct LShade : Operator {
         double CR;                  ///< used for the trial
         double violation;           ///< its parent's
         double merit;               ///< its parent's
-        std::vector<double> parent; ///< its parent's genes
+        std::vector<double> parent; ///< genes of its parent
     };
     /// The learnt state.
     struct State {

@@ -13,9 +13,9 @@ namespace ga {
 /// Evolution strategies: a comprehensive introduction). Each gene has sigma_i' = sigma_i exp(t0 N + t N_i)
 /// with t0 = 1/sqrt(2n), t = 1/sqrt(2 sqrt(n)), and becomes gene_i + sigma_i' N_i. With one step size for all
 /// genes sigma' = sigma exp(N/sqrt(n)). A child of a cross-over has the geometric mean of its parents' sizes.
-/// New individuals start with `sigma`. A gene beyond a bound is reflected there.
+/// New individuals start with `sigma`. A gene beyond a bound is reflected at it.
 struct SelfAdaptive : Operator {
-    double sigma = 0.1;         ///< first standard deviation, in widths between bounds, > 0
+    double sigma = 0.1; ///< first standard deviation, as a fraction of the distance between bounds, > 0
     std::string steps = "each"; ///< a size for each gene, or one for all
 
     /// The logarithms of the step sizes of all individuals that may still have children.

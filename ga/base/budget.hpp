@@ -8,24 +8,24 @@
 
 namespace ga {
 
-/// Limits of a run. When one is reached, the best so far is the result.
+/// Limits of a run. If one is reached, the run stops and returns what it has found so far.
 struct Budget {
-    long evaluations =
-        std::numeric_limits<long>::max(); ///< requested evaluations, paid or remembered; never exceeded
+    long evaluations = std::numeric_limits<long>::max(); ///< requested evaluations, including those answered
+                                                         ///< from memory; never exceeded
     double seconds = std::numeric_limits<double>::infinity(); ///< wall time, checked between evaluations
     const std::atomic<bool>* stop = nullptr;                  ///< becomes true to stop the run; may be null
 };
 
 /// The expenses of a run so far. Only `evaluations` and `remembered` depend on the size of the memory.
 struct Counters {
-    long asked = 0;       ///< requested evaluations, paid or remembered
+    long asked = 0;       ///< requested evaluations, including those answered from memory
     long evaluations = 0; ///< calls of the problem's evaluate
     long remembered = 0;  ///< requests answered without a call
     long gradients = 0;   ///< calls of the problem's sensitivity
     long failures = 0;    ///< individuals marked as failed
 };
 
-/// Tells when to stop because of time or a request.
+/// Reports when the time is over or a stop was requested.
 class Watch {
   public:
     /// Starts the clock. `budget.stop` must outlive it.

@@ -14,17 +14,17 @@ inline std::map<std::string, int>& held_folders() {
 }
 /// @endcond
 
-/// From now on, held() finds files of a folder by its open descriptor, whatever is at its name by then.
+/// Makes held() find the files of a folder by its open descriptor, even if the folder's name changes.
 inline void hold_folder(const std::filesystem::path& folder, int descriptor) {
     held_folders()[(folder / "").string()] = descriptor;
 }
-/// Ends that.
+/// Ends the effect of hold_folder().
 inline void release_folder(const std::filesystem::path& folder) {
     held_folders().erase((folder / "").string());
 }
 
-/// The place of a file: if its folder is held, a path that leads through the descriptor, also for a child
-/// process, else its name.
+/// The path of a file. If its folder is held, the path uses the descriptor and is also valid in a child
+/// process. Otherwise it is the file's name.
 inline std::filesystem::path held(const std::filesystem::path& file) {
     const std::string name = file.string();
     for (const auto& [folder, descriptor] : held_folders())

@@ -37,8 +37,8 @@ constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
 }
 
 /// An independent sequence of random numbers for each key: splitmix64 started at the key. Streams are so
-/// cheap that every individual of every stage has one. The distributions equal Boost.Random's bit by bit, but
-/// the most frequent ones avoid branches on random bits.
+/// cheap that every individual of every stage has one. The distributions give the same bits as those of
+/// Boost.Random, but the most frequent ones avoid branches on random bits.
 class Stream {
   public:
     ///@{ A generator of random bits as the standard requires, 64 per call.
@@ -46,7 +46,7 @@ class Stream {
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
-    /// Starts at the key.
+    /// Starts the sequence of a key.
     explicit constexpr Stream(std::uint64_t key) : state_(key) {}
     constexpr result_type operator()() { return mix(state_ += golden_step); }
     ///@}

@@ -6,7 +6,7 @@ namespace ga {
 
 /// Runs `body` under a problem derived from the run's problem, for example with a coarser grid. Returns its
 /// population unscored. Its evaluations count for the run and its budget, and observers see its events marked
-/// as derived. If the run stops inside, checkpoints have its state before the stage.
+/// as derived. If the run stops inside, checkpoints contain its state before the stage.
 template <Problem P>
 PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf<P> population,
                             Context<P>& context) {

@@ -14,11 +14,11 @@ struct Migration {
 /// Splits the population into n islands (individual i to island i modulo n). Each evolves separately under
 /// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987); then they are joined.
 /// Islands run in parallel and their evaluations are made together (`Rounds`). Checkpoints are written
-/// between two rounds; evaluations of an unfinished round are not paid again.
+/// between two rounds; evaluations of an unfinished round are not counted twice.
 template <class Body>
 struct Islands : Operator {
     std::size_t n = 2;   ///< islands, 2 to 10,000
-    Migration migration; ///< how they exchange individuals
+    Migration migration; ///< the exchange of individuals
     Body body;           ///< runs on each island
 
     ///@{ What every block has (Block).

@@ -7,7 +7,7 @@ namespace ga {
 /// Makes a child of two individuals, or none.
 template <class G>
 struct Combine {
-    std::string name; ///< as text pipelines call it
+    std::string name; ///< its name in text pipelines
     std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
         of; ///< returns a child or nothing
 };

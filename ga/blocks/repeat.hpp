@@ -88,8 +88,8 @@ template <Problem P, class G = typename P::Genome>
             0, stages->begins()};
 }
 
-/// Runs its body n times, each time on the last answer. Each pass is a generation: it draws different random
-/// numbers, and `elite` and `plus` read the best individuals at its start.
+/// Runs its body n times, each time on the previous result. Each pass is a generation: it draws different
+/// random numbers, and `elite` and `plus` read the best individuals at its start.
 template <class Body>
 struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1
@@ -154,7 +154,7 @@ requires std::derived_from<R, StoppingRule> Generations<Body, AnyOf<R>> until(R 
 }
 
 /// Runs its body n times on the same population, with different random numbers each time, and joins the
-/// answers. If the body begins with `sample`, each time has a new population.
+/// results. If the body begins with `sample`, each time has a new population.
 template <class Body>
 struct Restarts : Operator {
     std::size_t n = 1; ///< number of runs, >= 1
@@ -185,7 +185,7 @@ struct Restarts : Operator {
                                                std::size_t n, Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.state, {}, true);
         if (!frame.resumed())
-            frame->kept = {std::move(population), {}}; // the start, and the answers so far
+            frame->kept = {std::move(population), {}}; // the start, and the results so far
         expect_fit(frame->kept.size() == 2);
         Population<G>& answers = frame->kept[1];
         try {

@@ -19,7 +19,7 @@
 namespace ga {
 
 /// A sealed file has this mark, then the length and the fingerprint of its content, then the content. So a
-/// file that was cut or altered is detected.
+/// file that was cut off or damaged is detected.
 inline const std::string seal_mark = "rugosa checkpoint 2\n";
 
 /// The mark, length and fingerprint for a content.
@@ -32,8 +32,8 @@ inline std::string seal_of(std::string_view bytes) {
     return seal;
 }
 
-/// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or was
-/// altered.
+/// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is
+/// damaged.
 inline std::string opened(const std::filesystem::path& file) {
     std::ifstream stream(held(file), std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(stream), {}};
@@ -45,8 +45,9 @@ inline std::string opened(const std::filesystem::path& file) {
     return all.substr(head);
 }
 
-/// Writes a sealed file and keeps the previous one as "FILE.before". The new file is on the disk before it
-/// gets the name; symbolic links are not followed. Returns the error in words, or an empty text.
+/// Writes a sealed file and keeps the previous one as "FILE.before". The new file is completely on disk
+/// before it is renamed to this name. Symbolic links are not followed. Returns the error in words, or an
+/// empty text.
 inline std::string seal(const std::filesystem::path& name, std::string_view bytes) {
     const std::filesystem::path file = held(name), draft = file.string() + ".tmp",
                                 before = file.string() + ".before";
@@ -261,11 +262,11 @@ concept Storable = requires(const json& j, const Outcome& outcome) {
     { j.get<Outcome>() } -> std::same_as<Outcome>;
 };
 
-/// Stores a run in one file. It is written between stages, at most once per interval and for at most a
-/// twentieth of the time, and at the end. Each write replaces the file by renaming; the previous file is kept
-/// as "FILE.before" and used if the newer one is damaged. However its process ended, a resumed run reaches
-/// the result of an uninterrupted one. If the file cannot be written, the run continues with a note. Genomes
-/// must convert to and from nlohmann::json without loss.
+/// Stores a run in one file. It is written at the end, and between stages at most once per interval. Writing
+/// takes at most a twentieth of the time. Each write replaces the file by renaming; the previous file is kept
+/// as "FILE.before" and used if the newer one is damaged. A resumed run reaches the result of an
+/// uninterrupted one, however its process ended. If the file cannot be written, the run continues with a
+/// note. Genomes must convert to and from nlohmann::json without loss.
 template <Problem P>
 class Checkpoints : public Checkpointer<P> {
   public:

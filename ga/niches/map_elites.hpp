@@ -29,9 +29,9 @@ descriptors_of(const P& problem, const std::vector<std::string>& names, const st
 }
 
 /// MAP-Elites (Mouret and Clune 2015, Illuminating search spaces by mapping elites). The range of each
-/// descriptor is divided into `cells`. The best of every cell stays, of the generation's start and the
-/// population together. A descriptor beyond its range counts for the outermost cell. The population is the
-/// archive: the stages before it choose elites and vary them.
+/// descriptor is divided into `cells`. The best individual of every cell stays, from the generation's start
+/// and the population together. A descriptor beyond its range counts for the outermost cell. The population
+/// is the archive: the stages before it choose elites and vary them.
 struct MapElites : Operator {
     std::vector<std::string> descriptors; ///< the problem's, one at least
     std::size_t cells = 10;               ///< per descriptor, >= 1
@@ -92,9 +92,9 @@ inline MapElites map_elites(std::vector<std::string> descriptors, std::size_t ce
 
 /// The gradient emitter OMG-MEGA (Fontaine and Nikolaidis 2021, Differentiable quality diversity, Algorithm
 /// 1). It makes n children of random elites: theta + |c_0| grad f + sum_j c_j grad m_j, with normal c of
-/// standard deviation sigma. Gradients have unit length; genes are in widths between their bounds and are
-/// reflected there. f is minus the sum of squared residuals, or the fitness, if the problem has that
-/// derivative, which is paid for. m_j are the descriptors.
+/// standard deviation sigma. Gradients have unit length. Genes are divided by the distance between their
+/// bounds, and reflected at the bounds. f is minus the sum of squared residuals, or the fitness, if the
+/// problem has its derivative. The derivative counts as an evaluation. m_j are the descriptors.
 struct Emit : Operator {
     std::size_t n;                        ///< children
     std::vector<std::string> descriptors; ///< the problem's, one at least
@@ -152,7 +152,7 @@ struct Emit : Operator {
                         squares += std::pow(gradient[v.gene] * width(v), 2);
                 if (!(squares > 0) || !std::isfinite(squares))
                     return;
-                for (const Variable& v : moving) // a unit gradient in widths, converted to the gene's unit
+                for (const Variable& v : moving) // unit gradient, converted to the gene's unit
                     if (v.gene < gradient.size())
                         step[v.gene] += length * gradient[v.gene] * width(v) * width(v) / std::sqrt(squares);
             };
@@ -207,7 +207,8 @@ struct Emit : Operator {
         return all;
     }
 
-    /// The descriptor's gradient if it has one, else differences over a millionth of a width.
+    /// The descriptor's gradient if it has one, otherwise finite differences over a millionth of the distance
+    /// between bounds.
     template <Problem P>
     static std::vector<double> gradient_of(const P& problem, const Descriptor<typename P::Genome>& descriptor,
                                            const typename P::Genome& genome, const std::vector<double>& genes,

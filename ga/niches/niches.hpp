@@ -13,9 +13,9 @@ namespace ga {
 template <class P>
 concept HasDistance = Measured<P> || HasGenes<P> || Discrete<typename P::Genome>;
 
-/// The problem's `distance`, if it has one. For real genes it is the root mean square of the differences, in
-/// widths between the first genome's bounds. For discrete genes it is the share that differs. A gene that
-/// only one genome has counts as a difference of one width.
+/// The problem's `distance`, if it has one. For real genes it is the root mean square of the differences,
+/// each divided by the distance between the first genome's bounds. For discrete genes it is the share that
+/// differs. A gene that only one genome has counts as a difference of 1.
 template <HasDistance P>
 double distance(const P& problem, const typename P::Genome& a, const typename P::Genome& b) {
     if constexpr (Measured<P>) {
@@ -82,9 +82,9 @@ inline Clearing clear(double radius, std::size_t capacity = 1) {
 
 /// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). Two children of the
 /// same two parents are matched with these parents so that the sum of distances is smallest. A child that is
-/// better than its match replaces it in the generation's start, which is the result. A child with one parent,
-/// or without a sibling next to it, is matched with its nearer parent. Put `random | cross` before it to mate
-/// every individual once.
+/// better than its match replaces it in the generation's start, which is the result. A child that has one
+/// parent, or no sibling next to it, is matched with its nearest parent. Put `random | cross` before it to
+/// mate every individual once.
 struct Crowding : Operator {
     ///@{ What every operator has (Operator).
     static Words words() {

@@ -5,7 +5,7 @@
 
 namespace ga {
 
-/// The front of a population under several objectives, and how much of the space above a reference it
+/// The front of a population under several objectives, and the volume above a reference point that it
 /// dominates.
 template <class G>
 struct FrontEvent {

@@ -46,7 +46,7 @@ class Log {
         };
     }
 
-    /// Completes the table. A run that had already ended before it was resumed has its table.
+    /// Completes the table. If the run had already ended before it was resumed, its table is complete.
     void close() {
         if (position == 0)
             append("");

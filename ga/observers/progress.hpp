@@ -8,7 +8,7 @@
 
 namespace ga {
 
-/// The best fitness of the individuals that are scored under one objective and have not failed; none without
+/// The best fitness of the individuals that are scored under one objective and have not failed; empty without
 /// such an individual.
 template <class G>
 std::optional<double> best_value(const Population<G>& population) {
@@ -20,7 +20,7 @@ std::optional<double> best_value(const Population<G>& population) {
     return best ? std::optional(best->value()) : std::nullopt;
 }
 
-/// A population in four numbers.
+/// Four numbers that describe a population.
 struct Summary {
     std::size_t individuals = 0;  ///< scored or not
     std::optional<double> best;   ///< best fitness (see best_value)

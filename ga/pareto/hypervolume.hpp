@@ -42,8 +42,8 @@ inline double hypervolume(std::vector<Point> points, const Point& reference) {
 }
 
 /// The share of a fixed sample of 4096 points that the points dominate. It estimates the hypervolume for many
-/// objectives, weighted less far from `reference` (Zitzler, Brockhoff and Thiele 2007). A coordinate of the
-/// sample is the reference's plus width u/(1 - u), u uniform in (0, 1).
+/// objectives, with less weight far from `reference` (Zitzler, Brockhoff and Thiele 2007). A coordinate of
+/// the sample is the reference's plus width u/(1 - u), u uniform in (0, 1).
 inline double dominated_share(const std::vector<Point>& points, const Point& reference, const Point& width) {
     constexpr int count = 4096;
     Stream stream(reference.size());

@@ -8,7 +8,7 @@
 
 namespace ga {
 
-/// A pipeline whose caller makes the evaluations, in a loop:
+/// A pipeline that hands genomes to its caller for evaluation:
 ///
 ///     AskTell<P> search(sample(20) | score() | ..., problem);
 ///     while (auto questions = search.ask(); !questions.empty(); questions = search.ask())
@@ -93,7 +93,7 @@ class AskTell : Evaluator<P> {
     }
 
   private:
-    /// Opens the calls as questions and waits until they are answered, or the run must end.
+    /// Passes the calls to the caller as questions. Waits until they are answered or the run must end.
     void outcomes(const P&, std::span<Call<P>> calls, const Watch& watch) override {
         using namespace std::chrono_literals;
         std::unique_lock lock(guard_);

@@ -9,8 +9,8 @@
 
 namespace ga {
 
-/// Facts about a population at one place of a pipeline, known before it runs. Each stage checks its needs
-/// against them and updates them. A pipeline that cannot work throws a UsageError here.
+/// Facts about a population at one point of a pipeline, known before the pipeline runs. Each stage checks its
+/// needs against them and updates them. A pipeline that cannot work throws a UsageError here.
 struct CheckState {
     std::vector<std::string> objectives;     ///< the problem's; the first is the default
     std::optional<std::string> scored;       ///< the policy under which every individual is scored

@@ -19,7 +19,7 @@ constexpr double above_zero = std::numeric_limits<double>::min();
 
 /// One parameter of an operator: its name, kind, default, range and meaning.
 struct Parameter {
-    /// A real number, a whole one, a word, or all the words that are left.
+    /// A real number, a whole number, a word, or all remaining words.
     enum class Kind { number, whole, word, words };
 
     static constexpr double most = 1e9; ///< largest whole number
@@ -89,7 +89,7 @@ struct Parameter {
     return {std::move(name), Parameter::Kind::word, std::move(standard), -no_limit,
             no_limit,        std::move(meaning)};
 }
-/// A parameter that takes all the words that are left.
+/// A parameter that takes all remaining words.
 [[gnu::cold]] inline Parameter word_list(std::string name, std::string meaning) {
     return {std::move(name), Parameter::Kind::words, std::nullopt, -no_limit, no_limit, std::move(meaning)};
 }
@@ -106,7 +106,7 @@ struct Words {
 ///     static Words words();
 ///     static void describe(auto& self, auto visit) { visit(self.k, whole("k", "2", 1, "how many")); ... }
 /// @endcode
-/// Its text, its checks, its reading from text and its line in the listing follow from that.
+/// The engine derives its text form, parser, value checks and listing entry from this description.
 template <class T>
 concept Described = requires {
     { T::words() } -> std::same_as<Words>;
@@ -162,7 +162,7 @@ template <class T>
     });
     return fields;
 }
-/// The values of these parameters, as a pipeline writes them behind the name.
+/// The values of these parameters, as they follow the name in a pipeline's text.
 [[gnu::cold]] inline std::string values_in_words(const std::vector<Field>& fields) {
     std::string text;
     for (const Field& field : fields) {

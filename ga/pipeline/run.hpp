@@ -20,11 +20,11 @@ struct RunOptions {
 /// The result of a run.
 template <class G>
 struct Result {
-    /// The last population. If the run was stopped: its scored individuals and those kept from the
-    /// generation's start. Only those under the most frequent policy remain, best first.
+    /// The last population. If the run was stopped: scored individuals of its last population and of the
+    /// generation's start, best first. They all have the most frequent policy.
     Population<G> population;
     std::optional<Individual<G>> best; ///< the best of the whole run under the problem's first objective
-    Counters counters;                 ///< spent by the run
+    Counters counters;                 ///< evaluations and derivatives of the run
     std::vector<std::string> notes;    ///< remarks of stages, each under its path
     std::string stopped;               ///< why the run ended early; empty if it did not
     double seconds = 0;                ///< wall time, including that before each resumption
@@ -96,7 +96,7 @@ template <class G>
 }
 
 /// Scores a start population again if its objective has the name of one of this problem's, because another
-/// problem may have made the values. The best start is thus known to the run.
+/// problem may have made the values. The run then knows its best start.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))
@@ -114,7 +114,7 @@ template <Problem P>
     context.show(population);
 }
 
-/// Does the work of `run_by`, independent of the pipeline's type.
+/// Implements `run_by` for any type of pipeline.
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
 run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
@@ -168,9 +168,9 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
 
 /// Runs a pipeline on a population; `evaluator` makes every call of `evaluate` and every derivative. Throws
 /// UsageError before any evaluation if the pipeline cannot work. The same seed gives the same bits for any
-/// number of threads, any memory and any evaluator with the same outcomes. Only a run that ends on seconds or
-/// a stop may differ. A run that is resumed from its
-/// checkpoints gives the same bits, too.
+/// number of threads, any memory and any evaluator with the same outcomes. The result may differ only if a
+/// time limit or a stop request ends the run. A run that is resumed from its checkpoints gives the same bits,
+/// too.
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)

@@ -4,8 +4,8 @@
 
 namespace ga {
 
-/// Evaluates the individuals without a fitness under the objective. One outcome serves all objectives; known
-/// genomes are free.
+/// Evaluates the individuals without a fitness under the objective. One outcome gives the values of all
+/// objectives. A stored outcome is not computed again.
 struct Score : Operator {
     std::string objective; ///< empty: the problem's first
 
@@ -35,10 +35,10 @@ Score score(const Objective<Outcome>& objective) {
 }
 
 /// Gives each individual the mean fitness of n replicates of a noisy evaluation, in place of `score`. An
-/// individual that passes again, like the elite, gets n more until it has `limit`. So an individual does not
-/// stay the best by lucky draws. Known replicates are not evaluated again.
+/// individual that comes back in a later generation gets n more, until it has `limit`. So an individual does
+/// not stay the best only because of lucky draws. Known replicates are not evaluated again.
 struct Average : Operator {
-    std::size_t n = 2;     ///< replicates, and additional ones each time
+    std::size_t n = 2;     ///< replicates that each pass adds
     std::string objective; ///< empty: the problem's first
     std::size_t limit = 0; ///< maximum replicates of one individual; 0 for n
 

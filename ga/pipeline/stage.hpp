@@ -73,15 +73,16 @@ struct Then : Operator {
     Then(A a, B b) : first(std::move(a)), second(std::move(b)) {}
 };
 
-/// A pipeline: a list of operators, Population -> Population. `|` joins lists, so grouping does not matter.
+/// A pipeline: a list of operators, Population -> Population. `|` joins lists, so that parentheses have no
+/// effect.
 template <Problem P>
 class Stage {
   public:
     using Genome = typename P::Genome; ///< the problem's
 
     Stage() = default;
-    /// A pipeline of one operator, or of operators joined by `|`. What concepts can check fails when it is
-    /// compiled; other needs of the operators throw a UsageError.
+    /// A pipeline of one operator, or of operators joined by `|`. Needs that concepts can express are checked
+    /// when it is compiled. Other needs of the operators throw a UsageError.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(const Op& op) {
         static_assert(members_fit<P>());
@@ -97,7 +98,7 @@ class Stage {
             places_.back().written = place.written;
         }
     }
-    /// Stores text and column for the stages without these, for error messages.
+    /// Sets text and column for error messages, in stages that have none.
     void locate(const std::string& text, std::size_t column) {
         for (auto& place : places_)
             if (!place.written)
@@ -289,8 +290,8 @@ class Stage {
     std::vector<Place> places_;
 };
 
-/// Checks a body that runs in generations: the result of one must suit the next. `more` checks the facts
-/// after the first.
+/// Checks a body that runs in generations: the next generation must accept the result of one. `more` checks
+/// the facts after the first generation.
 template <Problem P, class More>
 [[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
                                     More more) {

@@ -11,15 +11,15 @@
 namespace ga {
 
 /// A steady-state search that never waits for the slowest evaluation (asynchronous master and workers). Each
-/// question is a child of the individuals known at that time, and each answer is used as soon as it comes.
+/// question is a child of the individuals known at that time, and each answer is used as soon as it arrives.
 ///
 ///     SteadyState<P> search(sample(40), tournament(2, 1) | mutate(0.1), plus(), problem);
 ///     search.ask();              // a question for each worker, at any time
 ///     search.tell(id, outcome);  // in any order
 ///     search.result();
 ///
-/// The order of questions and answers decides the result, so it is logged. A replayed log gives the same bits
-/// for the same outcomes. Not safe to use from several threads; `run_steady` is.
+/// The order of questions and answers affects the result, so it is logged. Replaying the log with the same
+/// outcomes gives the same bits. Not safe to use from several threads; `run_steady` is.
 template <Problem P>
 class SteadyState {
   public:
@@ -38,7 +38,7 @@ class SteadyState {
         Reason failure = {}; ///< why the evaluation failed
     };
 
-    /// `start` makes the first population; its size stays. `breed` makes unscored children of the known
+    /// `start` makes the first population, whose size is kept. `breed` makes unscored children of the known
     /// individuals. `replace` gets one scored child, reads the population as the generation's start and makes
     /// the next population (`plus`, `steady`, `crowding`). The problem's first objective scores. The time
     /// budget begins here. Throws UsageError if a stage cannot work.

@@ -7,11 +7,11 @@
 
 namespace ga {
 
-/// All individuals, as a number of individuals.
+/// A number of individuals that stands for all.
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
 /// Ranks by Deb's rules (2000): feasible before infeasible, less violation before more, then the greater
-/// merit; failed last. -1 for the first class, -2 for the next and so on; ties share a class.
+/// merit. Failed ones are last. The first class is -1, the next -2 and so on. Ties share a class.
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     const auto key = [&](std::size_t i) {
         const Fitness& f = *all[i];
@@ -123,7 +123,7 @@ Population<G> start_of_generation(const Population<G>& population, std::size_t r
     return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
-/// Undoes the levels of `epsilon`: constraints hold again only without violation.
+/// Removes the levels of `epsilon`: constraints hold only without violation.
 template <class G>
 Population<G> strict(Population<G> population) {
     for (auto& individual : population)

@@ -189,7 +189,7 @@ class Parents {
 };
 
 /// A genome with its identity and fitness. The identity stays when it is scored, refined or transformed.
-/// Crossed, or mutated after scoring, it becomes a new individual with this one as a parent.
+/// Cross-over, or mutation after scoring, makes a new individual with this one as a parent.
 template <class G>
 struct Individual {
     G genome{};                      ///< the genome

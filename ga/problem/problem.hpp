@@ -26,8 +26,8 @@ struct Objective {
 };
 
 /// All that ga knows of a domain: a genome, the expensive call `evaluate`, and objectives of its outcome.
-/// `evaluate` is pure: it is called from several threads and its outcomes are remembered; it may throw. There
-/// is at least one objective; `score()` uses the first.
+/// `evaluate` is pure: it is called from several threads, and its outcomes are stored. It may throw. There is
+/// at least one objective; `score()` uses the first.
 template <class P>
 concept Problem = requires(const P& problem, const typename P::Genome& genome) {
     requires std::copyable<typename P::Genome>;
@@ -44,7 +44,8 @@ concept Noisy = Problem<P> &&
     { problem.evaluate(genome, replicate) } -> std::same_as<typename P::Outcome>;
 };
 
-/// Optional: bytes as identity of a genome, if ga cannot read its bits or several genomes have one outcome.
+/// Optional: bytes that identify the genome, if ga cannot read its bits or several genomes have the same
+/// outcome.
 template <class P>
 concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
     { problem.key(genome) } -> std::convertible_to<std::string>;
@@ -230,8 +231,8 @@ template <class Member>
 constexpr bool is_function_member =
     std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// Gives a compile-time error with the name of a member that does not fit its concept; otherwise a wrong
-/// signature would be ignored. Overloaded and templated members are not checked.
+/// Gives a compile-time error with the name of a member that does not fit its concept. Without this check a
+/// member with a wrong signature would be ignored. Overloaded and templated members are not checked.
 template <class P>
 constexpr bool members_fit() {
 #define GA_MEMBER_FITS(member, Concept)                                                                      \
@@ -261,9 +262,10 @@ constexpr bool members_fit() {
     return true;
 }
 
-/// Whether a genome from outside the run may enter it: a start, one of a checkpoint or one that another
-/// language has made. A permutation must have each number once. If the problem has `valid`, it decides about
-/// all else. Otherwise, in a vector of double, every gene that has bounds must exist and be finite.
+/// Whether a genome from outside the run is usable. It may come from a start population, a checkpoint or a
+/// program in another language. A permutation must have each number once. If the problem has `valid`, it
+/// decides about other genomes. Otherwise, in a vector of double, every gene that has bounds must exist and
+/// be finite.
 template <Problem P>
 bool is_valid(const P& problem, const typename P::Genome& genome) {
     if constexpr (std::same_as<typename P::Genome, Permutation>)
@@ -279,7 +281,7 @@ bool is_valid(const P& problem, const typename P::Genome& genome) {
         return true;
 }
 
-/// The fingerprint under which the genome's outcome is remembered.
+/// The fingerprint under which the genome's outcome is stored.
 template <Problem P>
 Fingerprint identify(const P& problem, const typename P::Genome& genome) {
     if constexpr (Keyed<P>)

@@ -34,9 +34,9 @@ inline bool dominates(const Point& a, const Point& b) {
     return better;
 }
 
-/// The front of each point, from 0 (Deb, Pratap, Agarwal and Meyarivan 2002): without fronts 0 to r-1, no
-/// point dominates those of front r. Points are sorted so that no later point dominates an earlier one; each
-/// is compared only with earlier points (Zhang, Tian, Cheng and Jin 2015).
+/// The front of each point, from 0 (Deb, Pratap, Agarwal and Meyarivan 2002). No point dominates those of
+/// front r after fronts 0 to r-1 are removed. Points are sorted so that no later point dominates an earlier
+/// one; each is compared only with earlier points (Zhang, Tian, Cheng and Jin 2015).
 inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
     const std::vector<std::size_t> order =
         in_order(points.size(), [&](std::size_t a, std::size_t b) { return points[a] > points[b]; });

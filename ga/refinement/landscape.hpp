@@ -8,8 +8,8 @@
 
 namespace ga {
 
-/// The search space around one genome: a box of n variables and functions of a point x in it. Each call is
-/// paid and counted. `exhausted` is true when the evaluations are spent or the run must stop.
+/// The search space around one genome: a box of n variables and functions of a point x in it. Each call
+/// counts as an evaluation. `exhausted` is true when the evaluations are spent or the run must stop.
 struct Landscape {
     Eigen::VectorXd start; ///< n, inside the box
     Eigen::VectorXd lower; ///< n

@@ -66,7 +66,7 @@ inline ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations});
 
 /// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
 /// LD_MMA). The problem is smooth: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
-/// variable. `mma` sees one row at a time; this method sees all.
+/// variable. `mma` uses one row at a time, and this method all rows.
 struct Minimax {
     static constexpr bool on_residuals = true; ///< and on their derivatives
 

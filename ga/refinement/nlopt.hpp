@@ -110,8 +110,8 @@ inline int algorithm_number(const std::string& name) {
     return found;
 }
 
-/// Any NLopt algorithm that works alone in a box, maximising the fitness; those that take inequality
-/// constraints without gradients (`takes_constraints`) get the problem's.
+/// Any NLopt algorithm that works in a box without a second optimiser. It maximises the fitness. Algorithms
+/// that take inequality constraints without gradients (`takes_constraints`) get those of the problem.
 struct Nlopt {
     static constexpr bool on_residuals = false; ///< it sees the fitness
 
@@ -126,8 +126,8 @@ struct Nlopt {
     }
     void validate() const { algorithm_number(algorithm); }
     bool needs_gradient() const { return algorithm[1] == 'D'; }
-    /// Whether the algorithm gets the problem's constraints; to others a point that violates one has no
-    /// fitness. Those of its algorithms with gradients would need gradients of the constraints.
+    /// Whether the algorithm gets the problem's constraints. For other algorithms a point that violates one
+    /// has no fitness. Algorithms with gradients would need gradients of the constraints.
     bool takes_constraints() const {
         return algorithm == "LN_COBYLA" || algorithm == "GN_ISRES" || algorithm.starts_with("GN_ORIG_DIRECT");
     }

@@ -77,7 +77,7 @@ class Search {
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
-    /// Makes a request, unless the run has to stop or the limit is reached; then it stays unanswered.
+    /// Makes a request. It stays unanswered if the run has to stop or the limit is reached.
     void ask(EvaluationRequest<P>& request) {
         if (stopped_ || asked_ >= limit_)
             return;

@@ -4,9 +4,9 @@
 
 namespace ga {
 
-/// Brings back the k best of the generation's start in place of the worst. An individual that is still there
-/// is not doubled, and a better individual is never replaced by a worse one. Under several objectives both
-/// populations are ranked together first.
+/// Brings back the k best of the generation's start in place of the worst. An individual that is still in the
+/// population is not added again, and a better individual is never replaced by a worse one. Under several
+/// objectives both populations are ranked together first.
 struct Elite : Operator {
     std::size_t k = 1; ///< individuals that come back, >= 1
     ///@{ What every operator has (Operator).

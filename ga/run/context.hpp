@@ -6,9 +6,9 @@
 
 namespace ga {
 
-/// The state that stages share while a pipeline runs: the current position, the queue of evaluations with the
-/// ledger behind it, and the run's state. There is one for the run, one for each
-/// island and one for each derived problem.
+/// The state that stages share while a pipeline runs: the current position, the queue of evaluations, the
+/// ledger and the run's state. There is one for the run, one for each island and one for each derived
+/// problem.
 template <Problem P>
 class Context {
   public:
@@ -65,7 +65,7 @@ class Context {
     EvaluationQueue<P>& door() { return door_; }           ///< makes evaluations
     const Watch& watch() const { return ledger_.watch(); } ///< the time in this process
     Counters& counters() { return ledger_.counters; }      ///< spent so far
-    /// Threads for other work than evaluations; does not affect a result. One on an island.
+    /// Threads for work other than evaluations. Does not affect a result. One on an island.
     int threads() const { return this == &root_ ? ledger_.evaluator().threads() : 1; }
 
     Stream stream(std::size_t index) const { return position.stream(index); } ///< see StagePosition
@@ -115,8 +115,8 @@ class Context {
             },
             patience);
     }
-    /// Calls assign(individual, evaluation), which sets the fitness, for every individual with
-    /// wanted(individual), with an evaluation if needed.
+    /// Evaluates every individual for which wanted(individual) is true, unless its outcome is known. Then
+    /// calls assign(individual, evaluation), which sets the fitness.
     template <class Wanted, class Assign>
     void visit(Population<Genome>& population, Wanted wanted, Assign assign,
                Patience patience = Patience::none) {
@@ -147,8 +147,8 @@ class Context {
     }
 
     /// Adds n replicates of a noisy evaluation to each individual that has not failed, up to max(n, limit) in
-    /// all. Sets its fitness to the mean of all its replicates. Known replicates are not evaluated again. One
-    /// failed replicate fails the individual.
+    /// all. Sets its fitness to the mean of all its replicates. Known replicates are not evaluated again. If
+    /// one replicate fails, so does the individual.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -192,7 +192,7 @@ class Context {
             (!best || better(individual.fitness, best->fitness)))
             best = individual;
     }
-    /// None before the first score.
+    /// The best individual so far; none before the first score.
     const std::optional<Individual<Genome>>& best() const { return root_.state.best; }
     /// The name of the objective at that position.
     Name objective_name(std::size_t place) const { return names_[place]; }

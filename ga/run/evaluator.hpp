@@ -70,9 +70,9 @@ void differentiate(const P& problem, Slope<P>& slope) {
     }
 }
 
-/// Makes the calls that are not answered from memory. Derive from it to make them elsewhere: in processes, on
-/// other machines, by a surrogate. The engine manages memory, counts and budget before it calls this class.
-/// It is called from one thread at a time. Its answers must not depend on the order of its calls.
+/// Makes the calls that are not answered from memory. Derive from it to evaluate in other processes, on other
+/// machines or with a surrogate. The engine manages memory, counts and budget before it calls this class. It
+/// is called from one thread at a time. Its answers must not depend on the order of its calls.
 template <Problem P>
 class Evaluator {
   public:
@@ -84,7 +84,7 @@ class Evaluator {
         for (Slope<P>* slope : slopes)
             differentiate(problem, *slope);
     }
-    /// Runs job(0) .. job(n-1), in any order: other work than evaluations.
+    /// Runs job(0) .. job(n-1), in any order. Used for work other than evaluations.
     virtual void each(std::size_t n, const std::function<void(std::size_t)>& job) {
         for (std::size_t i = 0; i < n; ++i)
             job(i);
@@ -103,7 +103,8 @@ class Serial : public Evaluator<P> {
     }
 };
 
-/// Spreads the calls over threads. Each thread takes the next call, so that all are busy if costs differ.
+/// Distributes the calls over threads. Each thread takes the next call, so that all are busy even if costs
+/// differ.
 template <Problem P>
 class OnThreads : public Evaluator<P> {
   public:

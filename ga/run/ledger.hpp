@@ -29,7 +29,7 @@ struct EvaluationRequest {
             nullptr; ///< set by the queue; null or pending if the run had to end
     };
 
-    std::vector<Question> questions;    ///< paid in this order
+    std::vector<Question> questions;    ///< counted in this order
     std::vector<Slope<P>*> slopes;      ///< derivatives
     Patience patience = Patience::none; ///< see Patience
     std::function<void()> use =
@@ -38,8 +38,8 @@ struct EvaluationRequest {
     std::exception_ptr error = {}; ///< set by the queue: Stopped, NothingLeft, or the exception of `use`
 };
 
-/// Takes all requests for evaluations. The ledger is one; a block that runs several threads puts another in
-/// front of it.
+/// Takes all requests for evaluations. The ledger is such a queue. A block that runs several threads puts
+/// another one before it.
 template <Problem P>
 class EvaluationQueue {
   public:
@@ -55,9 +55,9 @@ class EvaluationQueue {
     }
 };
 
-/// Manages memory, budget and counts in front of an evaluator. Known outcomes are not evaluated again;
-/// budgets are exact to one call. Questions are answered in their order, so the number of threads does not
-/// matter.
+/// Manages memory, budget and counts for an evaluator. Known outcomes are not evaluated again, and budgets
+/// are exact to one call. Questions are answered in their order, so the number of threads does not affect a
+/// result.
 template <Problem P>
 class Ledger : public EvaluationQueue<P> {
   public:
@@ -97,7 +97,8 @@ class Ledger : public EvaluationQueue<P> {
     Counters counters;      ///< spent by the run so far
     Memory<Outcome> memory; ///< the known evaluations
 
-    /// Restores from an earlier ledger whether an evaluation succeeded, and the largest outcome.
+    /// Restores two values of an earlier ledger: whether an evaluation succeeded, and the size of the largest
+    /// outcome.
     void resume(bool succeeded, std::size_t heaviest) {
         succeeded_ |= succeeded;
         heaviest_ = std::max(heaviest_, heaviest);
@@ -112,7 +113,7 @@ class Ledger : public EvaluationQueue<P> {
     /// Keeps the memory within its bound. Called only between two stages: an interrupted stage is repeated,
     /// so its evaluations must stay distinct from earlier ones.
     void forget_old() { memory.forget_old(heaviest_ + bookkeeping); }
-    std::size_t heaviest() const { return heaviest_; } ///< bytes of the largest outcome or reason so far
+    std::size_t heaviest() const { return heaviest_; } ///< bytes of the largest outcome or failure message
 
     /// Throws NothingLeft if every evaluation failed.
     void expect_success() const {
@@ -121,7 +122,7 @@ class Ledger : public EvaluationQueue<P> {
                               " evaluations failed; the first: " + *first_failure_);
     }
 
-    /// Adds an evaluation that was paid in a stage whose counts were lost. It counts as paid when it is
+    /// Adds an evaluation that was made in a stage whose counts were lost. It is counted when it is
     /// requested.
     void prepay(const Fingerprint& print, Evaluation<Outcome> evaluation) {
         prepaid_.at(print) = std::move(evaluation);

@@ -93,10 +93,10 @@ class Table {
     std::size_t room_ = 0;                         ///< number of entries at which the index must grow
 };
 
-/// Evaluations by fingerprint in bounded memory. When the young half is full, the old half is forgotten and
-/// the young one becomes the old one. An evaluation that is read in the old half becomes young again. Only
-/// the order of requests decides what is forgotten, and evaluations are pure, so forgetting costs time but
-/// does not affect a result.
+/// Evaluations by fingerprint in bounded memory. It has two halves, `young` and `old`. When the young half is
+/// full, the old half is removed and the young one becomes the old one. An evaluation that is read in the old
+/// half becomes young again. Only the order of requests decides which evaluations are removed. Removing them
+/// costs time but does not affect a result, because evaluations are pure.
 template <class Outcome>
 class Memory {
   public:
@@ -119,7 +119,7 @@ class Memory {
             place = *known;
         return place;
     }
-    /// Null if it is not remembered.
+    /// The evaluation, or null if it is not in memory.
     const Evaluation<Outcome>* find(const Fingerprint& print) {
         for (auto* half : {&young, &old})
             if (const auto* found = half->find(print); found && !std::holds_alternative<Pending>(*found))

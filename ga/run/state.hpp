@@ -50,14 +50,14 @@ class StagePosition {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The best individuals at the start of the innermost generation, as many as `elite` and `plus` read;
-    /// `epsilon` changes their fitness.
+    /// The best individuals at the start of the innermost generation, as many as its stages read. `epsilon`
+    /// may change their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
-    /// Marks a place of the pipeline as the current one during its lifetime. Ordinal 0 is not shown.
+    /// Makes a stage of the pipeline the current one during its lifetime. Ordinal 0 is not shown.
     class Scope {
       public:
-        /// Enters the place of that name.
+        /// Enters the stage of that name.
         Scope(StagePosition& position, Name name, std::size_t ordinal) : position_(position) {
             const std::uint64_t key = fold(fold(position.places_.back().inner, name.text()), ordinal);
             position.places_.push_back({name, ordinal, key, key, {}});
@@ -68,12 +68,12 @@ class StagePosition {
       private:
         StagePosition& position_;
     };
-    /// One pass through the current block, during its lifetime: the stages inside draw different random
+    /// One pass through the current block, during its lifetime. The stages inside draw different random
     /// numbers in each pass.
     class Round {
       public:
-        /// Begins pass `number`, from 0. Stages read `start`, which must outlive it, as the generation's
-        /// start; if it is null they read the enclosing block's.
+        /// Begins pass `number`, from 0. `start` is the generation's start and must outlive this object. If
+        /// it is null, stages use the enclosing block's start.
         Round(StagePosition& position, std::size_t number, Population<G>* start = nullptr)
             : position_(position), has_start_(start != nullptr) {
             Place& place = position.places_.back();
@@ -115,10 +115,11 @@ class HeldState {
 
   public:
     HeldState() = default;
-    /// A state as a checkpoint stores it; its operator reads it when it runs.
+    /// A state in the format of a checkpoint. Its operator reads it when it runs.
     explicit HeldState(Stored stored) : value_(std::move(stored)) {}
 
-    /// The state as an S, a new one at first. Throws UsageError if the checkpoint stores something else.
+    /// The state as type S. The first call creates it or reads the stored state. Throws UsageError if the
+    /// checkpoint stores another type.
     template <class S>
     S& as() {
         if (S* known = std::any_cast<S>(&value_))
@@ -133,7 +134,7 @@ class HeldState {
         write_ = [](const std::any& value, nlohmann::json& j) { to_json(j, *std::any_cast<S>(&value)); };
         return value_.emplace<S>(std::move(made));
     }
-    /// Writes it as a checkpoint stores it.
+    /// Writes the state in the format of a checkpoint.
     template <class Json>
     void write(Json& j) const {
         if (const Stored* stored = std::any_cast<Stored>(&value_))
@@ -190,28 +191,28 @@ struct Event {
 template <class G>
 using Observer = std::function<void(const Event<G>&)>;
 
-/// All that a block of stages needs to continue from its current point. The frames of the open blocks are the
-/// whole state of a run, so a checkpoint is their list.
+/// All that a block of stages needs to continue from its current point. The frames of the open blocks say at
+/// which point a run continues. A checkpoint contains them and the other members of Snapshot.
 template <class G>
 struct Frame {
-    std::size_t next = 0;                     ///< the block's count: the stage or generation to come
-    Population<G> population;                 ///< the one that has reached this point
+    std::size_t next = 0;                     ///< index of the block's next stage or generation
+    Population<G> population;                 ///< the current population at this point
     std::vector<Population<G>> kept;          ///< populations that the block stores
     std::vector<std::vector<double>> numbers; ///< numbers that the block and its rules store
     std::map<std::string, HeldState> states;  ///< states of the operators inside, by path
 };
 
-/// A run between two stages: all it needs to continue.
+/// The state of a run between two stages, from which it can continue.
 template <class G>
 struct Snapshot {
     std::list<Frame<G>> frames;        ///< one per open block, outermost first; empty when the run is done
     Counters counters;                 ///< spent so far
-    Identity next_identity = 0;        ///< the next child's
+    Identity next_identity = 0;        ///< identity of the next child
     std::optional<Individual<G>> best; ///< under the problem's first objective
     std::vector<std::string> notes;    ///< remarks so far
     double seconds = 0;                ///< spent so far, in all processes of the run
-    std::size_t remembered = 0;        ///< evaluations in the memory's young half at that time
-    std::size_t heaviest = 0;          ///< bytes of the largest outcome or reason so far
+    std::size_t remembered = 0;        ///< number of evaluations in the newer half of the memory (memory.hpp)
+    std::size_t heaviest = 0;          ///< bytes of the largest outcome or failure message so far
 };
 
 /// All that a run needs to be resumed: frames of open blocks, identities, the best so far and the notes. A
@@ -220,11 +221,11 @@ template <class G>
 class RunState {
   public:
     /// @param next  the first new individual's identity; greater than any in the population
-    /// @param step  between two new identities
+    /// @param step  difference of two successive identities
     explicit RunState(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
 
-    Identity next_identity;               ///< the next new individual's
-    Identity identity_step;               ///< from one to the next
+    Identity next_identity;               ///< identity of the next new individual
+    Identity identity_step;               ///< difference of two successive identities
     std::list<Frame<G>> frames;           ///< one per open block, outermost first
     std::list<Frame<G>> saved;            ///< frames of blocks that will open again after a resume
     std::vector<Frame<G>*> loops;         ///< frames of blocks whose stages run repeatedly
@@ -239,7 +240,7 @@ class RunState {
         else
             ++more_notes_;
     }
-    /// In the order they were made.
+    /// The remarks, in the order they were made.
     std::vector<std::string> notes() const {
         std::vector<std::string> all = notes_;
         if (more_notes_ > 0)
@@ -252,8 +253,8 @@ class RunState {
     /// Holds a block's frame during its lifetime: a new one, or the saved one when a run is resumed.
     class OpenFrame {
       public:
-        /// Opens it with the first population; a resumed frame brings another. `loops` marks a block whose
-        /// stages run repeatedly.
+        /// Opens a frame with `population`. A resumed frame keeps its stored population instead. `loops`
+        /// marks a block whose stages run repeatedly.
         OpenFrame(RunState& run, Population<G> population, bool loops = false) : run_(run), loops_(loops) {
             const std::size_t depth = run.frames.size();
             resumed_ = depth < run.saved.size();
@@ -292,7 +293,7 @@ class RunState {
     std::size_t more_notes_ = 0;
 };
 
-/// Writes a run down while it proceeds, so that it can continue after its process has ended.
+/// Saves a run while it proceeds, so that it can be resumed after its process has ended.
 template <Problem P>
 class Checkpointer {
   public:
@@ -300,17 +301,17 @@ class Checkpointer {
     using Taken = Snapshot<Genome>;    ///< a run between two stages
 
     virtual ~Checkpointer() = default;
-    /// Called with the run's identity before the pipeline starts. Returns the stored run, if there is one;
-    /// the ledger gets its memory back.
+    /// Called with the run's identity before the pipeline starts. Returns the stored run, if there is one,
+    /// and restores the ledger's memory.
     virtual std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) = 0;
     /// The pipeline's answer, if the run that `begin` found had already ended.
     virtual std::optional<Population<Genome>> answer() const = 0;
     /// Whether it is time to write, this many seconds after the run began.
     virtual bool due(double seconds) const = 0;
-    /// Writes the run; with its answer when it is done.
+    /// Writes the run. `answer` is given when the run is done.
     virtual void write(const Taken& snapshot, const Ledger<P>& ledger,
                        const Population<Genome>* answer = nullptr) = 0;
-    /// Says what could not be written; empty if everything was.
+    /// Says what could not be written. Empty if all writes succeeded.
     virtual std::string trouble() const { return {}; }
 };
 

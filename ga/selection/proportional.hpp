@@ -8,7 +8,7 @@ namespace ga {
 
 /// Weights by the fitness above the worst (windowing), so that any fitness is allowed and the worst is never
 /// chosen. If all are equal, the weights are equal. Failed individuals have weight 0; so have infeasible ones
-/// if there are feasible ones.
+/// if any is feasible.
 struct ByFitness {
     /// In [0, 1], one per individual.
     template <class G>

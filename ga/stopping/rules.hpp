@@ -24,7 +24,7 @@ struct AfterGenerations : StoppingRule {
     ///@}
 };
 
-/// Ends after n requested evaluations since the block began, paid or remembered.
+/// Ends after n requested evaluations since the block began, including those answered from memory.
 struct AfterEvaluations : StoppingRule {
     long n = 1; ///< >= 1
 
@@ -140,8 +140,8 @@ struct AtConvergence : StoppingRule {
 };
 
 /// The end of a block of generations: the first of these rules that holds, checked before every generation.
-/// Give at least one: `until({.evaluations = 10000, .fitness = 0.99}, body)`. Only a run that ends on seconds
-/// cannot be repeated bit for bit.
+/// Give at least one: `until({.evaluations = 10000, .fitness = 0.99}, body)`. Only a run that ends because of
+/// `seconds` cannot be repeated bit for bit.
 struct Until {
     std::optional<std::size_t> generations = std::nullopt; ///< completed generations
     std::optional<long> evaluations = std::nullopt;        ///< requested evaluations since the block began

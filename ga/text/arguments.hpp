@@ -68,7 +68,7 @@ class Arguments {
         if constexpr (requires { described.validate(); })
             described.validate();
     }
-    /// Refuses the value of a parameter, at its column.
+    /// Throws the error for the value of a parameter, with its column.
     [[noreturn]] void refuse(const std::string& name, const std::string& message) const {
         throw TextError(where_, values_.at(name).front().column, message);
     }

@@ -5,8 +5,8 @@
 #include "ga/text/vocabulary.hpp"
 
 /// @file
-/// Compiles the text pipelines of a problem in only one file of a program, because they take the compiler
-/// longest. Write `GA_PIPELINES_ELSEWHERE(Knapsack)` behind the problem's definition in its header and
+/// Compiles the text pipelines of a problem in only one file of a program, because they compile slowly. Write
+/// `GA_PIPELINES_ELSEWHERE(Knapsack)` after the problem's definition in its header and
 /// `GA_PIPELINES_HERE(Knapsack)` in one source file, both at global scope. Without them every file that reads
 /// text pipelines compiles them again.
 

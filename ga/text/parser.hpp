@@ -38,7 +38,7 @@ class Parser {
   private:
     static constexpr std::size_t most_stages = 10000;
 
-    /// Forgets the previous text, whether it was read or refused.
+    /// Resets the state of the previous text.
     [[gnu::cold]] void begin() {
         open_.clear();
         stages_ = 0;

@@ -12,7 +12,7 @@ template <Problem P>
 class Registry {
   public:
     using Genome = typename P::Genome; ///< the problem's
-    /// The pipelines in braces behind a stage.
+    /// The pipelines in braces after a stage.
     using Bodies = std::vector<Stage<P>>;
     /// Makes a stage from its arguments.
     using Make = std::function<Stage<P>(const Arguments&, const Bodies&, const Registry&)>;
@@ -24,10 +24,10 @@ class Registry {
         std::string group;                 ///< heading in the listing
         std::string meaning;               ///< one line
         std::vector<Parameter> parameters; ///< in the order they may be given without their names
-        std::string lacks = {};            ///< need that the genome or problem lacks; empty if it works
-        std::size_t bodies = 0;            ///< pipelines in braces it takes, 0 or 1
-        bool pairs_of_words = false;       ///< arguments read "fitness 0.99" for fitness=0.99
-        Make make = {};                    ///< empty if it lacks something
+        std::string lacks = {};      ///< need that the problem does not meet; empty if the operator works
+        std::size_t bodies = 0;      ///< pipelines in braces it takes, 0 or 1
+        bool pairs_of_words = false; ///< arguments read "fitness 0.99" for fitness=0.99
+        Make make = {};              ///< empty if it lacks something
     };
 
     /// Adds an operator; make(arguments, bodies, registry) returns its stage. Throws UsageError if the name
@@ -53,7 +53,8 @@ class Registry {
                 return Stage<P>(std::move(op));
             });
     }
-    /// Adds an operator if `possible`; otherwise it is only listed, with the need that the problem lacks.
+    /// Adds an operator if `possible`. Otherwise it is only listed, with the need that the problem does not
+    /// meet.
     template <bool possible, Described Op>
     void add_if(const std::string& lacks) {
         if constexpr (possible) {

@@ -14,7 +14,7 @@ const char* const exchangeable = "genes that may change places";
 } // namespace words
 
 /// The engine's operators for a type of problem. Operators that do not work for its genome are listed with
-/// their need. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
+/// the reason. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
 /// learning operators and niches.
 template <Problem P>
 Registry<P> vocabulary() {

@@ -21,8 +21,8 @@ concept Crosses = Problem<P> &&
 };
 
 /// Crosses neighbours: the first with the second, the third with the fourth and so on, each pair with
-/// probability `rate`. An odd last one stays. The two children replace their parents, unscored. Put `random`
-/// before it to shuffle the pairs.
+/// probability `rate`. If the number is odd, the last one is not changed. The two children replace their
+/// parents, unscored. Put `random` before it to shuffle the pairs.
 template <class Way>
 struct Cross : Operator {
     Way way;         ///< crosses two genomes (Crosses)
@@ -218,9 +218,9 @@ struct Uniform {
 /// `uniform` of cross.
 inline Uniform uniform() { return {}; }
 
-/// Order cross-over (Davis 1985). Each child keeps a piece of one parent in place. The other numbers follow
-/// from the end of that piece, in the order of the other parent. Permutations of unequal length stay as they
-/// are.
+/// Order cross-over (Davis 1985). Each child keeps a piece of one parent at its position. The other numbers
+/// follow from the end of that piece, in the order of the other parent. Permutations of unequal length stay
+/// as they are.
 struct Order {
     ///@{ What every cross-over has (Crosses).
     static Words words() {

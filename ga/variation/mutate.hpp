@@ -16,8 +16,8 @@ concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typen
     { way(problem, genome, chance, stream) } -> std::same_as<bool>;
 };
 
-/// Mutates every individual. An individual that changes loses its fitness; if it was scored, it becomes a
-/// child of itself.
+/// Mutates every individual. An individual that changes loses its fitness. If it was scored, the result is a
+/// new individual with the old one as parent.
 template <class Way>
 struct Mutate : Operator {
     double rate = 0; ///< probability for each gene, [0, 1]
@@ -96,7 +96,7 @@ inline double width(const Variable& variable) {
 /// within plus or minus `size`.
 template <bool normal>
 struct GeneStep {
-    double size = 0.1; ///< in widths between the bounds, > 0
+    double size = 0.1; ///< as a fraction of the distance between the bounds, > 0
     ///@{ What every mutation has (Mutates).
     static Words words() {
         return {normal ? "gaussian" : "uniform", "mutation",
@@ -123,7 +123,7 @@ using UniformStep = GeneStep<false>; ///< `mutate RATE uniform`
 
 /// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds with a density
 /// that falls as (1 - |step| / width)^eta. A gene outside its bounds starts at the nearer bound. If a bound
-/// is infinite, the width is 1; the other bound is never passed.
+/// is infinite, the width is 1. A finite bound is never passed.
 struct Polynomial {
     double eta = 20; ///< a greater eta gives smaller steps
     ///@{ What every mutation has (Mutates).
