@@ -37,13 +37,14 @@ struct CmaEs : Operator {
 
     ///@{ What every operator has (Operator).
     static Words words() {
-        return {
-            "cma-es", "adaptation",
-            "children of a normal distribution that learns from the previous ones (Hansen and Ostermeier)"};
+        return {"cma-es", "adaptation",
+                "children drawn from a normal distribution that adapts to earlier children (Hansen and "
+                "Ostermeier)"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.sigma,
-              number("sigma", "0.3", above_zero, no_limit, "first step, in widths between bounds").keyed());
+        visit(self.sigma, number("sigma", "0.3", above_zero, no_limit,
+                                 "first step, as a fraction of the distance between bounds")
+                              .keyed());
         visit(self.population, whole("population", "0", 0, "children of the first run; 0 for 4 + 3 ln n")
                                    .up_to(1e6)
                                    .keyed()
