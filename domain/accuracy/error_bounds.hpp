@@ -6,7 +6,7 @@
 #include <vector>
 
 /// @file
-/// How far a curve's pressures may be from the exact ones: bounds, estimates, and relative errors.
+/// Bounds, estimates and relative errors of a curve's pressures.
 namespace rough {
 
 /// Errors of pressures below this share of the last pressure are relative to that share of it.
@@ -32,22 +32,22 @@ struct Doubt {
     Eigen::VectorXd pressure;   ///< MPa, one per row
     Eigen::VectorXd difference; ///< MPa, one per row
 
-    /// The doubt when the first `rows` rows are known and the other ones are moved by `offset` (MPa) to join
+    /// The errors if the first `rows` rows are known and the other rows are shifted by `offset` (MPa) to join
     /// them.
     Doubt known_up_to(Index rows, double offset) const;
 };
-/// Adds doubts of independent sources.
+/// Adds errors of independent sources.
 Doubt operator+(const Doubt& a, const Doubt& b);
 
-/// The doubt of pressures whose exact values lie within bounds.
+/// The largest errors of pressures whose exact values lie within bounds.
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
 /// Each row's largest error, relative to the exact pressure and secant. The exact values may be below the
-/// curve's by the doubt; the error is infinite if they may be 0.
+/// curve's by `doubt`. The error is infinite if they may be 0.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
-/// Number of first rows that must be known, so that the other rows are within `accuracy` once they are moved
-/// to join them. All rows, if fewer do not suffice.
+/// Number of first rows that must be known, so that the other rows are within `accuracy` after they are
+/// shifted to join them. The number of all rows if fewer are not enough.
 Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
 
 /// The largest relative error over the rows, in pressure and in secant stiffness, of pressures against
@@ -81,7 +81,7 @@ Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body&
                        const std::vector<double>& displacements, const ContactOptions& options = {});
 
 /// Bounds of the whole profile's pressures from one curve of the reduced profile, P'(Delta_j) with tangents
-/// K'_j. It needs one step more, at Delta_n - lowest or beyond. P' is convex, so
+/// K'_j. It needs one additional step, at Delta_n - lowest or beyond. P' is convex, so
 ///
 ///     P'_j - highest K'_j <= P'(Delta_j - highest),   P'(Delta_j - lowest) <= P'_j - lowest K'_j+
 ///
@@ -99,9 +99,9 @@ struct Extrapolation {
 ///
 /// Grid errors are not monotone in N. Each contact edge falls anywhere between two nodes, so its error has a
 /// random sign, and its size falls as N^-1.5 to N^-2. Two grids would extrapolate this scatter. Over more
-/// grids it averages out, and its size shows how far to trust the line. The doubt of a row is the larger of
-/// the extrapolated distance and the line's standard error, times 2.3. With three grids it is times 3. Both
-/// factors were tuned on random scenes (README.md).
+/// grids the scatter averages out, and its size shows the error of the line. The doubt of a row is the larger
+/// of the extrapolated distance and the line's standard error, times 2.3. With three grids it is times 3.
+/// Both factors were tuned on random scenes (README.md).
 ///
 /// `grids` in elements, at least 3; `pressures` has one column per grid, all at the same displacements.
 Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved);

@@ -21,7 +21,7 @@ struct ChromosomePlace {
 /// All of a genome's chromosomes, in order.
 std::vector<ChromosomePlace> places(const Genome& genome);
 
-/// The chromosomes to model, and the window that the omitted ones may open.
+/// The chromosomes to model, and the window (error_bounds.hpp) due to the omitted ones.
 struct Selection {
     Genome genome;                             ///< with the modelled chromosomes only
     std::vector<ChromosomePlace> used;         ///< modelled; places in the whole genome
@@ -29,14 +29,14 @@ struct Selection {
     Window window = {};                        ///< mm; of width 0 if none is omitted
 };
 
-/// Omits the shortest waves, which need the finest grids: as many as a window of this width (`widest`, mm)
-/// allows on `grid`. `whole` is the genome's profile there.
+/// Omits the shortest waves, which need the finest grids, as long as the window on `grid` is at most `widest`
+/// (mm) wide. `whole` is the genome's profile there.
 Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest);
 
 /// One line in place of a map: the mean of its rows or of its columns, whichever has the narrower window.
 struct LineOfMap {
     Profile line;        ///< mm
-    bool along_x = true; ///< it is the mean of the rows: the ridges run along y
+    bool along_x = true; ///< whether it is the mean of the rows, so that the grooves run along y
     Window window;       ///< between the map and the map that repeats the line
 };
 /// The line of a map. Throws InputError on a line profile.
@@ -49,8 +49,8 @@ struct ByLine {
     std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
     double bound;                  ///< largest relative error of pressures and secants; may be infinite
 };
-/// Solves the contact of a periodic map's line; nothing if it cannot be pressed as far as the map. (A free
-/// map is finite, so no endless ridge replaces it.) The bound is pressure_bounds(). It needs a capacitary
+/// Solves the contact of a periodic map's line. Returns nothing if the line cannot be pressed as far as the
+/// map. (A free map is finite, so no line replaces it.) The bound is pressure_bounds(). It needs a capacitary
 /// pressure that is nowhere negative, which is proven for the continuum, not for sampled maps.
 std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
 

@@ -9,20 +9,20 @@
 namespace rough {
 
 /// The modelled parts of a curve and its possible errors. Errors are relative to the resolved curve's
-/// pressures and secant stiffnesses, the worst over all rows. In `light_rows` they are relative to 1 % of the
-/// last pressure.
+/// pressures and secant stiffnesses, and are the largest over all rows. In `light_rows` they are relative to
+/// 1 % of the last pressure.
 struct Account {
-    double accuracy = 0;                  ///< requested; 0: the exact model as given
-    Index resolved_nodes = 0;             ///< nodes of the resolved grid
-    std::vector<Index> grids;             ///< nodes of each solved grid, in order
-    int read_grids = 1;                   ///< last grids that give the curve; several are extrapolated
-    int rows = 0;                         ///< number of load steps
-    int solved_rows = 0;                  ///< load steps solved on the last grid
-    int resolved_rows = 0;                ///< first load steps, taken from the resolved grid
-    int light_rows = 0;                   ///< first load steps whose errors are relative to the last pressure
-    std::vector<ChromosomePlace> used;    ///< modelled chromosomes; empty for a measured profile
+    double accuracy = 0;               ///< requested; 0: the exact model as given
+    Index resolved_nodes = 0;          ///< nodes of the resolved grid
+    std::vector<Index> grids;          ///< nodes of each solved grid, in order
+    int read_grids = 1;                ///< number of last grids that give the curve; several are extrapolated
+    int rows = 0;                      ///< number of load steps
+    int solved_rows = 0;               ///< load steps solved on the last grid
+    int resolved_rows = 0;             ///< first load steps, taken from the resolved grid
+    int light_rows = 0;                ///< first load steps whose errors are relative to the last pressure
+    std::vector<ChromosomePlace> used; ///< modelled chromosomes; empty for a measured profile
     std::vector<ChromosomePlace> dropped; ///< omitted chromosomes; empty for a measured profile
-    Window window;                        ///< that the omitted chromosomes open, mm
+    Window window;                        ///< window due to the omitted chromosomes, mm
     Solver solver = Solver::automatic;    ///< on the last grid
     double tolerance = 0;                 ///< for an iterative solver
     double estimated_error = 0;           ///< from all sources together
@@ -55,8 +55,8 @@ struct AccountedResponse {
         last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
-/// The grid that counts as resolved for a genome: 64 elements to its shortest wave, at least 4096 and at most
-/// 2^20.
+/// The grid that counts as resolved for a genome: 64 elements per shortest wavelength, at least 4096 and at
+/// most 2^20.
 Grid resolved_grid(const Genome& genome, double length, bool periodic);
 
 /// A genome's response within model.accuracy (relative, 0 to 1) of the one on the model's grid, at the

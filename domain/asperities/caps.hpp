@@ -6,7 +6,7 @@
 
 namespace rough {
 
-/// A rectangular array of places for caps: number j columns + i is at ((i + 1/2) pitch, (j + 1/2) pitch).
+/// A rectangular array of caps. Cap number j columns + i is at ((i + 1/2) pitch, (j + 1/2) pitch).
 struct CapArray {
     Index columns = 8;  ///< along x
     Index rows = 8;     ///< along y
@@ -18,9 +18,9 @@ struct CapArray {
     double nominal_area() const { return static_cast<double>(caps()) * pitch * pitch; }      ///< mm^2
 };
 
-/// Spherical caps, one per place of an array.
+/// Spherical caps in an array.
 struct Caps {
-    CapArray array;          ///< their places
+    CapArray array;          ///< positions of the caps
     Eigen::VectorXd heights; ///< h_i of the summits above the base, mm
     Eigen::VectorXd radii;   ///< R_i, mm
 };
@@ -90,7 +90,7 @@ Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
 /// Caps pressed by boundary elements.
 struct MeshedCaps {
     double load = 0;           ///< N
-    Eigen::VectorXd force;     ///< force of each cap, N: the sum over the nodes of its place
+    Eigen::VectorXd force;     ///< force of each cap, N: the sum over the nodes of its pitch x pitch cell
     Eigen::VectorXd area;      ///< mm^2, from each force by hertz_area()
     Eigen::VectorXd area_low;  ///< mm^2 of the nodes that touch and whose four neighbours do
     Eigen::VectorXd area_high; ///< mm^2 of the nodes that touch or have a neighbour that does

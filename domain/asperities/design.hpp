@@ -9,7 +9,7 @@
 
 namespace rough {
 
-/// Values that a gene may have: `from` to `to`, in steps if `step` is above 0.
+/// Values that a gene may have: from `from` to `to`, in steps if `step` is above 0.
 struct GeneRange {
     double from = 0; ///< lowest value, mm
     double to = 0;   ///< highest value, mm
@@ -60,7 +60,7 @@ struct CapOutcome {
     double similarity() const; ///< 1 - the largest |misfit| of all targets
 };
 
-/// Find the caps that answer all targets. Objectives: `similarity`, the lowest over all targets; `goal1`,
+/// Finds the caps that match all targets. Objectives: `similarity`, the lowest over all targets; `goal1`,
 /// `goal2`, ...: on one target.
 class CapProblem {
   public:
@@ -76,8 +76,8 @@ class CapProblem {
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
     /// The ranges of heights and radii.
     const std::vector<ga::Variable>& bounds(const Genome&) const { return bounds_; }
-    /// Random caps on the steps. The depths below the highest are powers of uniform draws within a random
-    /// share of the range, or those of a group of high caps and a group of low ones.
+    /// Random caps with values on the steps. The depths below the highest cap are powers of uniform draws
+    /// within a random share of the range. Otherwise there is a group of high caps and a group of low ones.
     Genome sample(ga::Stream& random) const;
     /// Moves each gene with probability `rate`: by one or more steps, or by a normal step without them.
     bool mutate(Genome& genome, double rate, ga::Stream& random) const;
@@ -94,7 +94,7 @@ class CapProblem {
     std::vector<ga::Variable> bounds_;
 };
 
-/// Throws InputError on an array, a range or targets without sense.
+/// Throws InputError on an invalid array, range or target.
 void validate(const CapSetup& setup);
 
 /// The engine's operators for caps.
@@ -104,7 +104,7 @@ ga::Registry<CapProblem> cap_registry(const CapSetup& setup);
 /// The named pipelines for caps; `default` restarts until it has the required similarity.
 ga::Variants cap_variants(const CapSetup& setup);
 
-/// Largest errors, and what boundary elements find.
+/// The solution by boundary elements, and the largest errors of the model.
 struct CapVerification {
     std::vector<MeshedCaps> meshed;   ///< at three points of the first target: first, middle, last
     std::vector<PressedCaps> pressed; ///< result of the model under the same loads
@@ -156,7 +156,7 @@ AreaLimits area_limits(const CapSetup& setup, double force);
 /// Why no caps of the set-up can meet a target A(F), and a bound on the similarity.
 std::vector<OutOfReach> out_of_reach(const CapSetup& setup);
 
-/// The standard deviation of independent normal errors of all heights that 95 % of the draws survive.
+/// The rms of independent normal errors of all heights at which 95 % of draws keep the error of the curve.
 struct HeightTolerance {
     double error = 0; ///< largest relative misfit that is kept: 0.02, 0.05, 0.1
     double rms = 0;   ///< mm; 0 if the design itself has a larger misfit

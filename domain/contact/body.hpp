@@ -24,7 +24,7 @@ struct Layering {
     double poissons_ratio = 0;      ///< nu of that half-space
 
     auto operator<=>(const Layering&) const = default; ///< member by member
-    /// Whether the mean pressure alone moves the surface: the layers' thickness changes on a rigid base.
+    /// Whether a uniform pressure moves the surface. It does on a rigid base if a layer is compressible.
     bool carries_mean() const;
 };
 
@@ -62,8 +62,8 @@ struct Body {
     double datum = 0;
     double strip_width = 0; ///< W, mm (strip only); 0: L/511
     /// p_H, MPa: the highest pressure that a node carries. Nodes that would carry more are held at it and
-    /// sink in. The amplitude then changes more than a scale, contact sets are not known to be nested, and no
-    /// bound that depends on either holds.
+    /// sink in. Amplitude is then not only a scale, and contact sets are not known to be nested. No bound
+    /// that depends on either is used.
     double hardness = std::numeric_limits<double>::infinity();
     /// Periodic only; thicknesses in mm. contact_sets_nest tells whether contact sets still nest.
     Layering layering = {};

@@ -2,9 +2,9 @@
 
 #include <functional>
 
-/// Contacts with a known solution: a symmetric indenter on [-a, a], or one such contact per wavelength. After
-/// Johnson (1985, Contact Mechanics, ch. 2, 4, 5 and 13), Westergaard (1939) and Barber (2018, Contact
-/// Mechanics, ch. 6 and 7). Displacements are measured from first touch, with the datum distance d
+/// Contacts with a known solution: a symmetric indenter on [-a, a], or one such contact per wavelength.
+/// Sources: Johnson (1985, Contact Mechanics, ch. 2, 4, 5 and 13), Westergaard (1939) and Barber (2018,
+/// Contact Mechanics, ch. 6 and 7). Displacements are measured from first touch, with the datum distance d
 /// (half-plane) or to the mean plane (periodic). No grid is involved.
 namespace rough::exact {
 

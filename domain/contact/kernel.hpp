@@ -7,7 +7,7 @@ namespace rough {
 
 class Team;
 
-/// L in mm: (N - 1) delta on an open interval, N delta on a periodic one. For an area L_x, with N_x for N.
+/// L in mm: (N - 1) delta on an open interval, N delta on a periodic one. For a map L_x, with N_x for N.
 double profile_length(const Profile& profile, Kernel kernel);
 
 /// Nominal size in units of the size of a node: L/delta of a profile, the N_x N_y patches of a map. P is the

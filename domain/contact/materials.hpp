@@ -7,11 +7,11 @@ namespace rough {
 
 /// A common material: its elasticity, and the pressure from which it yields.
 struct Material {
-    std::string name;     ///< as --material takes it
+    std::string name;     ///< its name for --material
     double modulus;       ///< Young's modulus E, MPa
     double poissons;      ///< Poisson's ratio nu
     double hardness;      ///< indentation hardness, MPa: about its largest local pressure
-    const char* of;       ///< which one, in a few words
+    const char* of;       ///< which grade, in a few words
     const char* elastic;  ///< source of E and nu
     const char* indented; ///< source of the hardness
 };

@@ -22,10 +22,10 @@ using Computing = std::function<void(const DatabaseSetup& setup, const Orders& o
 /// Computes on `threads` threads (0: all).
 Computing on_threads(int threads);
 
-/// How far a build goes and how it works.
+/// Options of a build.
 struct BuildOptions {
     std::uint64_t genomes = 100'000; ///< number of genomes to hold
-    std::uint64_t first = 0;         ///< number of the first one, for a part of a law's genomes
+    std::uint64_t first = 0;         ///< number of the first one, for a part of a distribution's genomes
     std::uint64_t batch = 250;       ///< genomes stored together; a kill loses at most these
     int threads = 0;                 ///< 0: all
     Computing computing = {};        ///< in place of on_threads(threads)
@@ -35,18 +35,18 @@ struct BuildOptions {
     const std::atomic<bool>* stop = nullptr;
 };
 
-/// The response of a genome of the set-up's law; NaN in place of one that does not converge.
+/// The response of a genome of the set-up's distribution; NaN if the solution does not converge.
 Response response_for(const DatabaseSetup& setup, std::uint64_t genome);
 
-/// Computes and stores the missing genomes of the store's law, batch by batch. A genome's numbers depend only
-/// on the set-up and its index, so builds may be stopped, killed, resumed and shared. Only unfinished batches
+/// Computes and stores the missing genomes of the store, batch by batch. A genome's numbers depend only on
+/// the set-up and its index, so builds may be stopped, killed, resumed and shared. Only unfinished batches
 /// are held in memory, a few per thread or machine. Throws InputError if the set-up has no solution.
 void build(GenomeStore& store, const BuildOptions& options);
 
-/// Puts the genomes of several databases of one set-up, law and version into a new file. It appears under its
-/// name when it is complete, and replaces an older file. If several databases hold a genome, the first copy
-/// is taken. Returns the number of genomes. Throws InputError on databases that differ, on genomes that their
-/// law does not give, and on altered numbers.
+/// Puts the genomes of several databases of one set-up, distribution and version into a new file. The file
+/// gets its name when it is complete, and replaces an older file. If several databases contain the genome,
+/// the first copy is taken. Returns the number of genomes. Throws InputError on databases that differ, on
+/// genomes that are not those of their distribution, and on altered numbers.
 std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out);
 
 } // namespace rough

@@ -5,17 +5,17 @@
 
 namespace rough {
 
-/// A stored genome and how well its curves meet the targets.
+/// A stored genome and the similarity of its curves to the targets.
 struct Match {
     std::uint64_t index = 0; ///< the genome's number in its database, from 0
     double similarity = 0;   ///< 1 - the largest misfit of all targets (Eq. 12)
     double scale = 1;        ///< factor on the genome's amplitude
 };
 
-/// How to screen.
+/// Options of screen().
 struct ScreenOptions {
     double max_pressure = 0; ///< MPa: every genome is rescaled to it by Eq. 11; 0: amplitude is free
-    std::size_t best = 10;   ///< how many matches to return
+    std::size_t best = 10;   ///< number of matches to return
     int threads = 0;         ///< 0: all
 };
 
@@ -24,9 +24,9 @@ bool need_fractions(const std::vector<Target>& targets);
 
 /// The stored genomes nearest to the targets, best first; equal similarities by index. Genomes whose curves
 /// end before a target are omitted. If amplitude is free, 33 amplitudes of each genome are compared. The
-/// lowest one makes the curves reach 2 % beyond the targets, and the highest is 16 times that. The best are
-/// then narrowed between their neighbours. Throws InputError if a target reaches beyond max_pressure, or
-/// nothing is stored.
+/// lowest one makes the curves reach 2 % beyond the targets, and the highest is 16 times that. The best
+/// amplitudes are then refined between their neighbours. Throws InputError if a target reaches beyond
+/// max_pressure, or nothing is stored.
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
 
@@ -47,8 +47,8 @@ Target unscaled(Target target, const DatabaseScale& scale);
 Genome drawn_out(Genome genome, double factor);
 
 /// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to its
-/// length and have the amplitude that meets the targets. Refinement begins at them if an answer is wanted at
-/// once. Throws InputError as scale_to does.
+/// length and have the amplitude that meets the targets. They are starts for refinement if an answer is
+/// needed at once. Throws InputError as scale_to does.
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads = 0);
 

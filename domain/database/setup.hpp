@@ -26,10 +26,10 @@ struct GenomeDistribution {
 /// genomes of more than a million phases.
 void validate(const GenomeDistribution& law);
 
-/// The largest number of phases that a genome of the law can have.
+/// The largest number of phases that a genome of the distribution can have.
 double most_phases(const GenomeDistribution& law);
 
-/// Genome number `index` of a law: it depends on nothing else.
+/// Genome number `index` of a distribution. It depends on nothing else.
 Genome drawn(const GenomeDistribution& law, std::uint64_t index);
 
 /// The set-up of all genomes and responses of a database.
@@ -40,7 +40,7 @@ struct DatabaseSetup {
 
 /// A set-up as names with units and values, the model first.
 Fields fields(const DatabaseSetup& setup);
-/// Undoes fields(). Throws InputError that begins with `where` on a missing or unreadable field.
+/// The inverse of fields(). Throws InputError that begins with `where` on a missing or unreadable field.
 DatabaseSetup setup_from(const Fields& fields, const std::string& where);
 
 /// The first difference as "nodes is 512, not 256"; empty if `there` has all of `wanted`.

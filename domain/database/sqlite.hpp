@@ -20,7 +20,7 @@ class Sqlite {
     /// Throws InputError if `file` cannot be opened.
     Sqlite(std::filesystem::path file, Access access);
 
-    void run(const std::string& sql);                           ///< runs statements whose rows do not matter
+    void run(const std::string& sql);                           ///< runs statements and ignores their rows
     std::uint64_t number(const std::string& sql);               ///< the first column of the first row, or 0
     const std::filesystem::path& file() const { return file_; } ///< as it was given
 

@@ -12,7 +12,7 @@ namespace rough {
 
 class Sqlite;
 
-/// Genomes first .. first + count - 1 of a law.
+/// Genomes first .. first + count - 1 of a distribution.
 struct Span {
     std::uint64_t first = 0; ///< index, from 0
     std::uint64_t count = 0; ///< number of genomes
@@ -26,12 +26,12 @@ struct StoredCurves {
     std::vector<double> fraction;     ///< genomes x steps, contact fractions; empty unless requested
 };
 
-/// 64 bits that change with every single changed byte of `bytes`, and with nearly every other change.
+/// A checksum of 64 bits. It changes if one byte of `bytes` changes, and with nearly every other change.
 std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 
-/// A genome database: an SQLite file with the genomes of a law and their responses, in batches. A batch is
-/// written completely or not at all, whatever ends the program. Several programs may read and build one file
-/// at the same time.
+/// A genome database: an SQLite file with the genomes of a distribution and their responses, in batches. A
+/// batch is written completely or not at all, whatever ends the program. Several programs may read and build
+/// one file at the same time.
 class GenomeStore {
   public:
     /// Opens an existing database, or makes a new one. Throws InputError on a file of another set-up, naming
@@ -57,22 +57,22 @@ class GenomeStore {
     /// The next genomes of `wanted` to compute, at most `batch`. Genomes that no builder has taken come
     /// first. Then come those taken and never delivered, except batches for which `is_own` is true. Nothing
     /// if all are stored. Stored genomes are removed from the beginning of `wanted`, so the next call starts
-    /// behind them.
+    /// after them.
     std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
     /// The spans of these genomes that are not stored, in order.
     std::vector<Span> gaps(const Span& of) const;
-    /// Stores the law's genomes and their responses. False if another builder stored them before; then that
-    /// copy stays.
+    /// Stores the genomes of the distribution and their responses. Returns false if another builder stored
+    /// them before. That copy is then kept.
     bool add(const Span& span, const std::vector<Response>& responses);
 
     std::vector<Span> batches() const; ///< as they are stored, in order
     /// Ranges, pressures, contact fractions and tangents of one of batches(). Throws InputError if it was
-    /// altered or its genomes are not the law's.
+    /// altered or its genomes are not those of the distribution.
     std::vector<Response> responses(const Span& span) const;
     /// The curves of all stored genomes, with contact fractions if requested.
     StoredCurves curves(bool with_fractions = false) const;
-    Genome genome(std::uint64_t index) const;     ///< throws InputError if it is not stored or not the law's
+    Genome genome(std::uint64_t index) const; ///< throws InputError if not stored or not the distribution's
     Response response(std::uint64_t index) const; ///< without solver and certificates; throws as genome()
 
   private:

@@ -7,20 +7,20 @@
 
 namespace rough {
 
-/// A run of a pipeline on a design problem of any genome, and what it leaves for verification.
+/// A run of a pipeline on a design problem with any type of genome, and the genomes to verify after it.
 template <ga::Problem P>
 struct Exploration {
     using Genome = typename P::Genome; ///< of the problem
 
     ga::HallOfFame<P> seen;              ///< best individuals of all stages
     ga::HallOfFame<P> verified;          ///< best under the objective that verifies
-    ga::Population<Genome> population;   ///< final; empty if a stage had nothing left
+    ga::Population<Genome> population;   ///< final; empty if a stage left no individual
     std::vector<Genome> front = {};      ///< the last one that was ranked by several objectives
     std::optional<Genome> nearest = {};  ///< the best under a derived problem
     ga::Counters counters = {};          ///< spent by the pipeline
     std::vector<std::string> notes = {}; ///< remarks of stages
     std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
-    std::string nothing = {}; ///< the stage that had nothing left, in words; empty if none had
+    std::string nothing = {}; ///< the stage that left no individual, in words; otherwise empty
 
     /// Keeps the best `max_seen` individuals, and the best `max_verified` under the objective `verifies`.
     Exploration(const P& problem, std::size_t max_seen, std::size_t max_verified, const std::string& verifies)
@@ -68,8 +68,8 @@ struct Exploration {
     }
 
     /// The best individuals of all stages that differ from `answer` and each other by at least `different`,
-    /// each with its smallest difference from those before it. `view` makes of a genome what `difference`
-    /// compares. `max_count` counts the answer.
+    /// each with its smallest difference from those before it. `difference` compares the views of two
+    /// genomes, which `view` makes. `max_count` counts the answer.
     template <class View, class Difference>
     std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count,
                                                        double different, View view,

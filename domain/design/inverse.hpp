@@ -18,12 +18,12 @@ struct InverseProfile {
     Eigen::VectorXd lowest_free; ///< N heights at which a node would just touch at the end of loading, mm
 };
 
-/// How the approach advances. `stiffness[k]` is dP/dDelta (MPa/mm) while order[0..k] touch, k = 0..N-1. The
-/// result's k-th number is the displacement (mm, >= 0) during which exactly these nodes touch; the last
-/// number is not read.
+/// The displacements between touches of successive nodes. `stiffness[k]` is dP/dDelta (MPa/mm) while
+/// order[0..k] touch, k = 0..N-1. The result's k-th number is the displacement (mm, >= 0) during which
+/// exactly these nodes touch; the last number is not read.
 using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffness)>;
 
-/// The advance for a profile that meets the target. Node k + 1 touches when the target's curve passes the
+/// The advance for a profile that matches the target. Node k + 1 touches when the target's curve passes the
 /// middle between the value for k nodes and the value for k + 1. The curve is linear between its points and
 /// continued with its end slopes; a part that falls is replaced by the highest value before it. `nodes` is N,
 /// by which contact fractions are counted.
@@ -36,7 +36,7 @@ Advance advance_for(const Target& target, Index nodes);
 ///
 /// Only the nodes of `surface` are read, not its heights. `order` holds each node once. Loading ends at
 /// `last_pressure` (MPa) or `last_displacement` (mm), whichever comes first; infinity: not given. Work
-/// O(N^3), memory N^2: for up to some hundred nodes.
+/// O(N^3), memory N^2: for up to a few hundred nodes.
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
                                const Advance& advance, double last_pressure, double last_displacement);
 

@@ -4,7 +4,7 @@
 
 namespace rough {
 
-/// A chromosome as a user names it.
+/// A chromosome by its series and its number.
 struct ChromosomeName {
     std::size_t series; ///< from 1, in the genome's order
     int n;              ///< Chromosome::n
@@ -25,14 +25,14 @@ struct PhaseChange {
     bool at_limit = false; ///< the change is the largest allowed
 };
 
-/// A point of a target that is missed by more than allowed.
+/// A point of a target whose misfit is larger than allowed.
 struct PointOff {
     std::size_t target; ///< from 0
     double x;           ///< in the target's units
     double misfit;      ///< weighted, as in the similarity
 };
 
-/// A genome that was changed to meet its targets again.
+/// A genome that was changed to match its targets again.
 struct Morphed {
     Genome genome;                    ///< in final amplitude
     double before = 0;                ///< similarity of the given genome on the set-up's grid
@@ -42,14 +42,14 @@ struct Morphed {
     long gradients = 0;               ///< computed curves with derivatives
 };
 
-/// The smallest change (sum of squares) of the phases of a few chromosomes after which a genome meets the
+/// The smallest change (sum of squares) of the phases of a few chromosomes after which a genome matches the
 /// set-up's targets again. It minimises |x|^2 subject to |r_k| <= 1 - required for every misfit r_k, by
 /// sequential quadratic programming (Kraft 1988; NLopt's LD_SLSQP) with exact derivatives. The search starts
 /// from the given genome. If it fails, it starts again from the result of Levenberg-Marquardt. If the
 /// constraints cannot be met, the result has the smallest largest misfit. Limits on shape count as misfits.
 ///
 /// `control` has at least one chromosome. Only their phases change, whatever the set-up's genes.
-/// `largest_change` of a phase is a share of a turn, > 0 and <= 0.5. `required` is the similarity to reach on
+/// `largest_change` of a phase is a share of a turn, > 0 and <= 0.5. `required` is the required similarity on
 /// the set-up's grid.
 ///
 /// Throws what DesignProblem throws, and InputError on a genome without a response.

@@ -39,12 +39,12 @@ struct SearchOptionsOf {
     std::vector<typename P::Genome> starts = {}; ///< first population; empty: from the pipeline or a database
     std::uint64_t seed = 1; ///< equal seeds give equal answers unless `seconds` or `stop` ends it
     int threads = 0;        ///< 0: as many as OpenMP has
-    ga::Evaluator<P>* evaluator = nullptr; ///< computes the evaluations; null: threads do
+    ga::Evaluator<P>* evaluator = nullptr; ///< makes the evaluations; null: threads do
     /// Wall time from the call on, s. At most three quarters of it are kept for verifying the answers.
     double seconds = std::numeric_limits<double>::infinity();
     long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
     const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
-    std::size_t alternatives = 3;                        ///< how many different answers, the best included
+    std::size_t alternatives = 3;                        ///< number of different answers, including the best
     /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. Sources
     /// are the final population, the answers that the pipeline verified and, for a profile, the best of all
     /// stages. For a profile the first given start is verified, too. For a map the first two give at most two

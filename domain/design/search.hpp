@@ -21,12 +21,12 @@ struct Answer {
     /// With four times the load steps. A target that is computed from a measured profile is computed again in
     /// these steps, too.
     double similarity_stepped = 0;
-    double similarity_worst = 0; ///< lowest of these three and of finer grid and steps together
+    double similarity_worst = 0; ///< lowest of these three and of that with finer grid and steps together
     /// Lowest similarity under the set-up's errors: the lower of the one that 95 % of 200 noise draws reach
     /// and the lowest under tilt. NaN without errors, for a map, for an unverified answer and from
     /// verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
-    bool within_limits = true;      ///< it keeps every limit of the set-up
+    bool within_limits = true;      ///< whether it keeps every limit of the set-up
     double difference = 1;          ///< smallest difference from the answers before it
     Verification verification = {}; ///< the curves that these similarities belong to
 
@@ -59,7 +59,7 @@ std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<
 /// The result of a search and its cost.
 struct SearchResult {
     Answer best;                      ///< the answer of the highest rank (search)
-    std::vector<Answer> alternatives; ///< the best, then the next best that differ from all before them
+    std::vector<Answer> alternatives; ///< the best, then the next best ones that differ from all before them
     std::vector<Compromise> front;    ///< from `pareto`; empty if the pipeline does not have it
     /// For a profile whose set-up has errors: the answers on the Pareto front of the similarities without and
     /// with errors. They are sorted by falling similarity without errors.

@@ -9,8 +9,8 @@
 
 namespace rough {
 
-/// A design without heights. It gives the statistical parameters (H, long and short cut-off, rms slope) of a
-/// surface for which a theory predicts the target. The body is periodic, so K = K_i.
+/// A design that gives no heights. It gives the statistical parameters (H, long and short cut-off, rms slope)
+/// of a surface for which a theory predicts the target. The body is periodic, so K = K_i.
 struct StatisticalTask {
     Target target;                   ///< stiffness or contact area against pressure
     Theory theory = Theory::persson; ///< predicts the curves

@@ -18,8 +18,8 @@ struct ToleranceOptions {
     const std::atomic<bool>* stop = nullptr; ///< true ends the work early, as `seconds` does
 };
 
-/// Largest errors under which a design keeps a similarity. 0: the design itself is below it. NaN: not
-/// computed in time.
+/// Largest errors under which a design keeps a similarity. 0: even without errors the similarity is lower.
+/// NaN: not computed in time.
 struct ToleranceLevel {
     double similarity = 0; ///< to keep
     double noise_rms = 0;  ///< mm; 95 % of the draws keep it
@@ -45,7 +45,7 @@ struct Tolerance {
     double share_to = 1;                  ///< its upper end
     std::vector<ToleranceLevel> levels;   ///< 0.99, 0.95, 0.9 and the requested one, the highest first
     std::vector<NoiseQuantile> curve;     ///< sorted by noise
-    bool complete = true; ///< false: time ended before all levels; a noise may rest on few draws
+    bool complete = true; ///< false: the time ended before all levels, and a noise may be based on few draws
 };
 
 /// The tolerance of a genome in final amplitude on the set-up's grid and load steps, for noise of the

@@ -7,13 +7,13 @@
 
 namespace rough {
 
-/// How an answer is checked.
+/// Options of the checks of an answer.
 struct TrustOptions {
     int phase_draws = 30;   ///< genomes with redrawn phases
     double hardness = 0;    ///< maximum pressure of a node, also for a measured target, MPa; 0: not given
     std::uint64_t seed = 1; ///< for noise and redrawn phases
     int threads = 0;        ///< 0: all
-    double seconds = std::numeric_limits<double>::infinity(); ///< checks not done by then are left out
+    double seconds = std::numeric_limits<double>::infinity(); ///< checks not done by then are omitted
     const std::atomic<bool>* stop = nullptr;                  ///< true ends the checks, as `seconds` does
 };
 
@@ -24,13 +24,13 @@ struct Check {
     bool decides = false; ///< noise, tilt or hardness was given: the answer must hold under it
 };
 
-/// How reliable an answer is.
+/// The results of the checks of an answer.
 struct Trust {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< value if not checked
     std::vector<Check>
         checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt, hardness
     double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
-    bool all_decided = true;    ///< no check that decides was left out
+    bool all_decided = true;    ///< no check that decides was omitted
     double median = unknown;    ///< median similarity of the checks
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< the profile on other bodies, for comparison only

@@ -63,7 +63,7 @@ struct GenePlace {
 
 /// All genes in order: for each series A, H, gamma, lambda, then the phases chromosome by chromosome.
 std::vector<GenePlace> gene_places(const Genome& genome);
-/// Their values in that order: A as it is given, lengths in mm, phases in rad.
+/// The values of all genes in that order: A as it is given, lengths in mm, phases in rad.
 std::vector<double> genes(const Genome& genome);
 
 /// The genome with its genes replaced; `values` has as many as genes(genome).
@@ -76,8 +76,8 @@ Genome with_genes(Genome genome, const std::vector<double>& values);
 /// chromosomes.
 void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
 
-/// Exchanges, in the lists of cross_points, the chromosomes at each place of the shorter list with
-/// probability 1/2. Scales and series change as there.
+/// Orders the chromosomes as cross_points does. Exchanges those at each position of the shorter list with
+/// probability 1/2. Scales and series change as in cross_points.
 void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 
 } // namespace rough

@@ -37,10 +37,10 @@ std::vector<PlaneWave> plane_waves(const Genome& genome, const Grid& grid);
 /// wavenumbers along x count on a line.
 Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid);
 
-/// Converts derivatives by heights to derivatives by genes. `height_gradient` is rows x N. Each row is a
-/// linear functional of heights that does not change with a constant, as contact does not. So the offsets
-/// of Eq. 1 are left out. The result is rows x genes, in the order of genes(genome), at fixed scale. A
-/// wave vector that was fitted to the grid does not move.
+/// Converts derivatives with respect to heights into derivatives with respect to genes. `height_gradient` is
+/// rows x N. Each row is a linear functional of heights. A constant added to all heights does not change it,
+/// so the offsets of Eq. 1 are omitted. The result is rows x genes, in the order of genes(genome), at fixed
+/// scale. A wave vector that was fitted to the grid is taken as fixed.
 Eigen::MatrixXd pulled_back(const Eigen::MatrixXd& height_gradient, const Genome& genome, const Grid& grid);
 
 } // namespace rough

@@ -4,7 +4,7 @@
 
 namespace rough {
 
-/// How the paper's database is laid out (section 4.1): Sobol pairs (H, gamma) times Sobol phase columns.
+/// The layout of the paper's database (section 4.1): Sobol pairs (H, gamma) times Sobol phase columns.
 struct DatabaseLayout {
     int pairs = 20;          ///< Sobol points (H, gamma)
     int phase_columns = 5;   ///< Sobol phase vectors, combined with each pair

@@ -27,7 +27,7 @@ Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, dou
 
 /// Waves n = 0 to count-1 of a self-affine profile. Their amplitudes are `amplitude` ratio^(-n hurst) (mm),
 /// their wavelengths length/ratio^n (mm). In a `periodic` profile wavelengths are the next ones that divide
-/// the length. Phases by the golden angle.
+/// the length. Phases are multiples of the golden angle.
 std::vector<Wave> self_affine_waves(double length, double amplitude, double hurst, double ratio, int count,
                                     bool periodic = false);
 

@@ -8,13 +8,13 @@
 
 namespace rough {
 
-/// Memory aligned to a cache line, for whole vectors and so that no result's bits depend on an address.
+/// Memory aligned to a cache line. Loops can use whole vectors, and results do not depend on addresses.
 template <typename T>
 class AlignedBuffer {
   public:
     /// Memory for `size` elements, uninitialised.
     explicit AlignedBuffer(Index size) : data_(allocate(size)) {}
-    /// The first element; the same for reading.
+    /// The first element.
     T* data() { return data_.get(); }
     /// The first element, to read.
     const T* data() const { return data_.get(); }

@@ -63,8 +63,8 @@ class Workspace {
 };
 
 /// u = T p by FFT in double or single precision, for a symmetric circulant (from its eigenvalues) or Toeplitz
-/// matrix (from its first column, padded with zeros). On an area the matrix is circulant or Toeplitz along
-/// both axes and symmetric in each. There rows are transformed a few at a time, and so are columns, which are
+/// matrix (from its first column, padded with zeros). On a map the matrix is circulant or Toeplitz along both
+/// axes and symmetric in each. There rows are transformed a few at a time, and so are columns, which are
 /// multiplied and transformed back while they are in the cache; rows of zeros are skipped. The threads of a
 /// team share such blocks. One object serves one caller at a time, and the team must outlive it.
 template <typename Real>
@@ -96,12 +96,12 @@ class BasicFourierOperator {
 };
 /// In double precision.
 using FourierOperator = BasicFourierOperator<double>;
-/// In single precision, at about half the time: for corrections, of which a part in a million does not
+/// In single precision, at about half the time: for corrections, in which relative errors of 1e-6 do not
 /// matter.
 using SingleFourierOperator = BasicFourierOperator<float>;
 
 /// u = T p for a symmetric Toeplitz matrix without padding to twice its length. T is half the sum of a
-/// circulant, c_j + c_(N-j), and a skew-circulant, c_j - c_(N-j); on an area a quarter of the sum of four,
+/// circulant, c_j + c_(N-j), and a skew-circulant, c_j - c_(N-j); on a map a quarter of the sum of four,
 /// along both axes. Of each row's frequencies half are transformed: those of a skew-circulant by a complex
 /// transform of N/2 numbers (p_j - i p_(j+N/2)) exp(-i pi j/N), which gives every second one. It shares
 /// neither transforms nor spectrum with FourierOperator.

@@ -13,7 +13,7 @@ struct Extent {
     Index rows = 1;    ///< N_y
 
     Index nodes() const { return columns * rows; }  ///< number of all nodes
-    bool operator==(const Extent&) const = default; ///< as many along x, and along y
+    bool operator==(const Extent&) const = default; ///< whether both numbers are equal
 };
 
 /// The nodes at which a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. A map: `rows`
@@ -31,7 +31,7 @@ struct Grid {
     double spacing() const {
         return length / static_cast<double>(periodic ? nodes : nodes - 1);
     } ///< delta, mm
-    /// delta_y, mm, 0 for a line; a single row is as wide as the area
+    /// delta_y, mm, 0 for a line; a single row is as wide as the map
     double row_spacing() const {
         return width / static_cast<double>(periodic || rows == 1 ? rows : rows - 1);
     }

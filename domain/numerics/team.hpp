@@ -10,14 +10,14 @@
 
 namespace rough {
 
-/// OpenMP's threads for the loops of one curve. Blocks and ranges do not depend on how many threads there
-/// are, so no result does. One caller at a time.
+/// OpenMP's threads for the loops of one curve. Blocks and ranges do not depend on the number of threads, so
+/// results do not either. One caller at a time.
 class Team {
   public:
     /// Up to `threads` threads with the caller's; only the caller's inside a parallel loop, or if the system
     /// does not give that many.
     explicit Team(int threads);
-    /// The caller's thread by itself.
+    /// A team of only the caller's thread.
     static Team& alone();
 
     int size() const { return size_; } ///< threads, the caller's included

@@ -64,14 +64,14 @@ extern const VectorLoops avx512_loops;
 
 /// The loops for the widest vectors of the processor: AVX-512 (F, DQ, VL), AVX2 with FMA, or those that the
 /// build assumes of every processor. RUGOSA_VECTORS=baseline|avx2|avx512 in the environment chooses narrower
-/// ones, and so the bits of a lesser processor. Decided once, at the first call.
+/// ones, and so gives the bits of an older processor. Decided once, at the first call.
 const VectorLoops& vector_loops();
 
 /// The loops of that name, or nothing if this processor or build does not have them.
 const VectorLoops* vector_loops(const char* vectors);
 
-/// The build, on which the last bits of a result depend, besides its input. The same build on the same kind
-/// of vectors gives the same bits.
+/// The build. Besides the input, the last bits of a result depend on it. The same build on the same kind of
+/// vectors gives the same bits.
 struct Build {
     std::string compiler; ///< name and version
     std::string flags;    ///< optimisation and tuning

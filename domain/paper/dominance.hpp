@@ -49,7 +49,7 @@ struct Dominance {
     bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
 };
 
-/// Algorithm 1 on genomes. It remembers the responses of each genome and of its length scales alone, for
+/// Algorithm 1 on genomes. It stores the responses of each genome and of each of its length scales alone, for
 /// every reading. Safe to call from several threads.
 class DominanceRule {
   public:

@@ -27,8 +27,8 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
 /// The genome with the amplitude at which its curve meets the first target best. The best of 33 amplitudes
-/// over 16 octaves is narrowed; the lowest carries the target's load within the full approach. Under Eq. 11
-/// the genome is returned unchanged.
+/// over 16 octaves is refined. The lowest of them carries the target's load within the full approach. Under
+/// Eq. 11 the genome is returned unchanged.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
 
 } // namespace rough

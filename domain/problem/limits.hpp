@@ -19,7 +19,7 @@ struct GeneBounds {
     double lambda_to = 0;     ///< highest value of a series' longest wavelength, mm; 0: 4 L
 };
 
-/// Half the range in which refinement may move a phase, about its value when the genome was first refined.
+/// Half the range in which refinement may move a phase, centred at the phase before the first refinement.
 struct PhaseReach {
     double relative = 0.1; ///< share of the phase's value: the paper's +-10 %, which freezes phases near 0
     double absolute = 0;   ///< rad, added to it

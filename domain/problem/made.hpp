@@ -14,8 +14,8 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
 /// Heights of a plane that rises by 1 over the length; for a map also of one that rises by 1 over the width.
 std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 
-/// A surface that is made with errors in its heights. They are not rescaled by Eq. 11, and displacement
-/// counts from the first touch. The surface is loaded as far as in the search.
+/// A surface that is manufactured with errors in its heights. They are not rescaled by Eq. 11, and
+/// displacement counts from the first touch. The surface is loaded as far as in the search.
 class MadeSurface {
   public:
     /// The surface of a genome in final amplitude under a completed set-up.

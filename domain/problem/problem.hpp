@@ -34,13 +34,13 @@ class ResponseMemory {
     std::map<std::string, std::vector<Response>> known_;
 };
 
-/// Features in which surfaces of one response may differ, with exact derivatives at a fixed scale, of the
-/// profile on this grid. `height`: log10 of the root mean square height over the length. `slope`: log10 of
-/// the root mean square difference quotient of neighbouring nodes, on a map along both axes. `wavelength`:
+/// Features in which surfaces with the same response may differ, with exact derivatives at a fixed scale, of
+/// the profile on this grid. `height`: log10 of the root mean square height over the length. `slope`: log10
+/// of the root mean square difference quotient of neighbouring nodes, on a map along both axes. `wavelength`:
 /// log10 of 2 pi rms height / rms slope over the length. `skewness` of the heights.
 std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid);
 
-/// A genome's answer to all targets.
+/// The misfits of a genome to all targets.
 struct DesignOutcome {
     double scale = 1;                     ///< the factor of Eq. 11; 1 without it
     std::vector<Eigen::VectorXd> misfits; ///< weighted, one vector per target
@@ -50,21 +50,21 @@ struct DesignOutcome {
     double similarity() const; ///< 1 - the largest |misfit| of all targets
 };
 
-/// Find the genome that answers all targets within limits. Objectives:
+/// Finds the genome that matches all targets within limits. Objectives:
 /// - `similarity`: the lowest over all targets.
 /// - `verified`: the lowest of `similarity` and Verification::worst (finer grid, finer load steps).
 /// - `more_steps`: the lower of `similarity` and that in finer load steps.
 /// - `made`: the lower of `similarity` and that with the set-up's errors (CommonErrors).
 /// - `low`, `high`: on the first target's points up to and from the threshold.
 /// - `goal1`, `goal2`, ...: on one target.
-/// A genome over the limits is ranked below every genome within them.
+/// A genome that exceeds a limit is ranked below every genome within the limits.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< the designed surface
     using Outcome = DesignOutcome; ///< the result of an evaluation
 
-    /// Throws InputError as validate() does, and on limits without sense. Problems may share a memory if
-    /// their set-ups differ only in the threshold, or under Eq. 11 in the targets. Answers are verified on
+    /// Throws InputError as validate() does, and on invalid limits. Problems may share a memory if their
+    /// set-ups differ only in the threshold, or under Eq. 11 in the targets. Answers are verified on
     /// `threads` threads.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
                            int threads = 1);
@@ -101,8 +101,8 @@ class DesignProblem {
     void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const { rough::cross_uniform(a, b, stream); }
 
     /// Every gene that may move; only phases if the set-up demands it. Otherwise phases move by half a turn,
-    /// A by a factor of 10, and H, gamma and lambda within the set-up's bounds. Gamma and lambda share the
-    /// slack until a wave is shorter than allowed; on a periodic grid both are fixed.
+    /// A by a factor of 10, and H, gamma and lambda within the set-up's bounds. Gamma and lambda are bounded
+    /// so that no wave becomes shorter than allowed. On a periodic grid both are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
     /// fractions are the smooth ones here (contact/smooth_area.hpp), because a count of nodes has no

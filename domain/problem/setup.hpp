@@ -14,9 +14,9 @@ constexpr double default_required_similarity = 0.99;
 /// Factor on the nodes and on the load steps with which an answer is verified.
 constexpr int verified_refinement = 4;
 
-/// Errors in the heights of the surfaces that are made from a design. The answer has to survive them.
+/// Errors of heights in manufacturing, under which an answer must keep its similarity. 0: none.
 struct MakingErrors {
-    double noise = 0;        ///< rms of Gaussian height noise, mm: 95 % of its draws are to hold; 0: none
+    double noise = 0;        ///< rms of Gaussian height noise, mm: 95 % of draws must keep the similarity
     double noise_length = 0; ///< correlation length of the noise, mm; 0: L/60
     double tilt = 0;         ///< rise over the length in either direction, mm; 0: none
 
@@ -36,14 +36,14 @@ struct DesignSetup {
     GeneBounds bounds = {}; ///< bounds of the genes
     std::optional<PhaseReach> phases = {}; ///< if given, only phases move, within this
     MakingLimits limits = {};              ///< limits of manufacturing; shortest_wave 0: 8 node spacings
-    /// The measured profile whose response the targets are. They depend on its load steps.
+    /// The measured profile, if its response is the target. Such targets depend on the load steps.
     std::optional<Profile> like = {};
     /// The verified similarity from which a search may end and an answer is called found.
     double required_similarity = default_required_similarity;
     /// Number of ridges M of each chromosome of a drawn genome. 0: 1 on a line, because its ridges collapse
     /// to one cosine, and 8 on a map, whose ridges are directions.
     int ridges = 0;
-    MakingErrors errors = {}; ///< that an answer has to survive
+    MakingErrors errors = {}; ///< errors under which an answer must keep its similarity
 };
 
 /// The bounds with lambda's filled in if they are 0: a quarter of the length (mm) to four times it.
@@ -55,8 +55,8 @@ GeneBounds completed(GeneBounds bounds, double length);
 /// above the longest. A map with an accuracy or a strip is refused, too.
 DesignSetup completed(DesignSetup setup);
 
-/// Throws InputError if targets are missing, beyond max_pressure or cannot be loaded together. The same if no
-/// point lies below or above the threshold.
+/// Throws InputError if targets are missing, beyond max_pressure or cannot be loaded together. Also throws it
+/// if no point lies below or above the threshold.
 void validate(const DesignSetup& setup);
 
 /// The points of the first target up to the threshold (MPa or mm), or those from it on.

@@ -9,7 +9,7 @@
 namespace rough {
 
 /// The set-up with `times` the load steps on both sides. Targets that are a measured profile's response
-/// (DesignSetup::like) are taken from its finer steps; other targets stay.
+/// (DesignSetup::like) are taken from its finer steps; other targets do not change.
 DesignSetup in_finer_steps(DesignSetup setup, int times = verified_refinement);
 
 /// A genome's similarity under the set-up, and under finer grids and load steps. Eq. 11 is applied each time.
@@ -18,7 +18,7 @@ struct Verification {
     double similarity = 0;    ///< on the set-up's grid, in its load steps
     double refined = 0;       ///< on a grid of 4(N - 1) + 1 nodes (periodic: 4 N), along both axes of a map
     double stepped = 0;       ///< in four times the load steps, on both sides
-    double both = 0;          ///< on that grid in those steps
+    double both = 0;          ///< on the finer grid in four times the load steps
     double reading_error = 0; ///< error of interpolated load steps, already subtracted from `both`
     std::vector<Response> on_own;   ///< responses on the set-up's grid in its load steps
     std::vector<Response> on_finer; ///< responses on the finer grid in the set-up's load steps
@@ -44,9 +44,9 @@ class Verifier {
     /// ends the verification, the remaining similarities are NaN, and their misfits and responses empty.
     /// Otherwise throws what respond() throws.
     Verification of(const Genome& genome) const;
-    /// of(), which keeps the last 32 complete verifications.
+    /// The result of of(). The last 32 complete verifications are stored.
     Verification remembered(const Genome& genome) const;
-    /// A genome's kept verification, or nothing.
+    /// A genome's stored verification, or nothing.
     std::optional<Verification> known(const Genome& genome) const;
     const DesignSetup& setup() const { return setup_; } ///< as it was given
     /// The set-up in four times the load steps. A measured surface's finer response is solved on the first

@@ -8,8 +8,8 @@
 
 namespace rough {
 
-/// The form to remove from a measured surface's heights, by least squares of the ordinates over its even
-/// nodes. It is a polynomial of degree 0 to 4 or, for a profile, the arc of a circle. On a map the
+/// The form to remove from a measured surface's heights, by least squares of the heights over its evenly
+/// spaced nodes. It is a polynomial of degree 0 to 4 or, for a profile, the arc of a circle. On a map the
 /// polynomial has all terms in x and y up to its degree: `line` is a plane, `parabola` a quadratic form.
 enum class Detrend { none, mean, line, parabola, cubic, quartic, arc };
 

@@ -25,15 +25,15 @@ inline Profile profile_of(const std::vector<double>& heights, double spacing) {
     return {Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Index>(heights.size())), spacing};
 }
 
-/// Difference of two surfaces on equal grids: 1 minus the larger of two correlation coefficients. They are
-/// those of the heights as they are, and with one sequence reversed. The result is from 0 to 2, and 0 if one
-/// surface is flat.
+/// Difference of two surfaces on equal grids: 1 minus the larger of two correlation coefficients of the
+/// heights. For the second one, one sequence is reversed. The result is from 0 to 2, and 0 if one surface is
+/// flat.
 inline double difference(const Profile& left, const Profile& right) {
     const Eigen::VectorXd a = left.heights.array() - left.heights.mean(),
                           b = right.heights.array() - right.heights.mean();
     const double both = a.norm() * b.norm();
     return both > 0 ? 1 - std::max(a.dot(b), a.dot(b.reverse())) / both : 0;
 }
-constexpr double different = 0.05; ///< lowest difference() of two designs that count as different
+constexpr double different = 0.05; ///< lowest difference() at which two designs count as different
 
 } // namespace rough

@@ -11,14 +11,14 @@ namespace rough {
 
 /// A surface as a solid that can be printed or meshed.
 struct Extrusion {
-    double width = 0; ///< along a profile's ridges, mm; 0: a quarter of its length
+    double width = 0; ///< size of a profile's solid in the second direction, mm; 0: a quarter of its length
     double base = 0;  ///< thickness below the lowest node, mm; 0: the larger of the height range and a tenth
                       ///< of the length, or less so that single precision resolves the heights
     double magnify = 1;  ///< factor on all lengths, > 0
     double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
 };
 
-/// Width of the solid of a profile along its ridges, or of a map, mm.
+/// Width of the solid in the second direction, mm.
 double width_of(const Profile& surface, const Extrusion& extrusion);
 
 /// A closed surface of triangles.
@@ -27,9 +27,9 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> facets; ///< indices of the corners, anticlockwise from outside
 };
 
-/// The solid under a profile extended along its ridges, or under a map. x is along the profile, y along
-/// the ridges, z up from the flat underside; mm. It is closed, with facets oriented outwards. N_x x N_y
-/// heights (a profile has two rows) give 2 N_x N_y vertices and 4 (N_x N_y - 1) facets.
+/// The solid under a profile that is extended in the second direction, or under a map. x is along the
+/// profile, y in the second direction, z up from the flat underside; mm. It is closed, with facets oriented
+/// outwards. N_x x N_y heights (a profile has two rows) give 2 N_x N_y vertices and 4 (N_x N_y - 1) facets.
 ///
 /// Throws InputError on lengths that are not above 0, on a width for a map, and on lengths, nodes or
 /// heights beyond single precision.

@@ -25,7 +25,7 @@ struct Segment {
 Segment segment_at(const Curve& curve, double position);
 
 /// K(p) for similarities: secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}) (MPa/mm) at pi_j = (P_j +
-/// P_{j-1})/2 (MPa), over [0, P_nt]. A tangent would not do, because it does not depend on the heights at a
+/// P_{j-1})/2 (MPa), over [0, P_nt]. A tangent cannot be used, because it does not depend on the heights at a
 /// fixed contact set.
 Curve secant_stiffness(const Response& response);
 
@@ -38,7 +38,7 @@ Curve area_against_displacement(const Response& response);
 /// Mean pressure (MPa) against displacement (mm), from (0, 0).
 Curve load_against_displacement(const Response& response);
 
-/// The curve with a point at `to`, for drawing.
+/// The curve with an additional point at `to`, for pictures.
 Curve to_its_end(Curve curve);
 
 /// The curve with x multiplied by `factor`, in Eq. 11 by p_max / P_nt.

@@ -55,8 +55,8 @@ struct ResponseGradient {
 /// a height is not finite.
 double displacement_range(const Profile& profile, Kernel kernel);
 
-/// The displacements of load steps that end by reach, mm. Throws InputError on steps < 2 or a reach outside
-/// its range.
+/// The displacements of load steps whose end follows from `reach`, mm. Throws InputError on steps < 2 or a
+/// reach outside its range.
 std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel);
 
 /// The displacements of load steps with any end, mm. Throws InputError on steps < 2, an end that the profile
@@ -87,9 +87,9 @@ struct ResponseWithGradient {
     ResponseGradient gradient; ///< N columns
     AreaGradient area;         ///< empty if not requested
 };
-/// respond() with derivatives. They need the solutions of respond() only; those of the contact fraction need
-/// one more solve per load step. Also throws InputError if the load steps are at given pressures, and on the
-/// contact fraction's derivatives for a body with a hardness.
+/// respond() with derivatives. They need only the solutions of respond(). Derivatives of the contact fraction
+/// need one more solve per load step. Also throws InputError if the load steps are at given pressures, and on
+/// the contact fraction's derivatives for a body with a hardness.
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options = {}, bool with_area = false);
 

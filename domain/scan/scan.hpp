@@ -17,7 +17,7 @@ struct ScanOptions {
     Detrend detrend = Detrend::line; ///< form to remove from the heights
     bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
     Index row = 0;     ///< row of an areal map to take, from 1; 0: the file has a profile
-    Index nodes = 0;   ///< even nodes to resample to, >= 2; 0: as many as the file has points
+    Index nodes = 0;   ///< number of even nodes to resample to, >= 2; 0: as many as the file has points
     bool remove_outliers = false; ///< replace outliers by linear interpolation
     /// cut-off of the Gaussian filter that removes shorter wavelengths, after the form, mm; 0: none
     double lambda_s = 0;
@@ -29,7 +29,7 @@ struct Scan {
     Profile profile; ///< mm, even spacing, x growing, detrended
     std::string
         account; ///< one line: points, length, height range, rms, units, resampling, filling, detrending
-    std::vector<Index> outliers; ///< outlying nodes that were kept
+    std::vector<Index> outliers; ///< outliers that were kept
 };
 
 /// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or x and

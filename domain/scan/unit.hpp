@@ -9,7 +9,7 @@ namespace rough {
 
 /// A unit of length.
 struct LengthUnit {
-    std::string name; ///< as accounts print it
+    std::string name; ///< its name in messages
     double in_mm = 1; ///< > 0
 };
 

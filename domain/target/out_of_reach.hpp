@@ -22,12 +22,12 @@ StiffnessLimits stiffness_limits(const Model& model);
 /// segments. The limits are sharp if all secants lie between `secants`. `steps` are even and at least 2.
 StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share);
 
-/// Why no profile can meet a target exactly, and how near the best one could come.
+/// The reason why no profile can match a target exactly, and an upper bound on the similarity.
 struct OutOfReach {
     std::string reason;     ///< one line, with numbers
     std::vector<double> at; ///< the target's x (MPa or mm) at fault
     double bound = 1;       ///< no profile has a higher similarity to the target (Eq. 12, the scored curve)
-    bool on_this_grid = false; ///< a profile on a finer grid could come nearer
+    bool on_this_grid = false; ///< whether a profile on a finer grid could have a higher similarity
 
     /// The verdict in words, with the reason.
     std::string verdict() const;
@@ -39,8 +39,8 @@ struct OutOfReach {
 ///   that does not fall differs from one of them by at least the share (y_i - y_j)/(y_i + y_j).
 /// - Secants of K lie between a single node and full contact. So the scored curve, with its ends continued,
 ///   lies between scored_limits(). The lower limit falls as the grid is refined.
-/// - K_i never falls either, and its upper limit is infinite. Every curve has its first secant in the middle
-///   of the first load step. From there on K_i is at least that of a single node. On a periodic body it is K.
+/// - K_i never falls either, and its upper limit is infinite. The first secant of a curve is in the middle of
+/// the first load step. From there on K_i is at least that of a single node. On a periodic body K_i = K.
 /// - P(Delta) is convex from (0, 0) on, for the same reason. Its slope is at most that of full contact and at
 ///   least that of a single node.
 ///

@@ -11,11 +11,11 @@
 
 namespace rough {
 
-/// The y of a target curve, and its x.
+/// The quantities y and x of a target curve.
 enum class Quantity {
-    stiffness,            ///< secants of K between load steps (MPa/mm) against mean pressure (MPa)
+    stiffness,            ///< secant stiffness between load steps (MPa/mm) against mean pressure (MPa)
     area_at_pressure,     ///< contact fraction against mean pressure (MPa)
-    area_at_displacement, ///< contact fraction against displacement from the highest point (mm)
+    area_at_displacement, ///< contact fraction against displacement (mm)
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
     interface_stiffness,  ///< K_i (MPa/mm; response/curve.hpp) against mean pressure (MPa)
 };
@@ -36,7 +36,7 @@ inline bool against_pressure(Quantity quantity) {
     return quantity != Quantity::area_at_displacement && quantity != Quantity::load_at_displacement;
 }
 
-/// A curve that a design has to meet, with its weight and, if given, the band that satisfies it.
+/// A curve that a design must match, with its weight. A band contains the values that count as a match.
 struct Target {
     Quantity quantity = Quantity::stiffness;     ///< y and x of the curve
     std::string name;                            ///< its file or another origin
@@ -62,8 +62,8 @@ struct Columns {
 /// The names of a quantity's columns in a target file.
 Columns columns_of(Quantity quantity);
 
-/// Throws InputError that names the point (1-based) and value: no points; x not increasing from above 0. The
-/// same if y is not above 0, a contact fraction is above 1, or a band does not contain y.
+/// Throws InputError if points are missing, x is not positive and increasing, y is out of range, or a band
+/// excludes y. The message names the point (from 1) and the value.
 void validate(const Target& target);
 
 /// The contents of a target file.
@@ -75,13 +75,14 @@ struct TargetTable {
     /// The column's place in the header, or -1.
     int place_of(const std::string& name) const;
 };
-/// Reads a target file: comments, a header and rows of numbers, with commas, semicolons or tabs between as in
-/// the header. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
+/// Reads a target file: comments, a header and rows of numbers. The header determines the separator: comma,
+/// semicolon or tab. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
 TargetTable read_target_table(const std::filesystem::path& file);
 
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
-    double nominal_area = 0; ///< mm^2, for loads (N) and areas (mm^2); 0 refuses both (a line)
+    double nominal_area =
+        0; ///< mm^2, converts loads and areas; 0: such columns are refused (a line has none)
     double conductance_to_stiffness =
         0;                     ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
     double shear_strength = 0; ///< sigma of friction = sigma A, MPa; 0: none
@@ -89,19 +90,19 @@ struct TargetScales {
 
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
 /// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm,
-/// conductance, or the pressure against displacement) and optionally lower and upper. Names may have other
-/// units. A pressure may be in Pa, kPa, MPa or GPa, or a load in uN, mN, N or kN over the
+/// conductance, or the pressure against displacement) and optionally lower and upper. A column name may state
+/// another unit. A pressure may be in Pa, kPa, MPa or GPa. A load in uN, mN, N or kN is divided by the
 /// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
-/// square, e.g. area_mm2. With a shear strength sigma, friction_N or shear_MPa (over the nominal area) give
-/// the area A = friction/sigma, and normal_N is a load. A stiffness is a pressure or a load per length, e.g.
-/// stiffness_N_per_um. A conductance C is read as the interface stiffness C E* (rho_1 + rho_2)/2. Lines "#
-/// key: value" record the model. Throws InputError that names file and line or column.
+/// square, e.g. area_mm2. With a shear strength sigma, friction_N or shear_MPa (friction over the nominal
+/// area) is divided by sigma and gives the contact area. normal_N is a load. A stiffness is a pressure or a
+/// load per length, e.g. stiffness_N_per_um. A conductance C is read as the interface stiffness C E* (rho_1 +
+/// rho_2)/2. Lines "# key: value" record the model. Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
 /// The target as a file: the recorded lines, the header, and one row per point with 17 digits.
 std::string to_csv(const Target& target);
 
-/// The curve of a response that a target of that quantity is compared with.
+/// The curve of `response` that is compared with a target of this quantity.
 Curve curve_of(Quantity quantity, const Response& response);
 
 /// The misfit of a value y at the target's point k, times the weight. It is y/y_k - 1, or with a band the
@@ -119,20 +120,19 @@ Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const 
                                 const Eigen::VectorXd& misfits);
 
 /// Similarity (Eq. 12) for these misfits: 1 - the largest |misfit|. Without band and weight it is
-/// s = 1 - max_k |y_k - y(x_k)|/|y_k|. 1 is equal; it may be negative.
+/// s = 1 - max_k |y_k - y(x_k)|/|y_k|. Equal curves have similarity 1. It may be negative.
 inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cwiseAbs().maxCoeff(); }
 /// Similarity of a curve to the target.
 double similarity(const Target& target, const Curve& curve);
 
-/// Similarity of two responses: the first is the target at its abscissas, and both are stretched to the same
-/// highest pressure. It compares a reduced profile with the complete one.
+/// Similarity of two curves. The first curve is the target. The second is stretched in x to the end of the
+/// first. Used to compare a profile of fewer waves or nodes with the complete profile.
 double similarity(const Curve& reference, const Curve& curve);
 
-/// The model as a target file records it: everything besides the surface that the curve depends on, by name
-/// with unit.
+/// The model's values on which the curve depends. Keys are names with units.
 std::map<std::string, std::string> recorded_model(const Model& model);
 
-/// A recorded value that the model does not have.
+/// A recorded value that differs from the model's.
 struct RecordedDifference {
     std::string key;      ///< "kernel", "datum_mm", ...
     std::string recorded; ///< the target's value
@@ -144,9 +144,9 @@ struct RecordedDifference {
 /// be read.
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
-/// The differences to which the target's curve is insensitive: datum and length of an interface stiffness.
-/// The half-plane, whose stiffness depends on both, is removed from it. It does not depend on the datum, and
-/// on the length only weakly, at light loads. Other quantities have no such differences.
+/// Differences that hardly affect the curve: datum and length, for an interface stiffness. Its definition
+/// removes the compliance of full contact, so it does not depend on the datum. At light loads it depends only
+/// weakly on the length. Other quantities have no such differences.
 std::vector<RecordedDifference> carried_over(const Target& target, const Model& model);
 
 /// The differences in words: "kernel strip (here free), length_mm 0.004 (here 0.84942)".

@@ -8,7 +8,7 @@
 
 namespace rough {
 
-/// The number that stands at a place of some bytes, lowest byte first; the bytes must reach that far.
+/// The number at a position in `bytes`, lowest byte first. There must be enough bytes.
 template <class T>
 T little_endian(std::string_view bytes, std::size_t at) {
     const auto* place = reinterpret_cast<const unsigned char*>(bytes.data() + at);

@@ -14,16 +14,16 @@ std::string_view trim(std::string_view text);
 /// The text with ASCII letters in lower case.
 std::string lower(std::string_view text);
 
-/// Whether a word is in a list, in which a blank is before and behind each word.
+/// Whether a word is in a list. Each word of the list has a blank before and after it.
 bool is_in(std::string_view list, std::string_view word);
 
 /// The trimmed parts of a text between its commas; none if the text is empty.
 std::vector<std::string> listed(const std::string& text);
 
-/// A word as a finite number. Throws InputError that begins with `where` if any part of it is something else.
+/// A word as a finite number. Throws InputError that begins with `where` for any other word.
 double number_from(const std::string& word, const std::string& where);
 
-/// How a file writes its columns and numbers.
+/// The separator and decimal mark of a file.
 struct Dialect {
     /// Separates the columns. `comma_and_blank` is a comma before a blank; other commas are then decimal.
     enum class Separator { semicolon, tab, comma, comma_and_blank, blanks };

@@ -7,7 +7,7 @@
 namespace rough {
 
 /// Theories of the contact of a rigid, random, Gaussian surface with an elastic half-space, repeated without
-/// end, as `periodic` solves it. They are the cheapest models: no surface is drawn and nothing is solved.
+/// end, as `periodic` solves it. They need no sampled surface and no contact solution.
 enum class Theory { greenwood_williamson, bush_gibson_thomas, persson };
 
 /// greenwood-williamson, bush-gibson-thomas and persson, in the order of Theory.
@@ -23,7 +23,7 @@ struct TheoryCurve {
 };
 
 /// Whether a theory applies: to maps always, to profiles only Persson's. Asperity theories are for maps,
-/// because ridges touch along lines.
+/// because a profile touches along lines.
 bool holds_for(Theory theory, bool is_area);
 
 /// The curve of a theory. `effective_modulus` is E*, MPa; pressures are > 0, in any order, MPa. Throws

@@ -22,11 +22,11 @@ struct Certificate {
 /// sqrt(h_0) |z| Delta.
 double direct_tolerance(const ContactProblem& problem, const StepSolution& step);
 
-/// `displacement` is u = H p at every node, by another path than the one that found p.
+/// `displacement` is u = H p at every node, by a method different from the one that found p.
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement);
 
-/// Throws NotConverged if a step's residual exceeds the tolerance, in the words that every solver uses.
+/// Throws NotConverged if a step's residual exceeds the tolerance, with the message that all solvers share.
 void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
                      double tolerance);
 /// Sets a step's residual, with H applied to the pressures at every node by `check`; then the same check.

@@ -9,9 +9,9 @@
 
 namespace rough {
 
-/// H's entries by the offset of two nodes, laid out for loops along x. A node stands at a place, and the
-/// entry of two nodes stands at the difference of their places from the centre. The places of a line are its
-/// nodes. Rows of an area lie so far apart that no offset along x reaches the next row.
+/// H's entries by the offset of two nodes, laid out for loops along x. Each node has a place, and the entry
+/// of two nodes is stored at the difference of their places from the centre. The places of a line are its
+/// nodes. Rows of a map are so far apart that no offset along x reaches the next row.
 class Influence {
   public:
     /// From the first column of N entries.
@@ -30,7 +30,7 @@ class Influence {
     static constexpr Index block = 64; ///< loops over a row take whole blocks of this many numbers
 
     Extent shape() const { return shape_; }          ///< N_x, N_y
-    Index padded_columns() const { return padded_; } ///< N_x in whole blocks: so far a row may be read
+    Index padded_columns() const { return padded_; } ///< N_x in whole blocks, which may all be read
     Index stride() const { return stride_; }         ///< places from one row to the next
     /// The entry of the offset 0.
     const double* centre() const { return centre_; }

@@ -9,14 +9,14 @@
 namespace rough {
 
 /// A contact problem without units, as every solver takes it. Heights are in units of the largest
-/// displacement, lengths along the surface in units of delta (for an area delta_x). Pressures are in units of
+/// displacement, lengths along the surface in units of delta (for a map delta_x). Pressures are in units of
 /// E* times the largest displacement over delta.
 struct ContactProblem : UnitBody {
     Extent shape;                 ///< nodes along x and y; only operators and neighbours depend on it
     Eigen::VectorXd column;       ///< first column of H
     Eigen::VectorXd gap;          ///< g0_i = max Z - Z_i >= 0
     std::vector<double> approach; ///< displacements, increasing, the last one 1 (or all zero)
-    std::vector<double> load; ///< in their place under load control: sums of the nodes' pressures, increasing
+    std::vector<double> load; ///< used instead under load control: sums of the nodes' pressures, increasing
     double cap;               ///< p_H, infinite without a hardness
 
     double displacement_unit; ///< mm
@@ -24,7 +24,7 @@ struct ContactProblem : UnitBody {
     double elements;          ///< L/delta, on a map N: P = sum p / elements
     double stiffness_unit;    ///< MPa/mm, E*/(elements delta): K = stiffness_unit * sum w
 
-    Team* team = &Team::alone(); ///< shares the loops over an area's nodes; outlives the problem
+    Team* team = &Team::alone(); ///< shares the loops over a map's nodes; outlives the problem
 
     /// Multiplications after which a factor gives up.
     double work_limit = std::numeric_limits<double>::infinity();
@@ -36,7 +36,7 @@ struct ContactProblem : UnitBody {
     bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
 };
 
-/// Throws InputError for anything that a contact problem can be refused for. Returns the completed body.
+/// Throws InputError for every reason to refuse a contact problem. Returns the completed body.
 Body checked_body(const Profile& profile, const Body& body, const std::vector<double>& displacements = {});
 /// Makes the problem of a surface and body that checked_body() accepts, and throws as it does.
 ContactProblem make_problem(const Profile& profile, const Body& body,
@@ -45,7 +45,7 @@ ContactProblem make_problem(const Profile& profile, const Body& body,
 ContactProblem make_problem_at(const Profile& profile, const Body& body, const std::vector<double>& pressures,
                                Team& team = Team::alone());
 
-/// Threads worth having for a surface: areas of fewer than 128 x 128 nodes and lines take one.
+/// Number of threads that is useful for a surface: 1 for lines and for maps of fewer than 128 x 128 nodes.
 int useful_threads(const Profile& profile, int threads);
 
 /// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
@@ -90,7 +90,7 @@ struct Solution {
 
 /// Throws NotConverged if the options' `stop` returns true.
 void check_stop(const ContactOptions& options);
-/// Throws NotConverged in the words every solver uses.
+/// Throws NotConverged with the message that all solvers share.
 [[noreturn]] void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
                        double tolerance);
 

@@ -19,13 +19,13 @@ class ContactSet {
     const std::vector<char>& touching() const { return touching_; }
     /// Whether the node touches.
     bool holds(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
-    /// Lets the node touch.
+    /// Puts the node into contact.
     void insert(Index node) { touching_[static_cast<std::size_t>(node)] = 1; }
-    /// Lets the node part.
+    /// Takes the node out of contact.
     void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
     /// To be called after the last insert or erase.
     void collect();
-    /// Lets just those nodes touch for which touches(node) is true.
+    /// Puts exactly those nodes into contact for which touches(node) is true.
     template <class Touches>
     void assign(Touches touches) {
         team_.each_range(static_cast<Index>(touching_.size()), [&](Index first, Index count, int) {
@@ -61,7 +61,7 @@ struct KnownProduct {
     double blur = 0;              ///< largest error of an entry
 };
 
-/// When an improvement may end: at the residual or, if given, at a low enough energy.
+/// Condition at which an improvement may end: the residual or, if given, a low enough energy.
 struct Enough {
     double residual = 0; ///< largest |b - H x| on A
     std::function<bool(double)> energy =
@@ -70,7 +70,7 @@ struct Enough {
 
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, with H applied by FFT. The preconditioner is
 /// the inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Off A the residual is taken as
-/// zero on a line, and is continued on an area (extension.hpp). Search directions are products in single
+/// zero on a line, and is continued on a map (extension.hpp). Search directions are products in single
 /// precision. The residual is recomputed in double precision before their errors affect it (iterative
 /// refinement in mixed precision, Carson & Higham 2018).
 class SetSolver {
@@ -91,8 +91,7 @@ class SetSolver {
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
                  const Enough& enough, long limit, KnownProduct* known = nullptr, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
-    /// entries. On an area w.displacement is then up to date at every node; the return value bounds its
-    /// error.
+    /// entries. On a map w.displacement is then up to date at every node. The return value bounds its error.
     double tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
     long applies() const { return applies_; } ///< products with H so far, in either precision
@@ -110,7 +109,7 @@ class SetSolver {
 
     Team& team_;
     Extent shape_;
-    Eigen::VectorXd sums_; ///< sums of H's first column, for the deflation; empty on an area
+    Eigen::VectorXd sums_; ///< sums of H's first column, for the deflation; empty on a map
     FourierOperator forward_;
     SingleFourierOperator single_;
     Extent inverse_shape_; ///< grid of the circulant; the surface is a part at its origin
