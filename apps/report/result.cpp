@@ -42,6 +42,7 @@ json account_json(const rough::Account& account) {
             {"step_error", account.step_error},
             {"solver_error", account.solver_error},
             {"area_error", account.area_error},
+            {"tangent_error", account.tangent_error},
             {"by_line", account.by_line},
             {"line_error", account.line_error},
             {"aspect_ratio", account.aspect_ratio},

@@ -62,13 +62,18 @@ std::string in_words(const Account& account) {
         if (account.light_rows > 0)
             words << "At the first " << account.light_rows
                   << " load steps, below 1 % of the last pressure, it is relative to that 1 %. ";
+        for (const auto& [name, error] : {std::pair("Contact fractions", account.area_error),
+                                          std::pair("Tangent stiffnesses K", account.tangent_error)})
+            if (error < 1)
+                words << name << " are off by an estimated " << error << " at most. ";
+            else
+                words << name << " are not bounded"
+                      << (account.by_line ? "" : " at the lightest load steps, where few nodes touch")
+                      << ". ";
+        words << "Interface stiffnesses K_i are off by K_i/K times as much as K.";
         if (account.used.empty())
-            words << "Contact fractions count measured nodes: only the band of the scan's resolution shows "
+            words << " Contact fractions count measured nodes: only the band of the scan's resolution shows "
                      "the error from their spacing.";
-        else if (std::isfinite(account.area_error))
-            words << "Contact fractions are off by an estimated " << account.area_error << " at most.";
-        else
-            words << "Contact fractions are not bounded.";
     } else {
         words << "This is the model as given; the error of its grid was not estimated, because no accuracy "
                  "was requested.";

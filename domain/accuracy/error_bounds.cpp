@@ -28,7 +28,6 @@ Eigen::VectorXd shifted_pressures(const Profile& profile, const Body& body, std:
     return pressures;
 }
 
-constexpr double pressure_order = 1.5;          ///< between the scatter's order and 2
 constexpr double weight_order = 3;              ///< the scatter's variance falls as N^-3
 constexpr double safety = 2.3, thin_safety = 3; ///< thin: three grids, one more than a line needs
 
@@ -162,13 +161,9 @@ Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Wi
     return bounds;
 }
 
-Eigen::VectorXd extrapolated(const std::vector<Index>& grids, const Eigen::MatrixXd& values, Index resolved,
-                             double order) {
-    return values * Line(grids, resolved, order).reading;
-}
-
-Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved) {
-    const Line line(grids, resolved, pressure_order);
+Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved,
+                          double order) {
+    const Line line(grids, resolved, order);
     Eigen::MatrixXd steps = pressures;
     steps.bottomRows(steps.rows() - 1) -= pressures.topRows(steps.rows() - 1);
     const double factor = grids.size() > 3 ? safety : thin_safety;

@@ -104,10 +104,8 @@ struct Extrapolation {
 /// Both factors were tuned on random scenes (README.md).
 ///
 /// `grids` in elements, at least 3; `pressures` has one column per grid, all at the same displacements.
-Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved);
-
-/// Extrapolates rows of values whose error falls as N^-order along straight lines with the same weights.
-Eigen::VectorXd extrapolated(const std::vector<Index>& grids, const Eigen::MatrixXd& values, Index resolved,
-                             double order);
+/// Other quantities than pressure are extrapolated likewise, along lines in N^-order.
+Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved,
+                          double order = 1.5);
 
 } // namespace rough

@@ -65,7 +65,6 @@ double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displac
 LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                     const ContactOptions& options, double accuracy) {
     const std::size_t count = displacements.size();
-    const double one_node = 1 / static_cast<double>(profile.nodes()); // as a contact fraction
     LoadRows rows;
     rows.steps.resize(count);
     std::vector<char> known;
@@ -75,6 +74,10 @@ LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<
     std::vector<std::size_t> next;
     for (std::size_t j = count; j > 0 && !known[j - 1]; j -= std::min(j, apart))
         next.push_back(j - 1);
+    // The first row in contact is solved too. Rows between solved rows are then in contact at both ends.
+    const auto first_row = static_cast<std::size_t>(std::count(known.begin(), known.end(), 1));
+    if (!next.empty() && next.back() > first_row)
+        next.push_back(first_row);
     std::reverse(next.begin(), next.end());
     while (!next.empty()) {
         std::vector<double> at;
@@ -91,7 +94,7 @@ LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<
             rows.last_contact = curve.last_contact;
 
         next.clear();
-        rows.error = rows.area_error = 0;
+        rows.error = rows.area_error = rows.tangent_error = 0;
         LoadStep start; // no contact at displacement 0
         for (std::size_t first = 0, end = 0; end < count; ++end) {
             if (!known[end])
@@ -109,9 +112,11 @@ LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<
             for (std::size_t j = first; j < end; ++j) {
                 const double t =
                     (displacements[j] - start.displacement) / (solved.displacement - start.displacement);
-                const double error = std::max(t, 1 - t) * (solved.contact_fraction - start.contact_fraction);
-                rows.area_error =
-                    std::max(rows.area_error, error / std::max(start.contact_fraction, one_node));
+                const auto widen = [&](double& error, double from, double to) {
+                    error = std::max(error, std::max(t, 1 - t) * (to / from - 1));
+                };
+                widen(rows.area_error, start.contact_fraction, solved.contact_fraction);
+                widen(rows.tangent_error, start.tangent_stiffness, solved.tangent_stiffness);
             }
             start = solved;
             first = end + 1;

@@ -10,6 +10,7 @@ struct LoadRows {
     double error = 0;                  ///< bound of the error of interpolated rows, relative to a row's exact
                                        ///< pressure and secant
     double area_error = 0;             ///< relative bound for the contact fraction, which never falls
+    double tangent_error = 0;          ///< relative bound for the tangent stiffness, which never falls
     int solved = 0;                    ///< number of solved rows
     Solver solver = Solver::automatic; ///< the one that was used
     std::vector<int> last_contact;     ///< nodes that touch at the last displacement

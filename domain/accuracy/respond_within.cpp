@@ -36,6 +36,9 @@ constexpr double finest_share = 0.6;
 constexpr double estimate_order = 2, patience = 1.3;
 /// Largest share of the whole curve's cost on the resolved grid at which a part of it is solved there.
 constexpr double max_cost_share = 0.8;
+/// Usual largest number of nodes in contact on a resolved grid that are not on a far finer one, or of missing
+/// ones. An iterative solver has no more wrong.
+constexpr double miscounted = 4;
 
 /// The elements around a resolved grid's nodes make up a body. This is a grid of `elements` equal ones over
 /// the same body, nodes in their middle. Coarse nodes from end to end would make the body longer by half an
@@ -49,15 +52,45 @@ Grid cells(const Grid& resolved, Index elements) {
             resolved.from - overhang + 0.5 * spacing};
 }
 
-/// Doubt of solutions that leave gaps and penetrations of at most r Delta. By the lemma of README.md they are
-/// exact at displacements at most r Delta away.
-Doubt solver_doubt(const Response& rows, Index count) {
+/// Doubt of the first `count` rows if the error of each displacement is at most its `share`.
+/// Solutions that leave gaps and penetrations of at most r Delta are exact at most r Delta away, by the lemma
+/// of README.md.
+Doubt solver_doubt(const Response& rows, Index count, const Eigen::VectorXd& share) {
     const Index last = rows.steps() - 1;
     Eigen::VectorXd next_stiffness = rows.tangent_stiffness;
     next_stiffness.head(last) = rows.tangent_stiffness.tail(last);
     const Eigen::VectorXd error =
-        rows.kkt_residual.cwiseProduct(rows.displacement).cwiseProduct(next_stiffness).head(count);
+        share.cwiseProduct(rows.displacement).cwiseProduct(next_stiffness).head(count);
     return doubt_of(error, Eigen::VectorXd::Zero(count), 2 * error);
+}
+
+/// Relative distances of the rows' pressures from the requested ones; 0 if none were requested. P is convex,
+/// so displacements are off by no larger shares.
+Eigen::ArrayXd missed_loads(const Loading& loading, const Eigen::ArrayXd& pressure) {
+    if (!loading.pressures.empty())
+        return (pressure / Eigen::Map<const Eigen::ArrayXd>(loading.pressures.data(), pressure.size()) - 1)
+            .abs();
+    const double last = pressure[pressure.size() - 1];
+    return Eigen::ArrayXd::Constant(pressure.size(),
+                                    loading.to_pressure > 0 ? std::abs(last / loading.to_pressure - 1) : 0);
+}
+
+/// Largest relative error of a quantity that grows from row to row. The error of each displacement is at most
+/// its `share`, that of the contact fraction at most `wrong`.
+double largest_change(const Response& rows, const Eigen::VectorXd& values, const Eigen::VectorXd& share,
+                      double wrong) {
+    const Eigen::VectorXd lengths = differences(rows.displacement), changes = differences(values),
+                          joined = differences(rows.contact_fraction);
+    const Index last = rows.steps() - 1;
+    double worst = 0;
+    for (Index j = 0; j <= last; ++j)
+        for (const Index k :
+             {std::min(std::max<Index>(j, 1), last), std::min(j + 1, last)}) { // around the row
+            const double part = share[j] * rows.displacement[j] / lengths[k] +
+                                (wrong < joined[k] ? wrong / joined[k] : wrong > 0);
+            worst = std::max(worst, part * changes[k] / values[j]);
+        }
+    return worst;
 }
 
 /// Predicted cost of a curve of which a share of the nodes touches at the last row.
@@ -84,7 +117,7 @@ Model tolerant(const Model& given) {
 
 LoadRows rows_of(ContactCurve curve) {
     const int solved = static_cast<int>(curve.steps.size());
-    return {std::move(curve.steps), 0, 0, solved, curve.solver, std::move(curve.last_contact)};
+    return {std::move(curve.steps), 0, 0, 0, solved, curve.solver, std::move(curve.last_contact)};
 }
 
 Response response_of(const LoadRows& rows) { return response_of(rows.steps, rows.solver, 0); }
@@ -157,7 +190,7 @@ class Question {
             const Extrapolation found =
                 extrapolate(ladder.last(), ladder.last(&Response::pressure, count_), whole_.nodes());
             const Sources sources{found.doubt, dropped_doubt(window, *rows, found.pressure),
-                                  solver_doubt(response, count_)};
+                                  solver_doubt(response, count_, response.kkt_residual)};
             const ErrorScale scale = error_scale(found.pressure);
             const Index known = rows_to_know(sources.together(), scale, accuracy_ - rows->error);
             const auto cost_on = [&](double nodes, Index count) {
@@ -176,7 +209,8 @@ class Question {
         return false;
     }
 
-    void by_resolved_grid() {
+    /// Answers from the resolved grid, on which `wrong` nodes may be miscounted; an iterative solver's are.
+    void by_resolved_grid(double wrong) {
         const LoadRows rows = pressed_.steps.empty() ? resolved(rows_) : pressed_;
         response_ = response_of(rows.steps, rows.solver, response_.range, response_.full_stiffness);
         last_contact_ = rows.last_contact;
@@ -185,10 +219,16 @@ class Question {
         account_.solved_rows = rows.solved;
         account_.resolved_rows = static_cast<int>(count_);
         account_.step_error = rows.error;
-        account_.area_error = rows.area_error;
         account_.held_nodes = response_.held_nodes;
+        const Eigen::VectorXd share =
+            response_.kkt_residual.array() + missed_loads(model_.loading, response_.pressure.array());
         account_.solver_error =
-            relative(solver_doubt(response_, count_), error_scale(response_.pressure, 0)).maxCoeff();
+            relative(solver_doubt(response_, count_, share), error_scale(response_.pressure, 0)).maxCoeff();
+        if (!is_direct(rows.solver))
+            wrong = miscounted;
+        take_counting_errors(share, wrong);
+        account_.area_error += rows.area_error;
+        account_.tangent_error += rows.tangent_error;
         account_.estimated_error = account_.step_error + account_.solver_error;
     }
 
@@ -210,6 +250,15 @@ class Question {
     LoadRows resolved(const std::vector<double>& rows) const {
         return solve_rows(whole_, model_.body, rows, model_.contact,
                           whole_.is_2d() ? 0 : step_share * accuracy_);
+    }
+
+    /// Sets the errors of contact fractions and tangents. The error of each displacement is at most its
+    /// `share`, and at most `wrong` nodes are miscounted.
+    void take_counting_errors(const Eigen::VectorXd& share, double wrong) {
+        const Eigen::VectorXd& fraction = response_.contact_fraction;
+        wrong /= resolved_nodes();
+        account_.area_error = largest_change(response_, fraction, share, 0) + wrong / fraction.minCoeff();
+        account_.tangent_error = largest_change(response_, response_.tangent_stiffness, share, wrong);
     }
 
     /// Whether half the rows would need more elements than there may be.
@@ -238,22 +287,25 @@ class Question {
         account_.dropped_error = error(sources.dropped, 0);
         account_.solver_error = error(sources.solver, 0);
         account_.step_error = std::max(rows.error, first.error);
-        const Extrapolation area =
-            extrapolate(ladder.last(), ladder.last(&Response::contact_fraction, count_), whole_.nodes());
-        account_.area_error = area.doubt.pressure.cwiseQuotient(area.pressure.cwiseMax(1 / resolved_nodes()))
-                                  .tail(count_ - known)
-                                  .maxCoeff() +
-                              std::max(rows.area_error, first.area_error);
+        const auto read = [&](auto quantity) {
+            return extrapolate(ladder.last(), ladder.last(quantity, count_), whole_.nodes(), 1);
+        };
+        const Extrapolation area = read(&Response::contact_fraction);
+        const Extrapolation tangent = read(&Response::tangent_stiffness);
+        response_.contact_fraction = joined(area.pressure.cwiseMin(1), &Response::contact_fraction);
+        response_.tangent_stiffness = joined(tangent.pressure, &Response::tangent_stiffness);
+        response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
+        take_counting_errors(Eigen::VectorXd::Zero(count_), miscounted);
+        const auto widen = [&](double& worst, const Extrapolation& of, double between) {
+            const Eigen::ArrayXd doubt = of.doubt.pressure.tail(count_ - known).array();
+            const Eigen::ArrayXd lowest = of.pressure.tail(count_ - known).array() - doubt;
+            worst = std::max(worst, (doubt / lowest.max(0)).maxCoeff()) + between;
+        };
+        widen(account_.area_error, area, std::max(rows.area_error, first.area_error));
+        widen(account_.tangent_error, tangent, std::max(rows.tangent_error, first.tangent_error));
         account_.estimated_error = error(sources.together(), offset) + account_.step_error;
         if (!(account_.estimated_error <= accuracy_))
             return false;
-        const auto read = [&](auto quantity) -> Eigen::VectorXd {
-            return extrapolated(ladder.last(), ladder.last(quantity, count_), whole_.nodes(), 1).cwiseMax(0);
-        };
-        response_.contact_fraction =
-            joined(read(&Response::contact_fraction).cwiseMin(1), &Response::contact_fraction);
-        response_.tangent_stiffness =
-            joined(read(&Response::tangent_stiffness), &Response::tangent_stiffness);
         response_.kkt_residual =
             joined(ladder.responses.back().kkt_residual.head(count_), &Response::kkt_residual);
         account_.solver = response_.solver = rows.solver;
@@ -346,7 +398,7 @@ AccountedResponse respond_within(const Genome& genome, const Model& resolved) {
         answered = question.by_coarser_grids(genome, {});
     }
     if (!answered)
-        question.by_resolved_grid();
+        question.by_resolved_grid(exact ? 0 : miscounted);
     AccountedResponse result = question.answer();
     result.account.used = selection.used;
     result.account.dropped = selection.dropped;
@@ -374,12 +426,12 @@ AccountedResponse respond_within(const Profile& scan, const Model& given) {
         account.solver = by_line->response.solver;
         account.tolerance = model.contact.tolerance;
         account.line_error = account.dropped_error = account.estimated_error = by_line->bound;
-        account.area_error = account.window.width() > 0 ? std::nan("") : 0;
+        account.area_error = account.tangent_error = account.window.width() > 0 ? std::nan("") : 0;
         result.response = std::move(by_line->response);
         result.last_contact = std::move(by_line->last_contact);
     } else {
         Question question(scan, given);
-        question.by_resolved_grid();
+        question.by_resolved_grid(0);
         result = question.answer();
         if (by_line && model.loading.pressures.empty() && model.loading.to_pressure == 0)
             account.line_error = relative_error(by_line->response.pressure, result.response.pressure);

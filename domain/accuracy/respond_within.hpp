@@ -30,11 +30,13 @@ struct Account {
     double step_error = 0;                ///< a bound
     double dropped_error = 0;             ///< a bound
     double solver_error = 0;              ///< a bound
-    /// Relative error of the contact fraction, the worst row: estimated if grids are extrapolated, else a
-    /// bound. Not part of `estimated_error`.
+    /// Relative errors of the contact fraction and of the tangent stiffness, the worst row; infinite or NaN
+    /// if not bounded. Not part of `estimated_error`. For a measured surface solved by a direct solver they
+    /// are bounds. Else they are estimates, which hold against a far finer grid too (README.md).
     double area_error = 0;
-    Index held_nodes = 0; ///< nodes whose pressure is the hardness at the last load step
-    bool by_line = false; ///< whether one line gives the curve of a map
+    double tangent_error = 0; ///< as area_error, of dP/dDelta
+    Index held_nodes = 0;     ///< nodes whose pressure is the hardness at the last load step
+    bool by_line = false;     ///< whether one line gives the curve of a map
     double aspect_ratio = std::numeric_limits<double>::quiet_NaN(); ///< Str of a periodic map
     /// Relative error of the map's line: a bound if the line gives the curve, else measured; NaN if no line
     /// was pressed.
