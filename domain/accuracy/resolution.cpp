@@ -18,6 +18,9 @@ namespace {
 using Heights = Eigen::ArrayXXd;
 
 constexpr Index finer_times = 4; ///< elements for each element of a measured surface
+/// Margin of a band as a share of its largest relative width at the row and its neighbours. Counted nodes
+/// scatter, so the curves of the band may agree by chance.
+constexpr double margin_share = 0.25;
 
 /// Every column of the heights with `times` elements for each of its elements.
 Heights finer_columns(const Heights& heights, Index times, Interpolation by, bool periodic) {
@@ -143,17 +146,19 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
     }
     for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's curve, continued to spacing 0
         values->col(3) = values->col(2) + (values->col(2) - values->col(0)) / (finer_times - 1);
-    const double node = 1 / finer_nodes(scan);
-    Eigen::VectorXd change(rows); // change of the stiffness by one node
-    for (Index j = 0; j < rows; ++j) {
-        const Index right = std::max<Index>(j, 1), left = right - 1;
-        const double area = measured.contact_fraction[right] - measured.contact_fraction[left];
-        change[j] = std::abs(measured.tangent_stiffness[right] - measured.tangent_stiffness[left]) *
-                    std::min(1., area > 0 ? node / area : 1.);
-    }
-    return {(fraction.rowwise().minCoeff().array() - node).max(0.),
-            (fraction.rowwise().maxCoeff().array() + node).min(1.),
-            (stiffness.rowwise().minCoeff() - change).cwiseMax(0), stiffness.rowwise().maxCoeff() + change};
+    const auto margin = [&](const Eigen::MatrixXd& values) -> Eigen::ArrayXd {
+        const Eigen::ArrayXd width =
+            (values.rowwise().maxCoeff() - values.rowwise().minCoeff()).cwiseQuotient(values.col(0));
+        Eigen::ArrayXd widest = width; // largest width at the row and its neighbours
+        widest.head(rows - 1) = widest.head(rows - 1).max(width.tail(rows - 1));
+        widest.tail(rows - 1) = widest.tail(rows - 1).max(width.head(rows - 1));
+        return margin_share * widest * values.col(0).array();
+    };
+    const Eigen::ArrayXd of_fraction = margin(fraction), of_stiffness = margin(stiffness);
+    return {(fraction.rowwise().minCoeff().array() - of_fraction).max(0.),
+            (fraction.rowwise().maxCoeff().array() + of_fraction).min(1.),
+            (stiffness.rowwise().minCoeff().array() - of_stiffness).max(0.),
+            stiffness.rowwise().maxCoeff().array() + of_stiffness};
 }
 
 ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit) {

@@ -44,12 +44,12 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
 /// The uncertainty of a measured surface's curve from its node spacing, one entry per load step; empty if it
 /// was not computed.
 ///
-/// The band contains the curves of the heights as measured, interpolated linearly, and interpolated by a
-/// spline. All are evaluated at the measured curve's mean pressures. Pressure is force over the length of
-/// each grid, for a free map over all of its patches. The band also contains the spline's curve extrapolated
-/// to spacing 0, v + (v - measured)/3 (Richardson 1911). The error of a node count is proportional to the
-/// spacing. The band is widened by the change that one node of the finer grid makes. It does not cover
-/// roughness below the spacing.
+/// The band holds the curves of the heights as measured, interpolated linearly, and interpolated by a spline.
+/// All are evaluated at the measured curve's mean pressures. Pressure is force over the length of each grid,
+/// for a free map over all of its patches. The band also holds the spline's curve extrapolated to spacing 0,
+/// v + (v - measured)/3 (Richardson 1911). The reason is that the error of a node count is proportional to
+/// the spacing. At both ends it is wider by a quarter of its largest relative width at the load step and the
+/// ones next to it. It does not cover roughness below the spacing.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lowest
     Eigen::VectorXd contact_fraction_high = {};  ///< highest
