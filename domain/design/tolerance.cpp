@@ -216,9 +216,13 @@ std::pair<double, double> share_interval(double share, int draws) {
 }
 
 /// The number of draws of noise, and the number of parts of each octave of tilts and scales. Both are smaller
-/// if time is short, by the time of some curves, and planned for 0.7 of it.
-std::pair<int, int> effort_for(Trials& trials, const Grid& grid, const ToleranceOptions& options) {
-    std::pair effort(draws_for(grid), grid.is_2d() ? 2 : 8);
+/// if time is short, by the time of some curves, and planned for 0.7 of it. Similarities to contact fractions
+/// jump where a node touches, so there are more parts for such targets.
+std::pair<int, int> effort_for(Trials& trials, const DesignSetup& setup, const ToleranceOptions& options) {
+    const Grid& grid = setup.model.grid;
+    const auto is_counted = [](const Target& target) { return is_contact_fraction(target.quantity); };
+    const bool jumps = std::any_of(setup.targets.begin(), setup.targets.end(), is_counted);
+    std::pair effort(draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8);
     auto& [draws, parts] = effort;
     if (options.fixed_draws || std::isinf(options.seconds))
         return effort;
@@ -249,7 +253,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
         result.levels.push_back({level, unknown, unknown, unknown});
     try {
         result.similarity = trials.similarity();
-        const auto [draws, parts] = effort_for(trials, setup.model.grid, options);
+        const auto [draws, parts] = effort_for(trials, setup, options);
         result.draws = draws;
         std::tie(result.share_from, result.share_to) = share_interval(Tolerance::share, draws);
         const auto first = std::ranges::find_if(result.levels, [&](const ToleranceLevel& level) {
