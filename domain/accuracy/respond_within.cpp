@@ -37,8 +37,8 @@ constexpr double estimate_order = 2, patience = 1.3;
 /// Largest share of the whole curve's cost on the resolved grid at which a part of it is solved there.
 constexpr double max_cost_share = 0.8;
 /// Usual largest number of nodes in contact on a resolved grid that are not on a far finer one, or of missing
-/// ones. An iterative solver has no more wrong.
-constexpr double miscounted = 4;
+/// ones. A solution with an error of displacements above `exact_share` has no more wrong.
+constexpr double miscounted = 4, exact_share = 1e-9;
 
 /// The elements around a resolved grid's nodes make up a body. This is a grid of `elements` equal ones over
 /// the same body, nodes in their middle. Coarse nodes from end to end would make the body longer by half an
@@ -209,7 +209,7 @@ class Question {
         return false;
     }
 
-    /// Answers from the resolved grid, on which `wrong` nodes may be miscounted; an iterative solver's are.
+    /// Answers from the resolved grid, on which `wrong` nodes may be miscounted by an exact solution.
     void by_resolved_grid(double wrong) {
         const LoadRows rows = pressed_.steps.empty() ? resolved(rows_) : pressed_;
         response_ = response_of(rows.steps, rows.solver, response_.range, response_.full_stiffness);
@@ -224,7 +224,7 @@ class Question {
             response_.kkt_residual.array() + missed_loads(model_.loading, response_.pressure.array());
         account_.solver_error =
             relative(solver_doubt(response_, count_, share), error_scale(response_.pressure, 0)).maxCoeff();
-        if (!is_direct(rows.solver))
+        if (share.maxCoeff() > exact_share)
             wrong = miscounted;
         take_counting_errors(share, wrong);
         account_.area_error += rows.area_error;

@@ -31,8 +31,8 @@ struct Account {
     double dropped_error = 0;             ///< a bound
     double solver_error = 0;              ///< a bound
     /// Relative errors of the contact fraction and of the tangent stiffness, the worst row; infinite or NaN
-    /// if not bounded. Not part of `estimated_error`. For a measured surface solved by a direct solver they
-    /// are bounds. Else they are estimates, which hold against a far finer grid too (README.md).
+    /// if not bounded. Not part of `estimated_error`. For an exact solution on the nodes of a scan they
+    /// are bounds. Otherwise they are estimates, which hold against a far finer grid too (README.md).
     double area_error = 0;
     double tangent_error = 0; ///< as area_error, of dP/dDelta
     Index held_nodes = 0;     ///< nodes whose pressure is the hardness at the last load step
