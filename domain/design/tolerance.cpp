@@ -217,7 +217,7 @@ std::pair<double, double> share_interval(double share, int draws) {
 
 /// The number of draws of noise, and the number of parts of each octave of tilts and scales. Both are smaller
 /// if time is short, by the time of some curves, and planned for 0.7 of it. Similarities to contact fractions
-/// jump where a node touches, so there are more parts for such targets.
+/// jump when a node touches, so there are more parts for such targets.
 std::pair<int, int> effort_for(Trials& trials, const DesignSetup& setup, const ToleranceOptions& options) {
     const Grid& grid = setup.model.grid;
     const auto is_counted = [](const Target& target) { return is_contact_fraction(target.quantity); };
