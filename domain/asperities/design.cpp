@@ -138,18 +138,21 @@ ga::Sensitivity CapProblem::sensitivity(const Genome& genome, const std::string&
 
 CapGenome CapProblem::sample(ga::Stream& random) const {
     const auto caps = static_cast<double>(setup_.array.caps());
-    const bool grouped = random.chance(0.5);
+    const bool grouped = random.chance(0.5), alike = random.chance(0.5);
     const double share = random.uniform(0.2, 1), power = std::exp(random.uniform(-1.5, 1)),
                  high = std::exp(random.uniform(0, std::log(0.5 * caps + 1))) / caps,
-                 step = share * random.uniform(0.1, 0.9), spread = random.uniform();
+                 step = share * random.uniform(0.1, 0.9), top = std::pow(random.uniform(), 3),
+                 bottom = std::pow(random.uniform(), 2);
     Genome genome;
     for (const ga::Variable& variable : bounds_) {
         const GeneRange& of = range(variable.gene);
         double depth = random.uniform(); // share of the range
-        if (&of == &setup_.heights && !grouped)
+        if (&of == &setup_.radii && alike)
+            depth = 0; // the largest radius
+        else if (&of == &setup_.heights && !grouped)
             depth = share * std::pow(depth, power);
         else if (&of == &setup_.heights)
-            depth = random.chance(high) ? spread * step * depth : step + (share - step) * spread * depth;
+            depth = random.chance(high) ? top * step * depth : step + bottom * (share - step) * depth;
         genome.push_back(of.nearest(of.to - depth * (of.to - of.from)));
     }
     return genome;

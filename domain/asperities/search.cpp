@@ -5,6 +5,7 @@
 #include "domain/text/json.hpp"
 #include "ga/base/number.hpp"
 #include "ga/base/stopwatch.hpp"
+#include "ga/blocks/derived.hpp"
 #include "ga/refinement/refine.hpp"
 
 #include <algorithm>
@@ -31,30 +32,36 @@ constexpr double search_share =
     0.6; ///< share of the time for the pipeline; boundary elements take the remainder
 constexpr double different_heights = 0.05; ///< rms difference of sorted heights over their range
 
-/// Rounds the genes to their steps, then moves single genes by a step if that lowers the misfits of the
-/// linear model. Repeats this from the misfits at the rounded point while they fall.
+/// Rounds the genes to their steps, then moves single genes by a step while that lowers the misfits of the
+/// linear model. Repeats this from the best point on the steps: with half as many moves if the misfits did
+/// not fall, at last with one move at a time, each move once.
 struct RoundGenes {
     std::vector<double> steps; ///< step of each gene; 0: real
     std::vector<double> from;  ///< a value on the steps
-    int evaluations = 20;
+    int evaluations = 200;
 
     Eigen::VectorXd improve(const ga::Landscape& land) const {
-        Eigen::VectorXd x = land.start;
         ga::BestPoint best;
-        for (int used = 0; used <= evaluations && !land.exhausted(); ++used) {
-            const auto at = land.sensitivity(x);
-            if (used > 0) {
-                const double merit = at ? -cost(at->residuals) : -HUGE_VAL;
-                if (merit <= best.merit)
-                    break;
-                best.offer(x, merit);
-            }
-            const Eigen::VectorXd to = at ? moved(x, *at, land) : on_steps(x);
-            if (to == x)
+        auto model = land.sensitivity(land.start);
+        Eigen::VectorXd centre = land.start, x = on_steps(centre);
+        Index moves = 4 * x.size();
+        std::vector<Eigen::VectorXd> failed; // points tried with one move from the best
+        for (int used = 1; model && used < evaluations && !land.exhausted(); ++used) {
+            x = moved(best.x.size() > 0 ? best.x : x, centre, *model, land, moves, failed);
+            if (best.x.size() > 0 && x == best.x)
                 break;
-            x = to;
+            const auto at = land.sensitivity(x);
+            const double merit = at ? -cost(at->residuals) : -HUGE_VAL;
+            if (best.x.size() == 0 || merit > best.merit) {
+                best.offer(x, merit);
+                model = at, centre = x;
+                failed.clear();
+            } else if (moves > 1)
+                moves /= 2;
+            else
+                failed.push_back(x);
         }
-        return best.x.size() > 0 ? best.x : on_steps(x);
+        return best.x.size() > 0 ? best.x : on_steps(land.start);
     }
 
   private:
@@ -69,24 +76,31 @@ struct RoundGenes {
                 x[i] = from[g] + steps[g] * std::round((x[i] - from[g]) / steps[g]);
         return x;
     }
-    Eigen::VectorXd moved(const Eigen::VectorXd& start, const ga::Sensitivity& at,
-                          const ga::Landscape& land) const {
-        Eigen::VectorXd x = on_steps(start), r = at.residuals + at.jacobian * (x - start);
+    /// At most `moves` from x by the linear model around `centre`, without the points that have failed.
+    Eigen::VectorXd moved(Eigen::VectorXd x, const Eigen::VectorXd& centre, const ga::Sensitivity& model,
+                          const ga::Landscape& land, Index moves,
+                          const std::vector<Eigen::VectorXd>& failed) const {
+        Eigen::VectorXd r = model.residuals + model.jacobian * (x - centre);
         double now = cost(r);
-        for (Index round = 0; round < 4 * x.size(); ++round) {
+        for (Index move = 0; move < moves; ++move) {
             Index gene = -1;
             double by = 0, lowest = now * (1 - 1e-9);
+            const auto try_step = [&](Index i, double step) {
+                const double to = x[i] + step, next = cost(r + step * model.jacobian.col(i));
+                if (step == 0 || to < land.lower[i] - 1e-12 || to > land.upper[i] + 1e-12 || next >= lowest)
+                    return;
+                for (const Eigen::VectorXd& point : failed)
+                    if (std::abs(point[i] - to) < 0.5 * std::abs(step))
+                        return;
+                lowest = next, gene = i, by = step;
+            };
             for (Index i = 0; i < x.size(); ++i)
-                for (const double step :
-                     {steps[static_cast<std::size_t>(i)], -steps[static_cast<std::size_t>(i)]})
-                    if (step != 0 && x[i] + step >= land.lower[i] - 1e-12 &&
-                        x[i] + step <= land.upper[i] + 1e-12)
-                        if (const double next = cost(r + step * at.jacobian.col(i)); next < lowest)
-                            lowest = next, gene = i, by = step;
+                for (const double sign : {1, -1})
+                    try_step(i, sign * steps[static_cast<std::size_t>(i)]);
             if (gene < 0)
                 break;
             x[gene] += by;
-            r += by * at.jacobian.col(gene);
+            r += by * model.jacobian.col(gene);
             now = lowest;
         }
         return on_steps(x);
@@ -150,6 +164,20 @@ CapStage exchange_stage(double rate) {
     return step;
 }
 
+/// Runs `body` under the model of independent caps, if all targets are areas against pressure. That model is
+/// wrong for any other target.
+CapStage independent_stage(const CapStage& body) {
+    return ga::derived_step<CapProblem>(
+        "independent", body, [](Designs designs, const CapStage& stages, ga::Context<CapProblem>& context) {
+            CapSetup setup = context.problem().setup();
+            if (std::ranges::all_of(setup.targets, [](const Target& target) {
+                    return target.quantity == Quantity::area_at_pressure;
+                }))
+                setup.model = CapModel::independent;
+            return run_derived(stages, CapProblem(setup), std::move(designs), context);
+        });
+}
+
 } // namespace
 
 ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
@@ -157,10 +185,20 @@ ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
     registry.add({"round",
                   "asperities",
                   "puts every gene on its steps, with single steps that repair the curve",
-                  {ga::whole("evaluations", "20", 1, "maximum number of gradients").up_to(1e6)}},
+                  {ga::whole("evaluations", "200", 1, "maximum number of gradients").up_to(1e6)}},
                  [setup](const ga::Arguments& a, const auto&...) {
                      return round_stage(setup, static_cast<int>(a.count("evaluations")));
                  });
+    registry.add(
+        {"independent",
+         "asperities",
+         "runs the pipeline with caps that do not interact, if all targets are areas against pressure",
+         {},
+         "",
+         1},
+        [](const ga::Arguments&, const std::vector<CapStage>& bodies, const auto&...) {
+            return independent_stage(bodies[0]);
+        });
     registry.add({"exchange",
                   "asperities",
                   "exchanges the places of caps, which changes interaction only",
@@ -171,9 +209,11 @@ ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
 
 ga::Variants cap_variants(const CapSetup& setup) {
     ga::Variants variants;
-    // Random caps, refined by least squares and then for the smallest largest misfit, on the steps at last.
-    variants["pass"] = "sample 100 | score | best 12 | refine lm 30 | best 4 | refine lm 80 sharpen=30 | "
-                       "round 20 | score | best 1";
+    // Random caps, refined by least squares and then for the smallest largest misfit, first as independent
+    // caps, on the steps at last.
+    variants["pass"] = "independent { sample 1000 | score | best 30 | refine lm 60 | best 8 | "
+                       "refine lm 150 sharpen=30 } | score | best 3 | refine lm 30 sharpen=1 | round 200 | "
+                       "score | best 1";
     const std::string enough = ga::number(1 - 0.5 * (1 - setup.required_similarity));
     variants["default"] =
         "pass | until fitness " + enough + " generations 4 { pass | plus 1 }" +
