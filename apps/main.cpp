@@ -2,10 +2,7 @@
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/prompt/terminal.hpp"
-#include "ga/base/errors.hpp"
 #include "ga/text/nearest.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <csignal>

@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <future>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <unistd.h>

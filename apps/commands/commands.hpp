@@ -2,10 +2,6 @@
 
 #include "apps/prompt/settings.hpp"
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace app {
 
 using Words = std::vector<std::string>; ///< the words after the subcommand on the command line

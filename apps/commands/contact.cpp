@@ -18,8 +18,6 @@
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/parallel.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
 namespace app {

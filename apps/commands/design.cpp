@@ -2,20 +2,13 @@
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/asperities.hpp"
 #include "apps/commands/design/run.hpp"
-#include "apps/prompt/terminal.hpp"
-#include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/record.hpp"
 #include "apps/report/render.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "ga/base/parallel.hpp"
-#include "ga/base/stopwatch.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 

@@ -12,8 +12,6 @@
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 
-#include <atomic>
-
 namespace app {
 
 namespace {

@@ -12,8 +12,6 @@
 #include "domain/scan/map.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -1,14 +1,11 @@
 #include "apps/experiments/experiment.hpp"
 
-#include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/result.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/held_folder.hpp"
-#include "ga/base/parallel.hpp"
 
 namespace app {
 

@@ -5,10 +5,6 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/record.hpp"
 
-#include <atomic>
-#include <filesystem>
-#include <map>
-
 namespace app {
 
 /// The circumstances of a run.

@@ -6,18 +6,14 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/builtin.hpp"
 #include "apps/report/result.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/held_folder.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <sys/wait.h>
 
 /// Experiments that are Python scripts: experiments/KIND.py, built into the program.

@@ -1,8 +1,6 @@
 #include "apps/external/genes.hpp"
 
-#include "domain/errors.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/number.hpp"
 
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>

@@ -5,8 +5,6 @@
 #include "ga/text/parser.hpp"
 
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace app {
 

@@ -2,8 +2,6 @@
 
 #include "apps/external/genes.hpp"
 #include "apps/external/solution.hpp"
-#include "ga/base/number.hpp"
-#include "ga/problem/permutation.hpp"
 #include "ga/text/compiled_once.hpp"
 
 #include <stdexcept>

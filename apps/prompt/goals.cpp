@@ -1,8 +1,5 @@
 #include "apps/prompt/goals.hpp"
 
-#include "domain/contact/solve.hpp"
-#include "domain/target/target.hpp"
-
 #include <algorithm>
 
 namespace app {

@@ -4,8 +4,6 @@
 #include "domain/response/model.hpp"
 #include "domain/target/target.hpp"
 
-#include <functional>
-
 namespace app {
 
 ///@{

@@ -3,13 +3,10 @@
 #include "apps/prompt/units.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/filter.hpp"
-#include "domain/scan/source.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/number.hpp"
 
 #include <algorithm>
 #include <sstream>

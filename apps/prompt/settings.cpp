@@ -1,17 +1,13 @@
 #include "apps/prompt/settings.hpp"
 
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/number.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <set>
 #include <sstream>
 

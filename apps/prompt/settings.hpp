@@ -1,16 +1,12 @@
 #pragma once
 
 #include "domain/errors.hpp"
-#include "ga/base/errors.hpp"
 #include "ga/pipeline/parameters.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 namespace app {
 

@@ -4,8 +4,6 @@
 
 #include <boost/locale/utf.hpp>
 
-#include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>

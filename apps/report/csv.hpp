@@ -6,8 +6,6 @@
 
 #include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace app {
 

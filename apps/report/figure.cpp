@@ -10,7 +10,6 @@
 #include <kainjow/mustache.hpp>
 #include <memory>
 #include <sstream>
-#include <string_view>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,7 +1,6 @@
 #include "apps/report/output.hpp"
 
 #include "apps/prompt/terminal.hpp"
-#include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/held_folder.hpp"

@@ -4,10 +4,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace app {
 
 /// Files that a run writes to its folder, and what it may overwrite.

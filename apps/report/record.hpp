@@ -7,11 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 /// The record of a run, from which result files and pages are written. An unknown number is NaN.
 namespace app {

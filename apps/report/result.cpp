@@ -1,15 +1,8 @@
 #include "apps/report/result.hpp"
 
-#include "domain/accuracy/error_bounds.hpp"
-#include "domain/accuracy/respond.hpp"
-#include "domain/contact/solve.hpp"
-#include "domain/mwm/genome_json.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/numerics/vector_loops.hpp"
-#include "domain/problem/response.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChromosomePlace, series, n, wave_length_mm, amplitude_mm)

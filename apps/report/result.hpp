@@ -4,8 +4,6 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/design/search.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace app {
 
 /// The record of a search under a name, without the response of its answer.

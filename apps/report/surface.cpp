@@ -4,7 +4,6 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "domain/accuracy/resolution.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/profile/height_image.hpp"

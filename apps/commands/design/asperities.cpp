@@ -6,11 +6,8 @@
 #include "apps/report/output.hpp"
 #include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"
-#include "domain/asperities/design.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/parallel.hpp"
-#include "ga/base/stopwatch.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 
 #include <algorithm>

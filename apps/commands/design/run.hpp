@@ -10,15 +10,6 @@
 #include "domain/design/trust.hpp"
 #include "domain/target/out_of_reach.hpp"
 
-#include <nlohmann/json_fwd.hpp>
-
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 /// A design from settings to files, for the program and Python.
 namespace app {
 

@@ -2,16 +2,12 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/units.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/pipelines.hpp"
-#include "domain/errors.hpp"
-#include "domain/problem/setup.hpp"
 #include "domain/text/words.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 namespace app {

@@ -1,6 +1,4 @@
 #include "apps/commands/design/run.hpp"
-#include "apps/prompt/units.hpp"
-#include "domain/contact/solve.hpp"
 
 #include <algorithm>
 #include <cmath>

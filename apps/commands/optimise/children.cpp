@@ -2,15 +2,10 @@
 
 #include "apps/external/process.hpp"
 #include "domain/text/json.hpp"
-#include "ga/base/number.hpp"
-#include "ga/base/stopwatch.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>

@@ -4,16 +4,10 @@
 #include "apps/external/solution.hpp"
 #include "ga/base/budget.hpp"
 
-#include <atomic>
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
-#include <string>
 #include <sys/types.h>
-#include <vector>
 
 namespace app {
 

@@ -1,9 +1,7 @@
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"
 #include "apps/report/builtin.hpp"
-#include "apps/report/csv.hpp"
 #include "domain/design/search.hpp"
-#include "domain/errors.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <cmath>

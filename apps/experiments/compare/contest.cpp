@@ -1,12 +1,10 @@
 #include "apps/experiments/compare/contest.hpp"
 
-#include "ga/base/random.hpp"
 #include "ga/observers/coco.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace app {
 

@@ -6,9 +6,6 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/setup.hpp"
 
-#include <map>
-#include <optional>
-
 /// Runs of a comparison of variants, and their statistics.
 namespace app {
 

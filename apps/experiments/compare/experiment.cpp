@@ -1,11 +1,8 @@
-#include "apps/experiments/experiment.hpp"
 
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/terminal.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/parallel.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -1,6 +1,4 @@
 #include "apps/experiments/compare/race.hpp"
-#include "ga/base/errors.hpp"
-#include "ga/base/random.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <algorithm>

@@ -6,13 +6,7 @@
 #include "ga/problem/problem.hpp"
 #include "ga/problem/ranking.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <atomic>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace app {
 

@@ -1,7 +1,6 @@
 #include "apps/experiments/paper/claims.hpp"
 
 #include "apps/report/builtin.hpp"
-#include "domain/numerics/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

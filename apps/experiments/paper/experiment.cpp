@@ -1,25 +1,16 @@
-#include "apps/experiments/experiment.hpp"
 
 #include "apps/cluster/evaluator.hpp"
-#include "apps/experiments/paper/run.hpp"
 #include "apps/experiments/paper/studies.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/record.hpp"
 #include "apps/report/result.hpp"
-#include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
-#include "domain/target/target.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/parallel.hpp"
-#include "ga/base/random.hpp"
-#include "ga/base/stopwatch.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/log.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace app {
 

@@ -1,14 +1,8 @@
 #include "apps/experiments/paper/claims.hpp"
-#include "domain/mwm/sampling.hpp"
-#include "domain/mwm/waves.hpp"
-#include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/target/target.hpp"
-#include "ga/base/random.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <set>
 #include <sstream>

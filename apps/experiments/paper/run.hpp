@@ -1,15 +1,11 @@
 #pragma once
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/report/record.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/dominance.hpp"
 #include "domain/paper/variants.hpp"
-#include "domain/target/target.hpp"
 
-#include <array>
 #include <limits>
-#include <map>
 
 /// Results of the paper's experiment. Pressures in MPa, lengths in mm, stiffness in MPa/mm. An unknown number
 /// is NaN.

@@ -1,11 +1,7 @@
 #include "apps/experiments/paper/run.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "domain/errors.hpp"
-#include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <numbers>
 

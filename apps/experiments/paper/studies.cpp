@@ -1,11 +1,5 @@
 #include "apps/experiments/paper/studies.hpp"
 
-#include "domain/mwm/waves.hpp"
-#include "domain/numerics/statistics.hpp"
-#include "domain/target/target.hpp"
-#include "ga/base/parallel.hpp"
-#include "ga/base/random.hpp"
-
 #include <Eigen/QR>
 
 #include <algorithm>

@@ -3,8 +3,6 @@
 #include "apps/experiments/paper/run.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/paper/dominance.hpp"
-#include "domain/response/curve.hpp"
 
 /// Measurements for claims that do not depend on a search.
 namespace app {

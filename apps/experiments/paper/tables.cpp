@@ -1,9 +1,6 @@
 #include "apps/experiments/paper/claims.hpp"
 #include "apps/report/result.hpp"
-#include "domain/mwm/waves.hpp"
-#include "domain/numerics/statistics.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/target/target.hpp"
 #include "domain/text/json.hpp"
 
 #include <algorithm>

@@ -6,13 +6,10 @@
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/design/trust.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "ga/base/stopwatch.hpp"
 
 #include <cmath>
-#include <map>
 
 namespace app {
 

@@ -3,17 +3,11 @@
 #include "apps/experiments/experiment.hpp"
 #include "apps/prompt/units.hpp"
 #include "domain/contact/exact.hpp"
-#include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 namespace app {

@@ -5,8 +5,6 @@
 
 #include <cmath>
 #include <compare>
-#include <functional>
-#include <optional>
 
 /// Time against error for every contact solver, grid, number of load steps and tolerance, and for theories
 /// and simpler models.

@@ -2,12 +2,9 @@
 #include "apps/prompt/units.hpp"
 #include "domain/numerics/statistics.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace app {

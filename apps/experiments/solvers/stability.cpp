@@ -1,14 +1,10 @@
 #include "apps/experiments/solvers/stability.hpp"
 
 #include "apps/experiments/experiment.hpp"
-#include "apps/report/csv.hpp"
 #include "domain/contact/solvers/problem.hpp"
-#include "domain/errors.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace app {
 

@@ -1,11 +1,9 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/theory/random_surface.hpp"
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 

@@ -4,7 +4,6 @@
 #include "ga/base/stopwatch.hpp"
 
 #include <array>
-#include <cmath>
 #include <ctime>
 
 namespace app {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 /// Trials of a contact solver on a scene, with times.
 namespace app {

@@ -4,7 +4,6 @@
 #include "domain/design/statistical.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/scan/map.hpp"
-#include "domain/target/target.hpp"
 
 namespace app {
 

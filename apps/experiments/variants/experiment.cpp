@@ -9,12 +9,9 @@
 #include "domain/problem/setup.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/parallel.hpp"
-#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace app {
 

@@ -1,7 +1,5 @@
 #include "apps/python/module/engine.hpp"
 
-#include "ga/problem/permutation.hpp"
-
 namespace rugosa::python {
 
 using app::Genes;

@@ -1,7 +1,5 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
-#include "domain/errors.hpp"
-#include "ga/base/errors.hpp"
 
 #include <algorithm>
 #include <csignal>

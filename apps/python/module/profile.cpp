@@ -1,8 +1,5 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
-#include "domain/profile/roughness.hpp"
-#include "domain/profile/spectrum.hpp"
-#include "domain/scan/map.hpp"
 
 #include <pybind11/numpy.h>
 

@@ -1,7 +1,6 @@
 #include "apps/experiments/compare/problems/problems.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>

@@ -4,10 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
-#include <cstdint>
-#include <string>
-
 namespace app {
 
 /// One of BBOB's 24 noiseless functions (Hansen, Finck, Ros and Auger 2009, INRIA RR-6829), in an instance of
