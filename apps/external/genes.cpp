@@ -44,6 +44,36 @@ Fields fields_of(OutsideSearch& search) {
     };
 }
 
+constexpr const char* kinds_of_genes =
+    "real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., "
+    "separated by commas, or only bits:COUNT or permutation:COUNT";
+
+Genes::Part part_from(const std::string& text) {
+    const auto words = parts_of(text);
+    const bool real = words[0] == "real", whole = words[0] == "int", choice = words[0] == "choice";
+    if ((!choice || words.size() < 4) && (!(real || whole) || words.size() != 4))
+        rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
+    Genes::Part part;
+    part.count = count_from(words[1], "--genes", 1, max_genes);
+    part.is_whole = !real;
+    if (choice) {
+        part.words.assign(words.begin() + 2, words.end());
+        part.upper = static_cast<double>(part.words.size()) - 1;
+        if (std::set<std::string>(part.words.begin(), part.words.end()).size() < part.words.size())
+            rough::refuse("--genes: \"", text, "\" repeats a word; give different words");
+        return part;
+    }
+    part.lower = rough::number_from(words[2], "--genes");
+    part.upper = rough::number_from(words[3], "--genes");
+    if (!(part.lower < part.upper) || !std::isfinite(part.upper - part.lower))
+        rough::refuse("--genes: \"", text,
+                      "\" is out of order; give a lower bound below the upper one, at a finite distance");
+    if (whole && (part.lower != std::round(part.lower) || part.upper != std::round(part.upper) ||
+                  std::max(-part.lower, part.upper) > 1e15))
+        rough::refuse("--genes: \"", text, "\" is out of range; give whole bounds up to 1e15");
+    return part;
+}
+
 } // namespace
 
 std::vector<Setting> outside_settings() {
@@ -99,40 +129,6 @@ std::string genes_text(const Genes& genes, const std::vector<double>& numbers) {
         add(ga::number(values[g]));
     return text + "]";
 }
-
-namespace {
-
-constexpr const char* kinds_of_genes =
-    "real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., "
-    "separated by commas, or only bits:COUNT or permutation:COUNT";
-
-Genes::Part part_from(const std::string& text) {
-    const auto words = parts_of(text);
-    const bool real = words[0] == "real", whole = words[0] == "int", choice = words[0] == "choice";
-    if ((!choice || words.size() < 4) && (!(real || whole) || words.size() != 4))
-        rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
-    Genes::Part part;
-    part.count = count_from(words[1], "--genes", 1, max_genes);
-    part.is_whole = !real;
-    if (choice) {
-        part.words.assign(words.begin() + 2, words.end());
-        part.upper = static_cast<double>(part.words.size()) - 1;
-        if (std::set<std::string>(part.words.begin(), part.words.end()).size() < part.words.size())
-            rough::refuse("--genes: \"", text, "\" repeats a word; give different words");
-        return part;
-    }
-    part.lower = rough::number_from(words[2], "--genes");
-    part.upper = rough::number_from(words[3], "--genes");
-    if (!(part.lower < part.upper) || !std::isfinite(part.upper - part.lower))
-        rough::refuse("--genes: \"", text,
-                      "\" is out of order; give a lower bound below the upper one, at a finite distance");
-    if (whole && (part.lower != std::round(part.lower) || part.upper != std::round(part.upper) ||
-                  std::max(-part.lower, part.upper) > 1e15))
-        rough::refuse("--genes: \"", text, "\" is out of range; give whole bounds up to 1e15");
-    return part;
-}
-
-} // namespace
 
 Genes genes_from(const std::string& text) {
     const auto words = parts_of(text);

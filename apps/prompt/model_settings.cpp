@@ -21,30 +21,6 @@ const rough::Material* material_from(const Settings& settings, const std::string
                                              : nullptr;
 }
 
-} // namespace
-
-bool states_modulus(const Settings& settings) {
-    return settings.given("modulus") || settings.has("material");
-}
-
-std::string material_note(const Settings& settings) {
-    const rough::Material* material = material_from(settings);
-    if (!material)
-        return "";
-    return material->name + " (" + material->of + "): E " + ga::number(material->modulus) + " MPa, nu " +
-           ga::number(material->poissons) + " (" + material->elastic + "), hardness " +
-           ga::number(material->hardness) + " MPa (" + material->indented + ")";
-}
-
-double elastic_limit(const Settings& settings, const rough::Body& body) {
-    if (body.yields() || !states_modulus(settings))
-        return std::numeric_limits<double>::infinity();
-    const rough::Material* material = material_from(settings);
-    return material ? material->hardness : rough::largest_elastic_pressure * body.effective_modulus;
-}
-
-namespace {
-
 /// The values that the flags of a model set. E* follows from E and nu.
 struct ModelParameters {
     rough::Model model = {};
@@ -149,7 +125,74 @@ Fields fields_of(rough::ScanOptions& options) {
     };
 }
 
+Fields loading_fields(rough::Model& model) {
+    return {{ga::number("to-pressure", "", ga::above_zero, 1e100,
+                        "mean pressure of the last load step, MPa; replaces --reach"),
+             model.loading.to_pressure},
+            {Setting(ga::number("pressures", "", ga::above_zero, 1e100,
+                                "mean pressures of the load steps, MPa, as P1,P2,…; replaces --reach and "
+                                "--steps"))
+                 .several(),
+             model.loading.pressures},
+            {ga::number("hardness", "", ga::above_zero, 1e100,
+                        "largest pressure that a node carries, MPa; nodes that reach it sink in [none]"),
+             model.body.hardness}};
+}
+
+/// Throws if one of these keys, which only a profile has, or the kernel of a profile is given.
+void expect_of_areas(const Settings& settings, const std::string& prefix,
+                     const std::vector<std::string>& keys) {
+    for (const std::string& key : keys)
+        if (settings.knows(prefix + key) && settings.has(prefix + key))
+            settings.refuse(prefix + key, "given with a map; omit it, as it is for profiles only");
+    if (settings.text(prefix + "kernel") == "strip")
+        settings.refuse(prefix + "kernel", "strip given with a map; give free or periodic");
+}
+
+/// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
+rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
+    rough::Grid grid = usual;
+    std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);
+    settings.take(prefix + "nodes", nodes);
+    settings.take(prefix + "length", length);
+    grid.nodes = static_cast<rough::Index>(nodes.front());
+    grid.rows = static_cast<rough::Index>(nodes.back());
+    grid.length = length.front();
+    grid.width = length.back();
+    if (nodes.front() * nodes.back() > 2e7)
+        settings.refuse(prefix + "nodes",
+                        "'" + settings.text(prefix + "nodes") + "' has more than 2e7 nodes; give fewer");
+    return grid;
+}
+
+/// The model of a map on a grid that --nodes and --length may change.
+rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
+                           const std::string& prefix = "") {
+    return model_on(area_grid(usual, settings, prefix),
+                    settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix);
+}
+
 } // namespace
+
+bool states_modulus(const Settings& settings) {
+    return settings.given("modulus") || settings.has("material");
+}
+
+std::string material_note(const Settings& settings) {
+    const rough::Material* material = material_from(settings);
+    if (!material)
+        return "";
+    return material->name + " (" + material->of + "): E " + ga::number(material->modulus) + " MPa, nu " +
+           ga::number(material->poissons) + " (" + material->elastic + "), hardness " +
+           ga::number(material->hardness) + " MPa (" + material->indented + ")";
+}
+
+double elastic_limit(const Settings& settings, const rough::Body& body) {
+    if (body.yields() || !states_modulus(settings))
+        return std::numeric_limits<double>::infinity();
+    const rough::Material* material = material_from(settings);
+    return material ? material->hardness : rough::largest_elastic_pressure * body.effective_modulus;
+}
 
 std::vector<Setting> model_settings(const std::string& prefix) {
     ModelParameters usual;
@@ -201,24 +244,6 @@ rough::Model model_from(const Settings& settings, const std::string& prefix) {
 rough::Model model_from(const Settings& settings, const rough::Source& source, const std::string& prefix) {
     return model_on(source.grid(kernel_from(settings, prefix) == rough::Kernel::periodic), settings, prefix);
 }
-
-namespace {
-
-Fields loading_fields(rough::Model& model) {
-    return {{ga::number("to-pressure", "", ga::above_zero, 1e100,
-                        "mean pressure of the last load step, MPa; replaces --reach"),
-             model.loading.to_pressure},
-            {Setting(ga::number("pressures", "", ga::above_zero, 1e100,
-                                "mean pressures of the load steps, MPa, as P1,P2,…; replaces --reach and "
-                                "--steps"))
-                 .several(),
-             model.loading.pressures},
-            {ga::number("hardness", "", ga::above_zero, 1e100,
-                        "largest pressure that a node carries, MPa; nodes that reach it sink in [none]"),
-             model.body.hardness}};
-}
-
-} // namespace
 
 std::vector<Setting> loading_settings() {
     rough::Model usual;
@@ -279,43 +304,6 @@ rough::Source source_from(const Settings& settings, rough::Index nodes, const st
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");
     return rough::open_genome(settings.text("genome"));
 }
-
-namespace {
-
-/// Throws if one of these keys, which only a profile has, or the kernel of a profile is given.
-void expect_of_areas(const Settings& settings, const std::string& prefix,
-                     const std::vector<std::string>& keys) {
-    for (const std::string& key : keys)
-        if (settings.knows(prefix + key) && settings.has(prefix + key))
-            settings.refuse(prefix + key, "given with a map; omit it, as it is for profiles only");
-    if (settings.text(prefix + "kernel") == "strip")
-        settings.refuse(prefix + "kernel", "strip given with a map; give free or periodic");
-}
-
-/// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
-rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
-    rough::Grid grid = usual;
-    std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);
-    settings.take(prefix + "nodes", nodes);
-    settings.take(prefix + "length", length);
-    grid.nodes = static_cast<rough::Index>(nodes.front());
-    grid.rows = static_cast<rough::Index>(nodes.back());
-    grid.length = length.front();
-    grid.width = length.back();
-    if (nodes.front() * nodes.back() > 2e7)
-        settings.refuse(prefix + "nodes",
-                        "'" + settings.text(prefix + "nodes") + "' has more than 2e7 nodes; give fewer");
-    return grid;
-}
-
-/// The model of a map on a grid that --nodes and --length may change.
-rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
-                           const std::string& prefix = "") {
-    return model_on(area_grid(usual, settings, prefix),
-                    settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix);
-}
-
-} // namespace
 
 std::vector<Setting> area_settings() {
     return {{"surface", "",

@@ -18,6 +18,39 @@ namespace {
 enum class Verbosity { quiet, plain, verbose };
 Verbosity verbosity = Verbosity::plain;
 
+constexpr const char* clear_line = "\r\033[K";
+std::atomic<bool> stands = false;
+
+/// A text cut to the width of the terminal. A longer one would wrap, and its first part would stay.
+std::string cut(std::string text) {
+    winsize size{};
+    constexpr std::size_t usual = 80;
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    std::size_t left = (known ? size.ws_col : usual) - 1, at = 0;
+    for (; at < text.size(); ++at) {
+        const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0) != 0x80; // a letter of UTF-8
+        if (begins && left-- == 0)
+            break;
+    }
+    text.resize(at);
+    return text;
+}
+
+std::atomic<bool> asked_to_stop = false; // lock-free, so that a signal handler may set it
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void ask(int signal) {
+    asked_to_stop = true;
+    std::signal(signal, SIG_DFL);
+}
+
+/// Handles the signals that ask to stop, except those that are ignored.
+void handle(void (*handler)(int)) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, handler) == SIG_IGN)
+            std::signal(signal, SIG_IGN);
+}
+
 } // namespace
 
 void parse_verbosity(std::vector<std::string>& words) {
@@ -60,26 +93,6 @@ std::string error_mark() {
     return isatty(STDERR_FILENO) && !std::getenv("NO_COLOR") ? "\033[31mrugosa:\033[0m " : "rugosa: ";
 }
 
-namespace {
-constexpr const char* clear_line = "\r\033[K";
-std::atomic<bool> stands = false;
-
-/// A text cut to the width of the terminal. A longer one would wrap, and its first part would stay.
-std::string cut(std::string text) {
-    winsize size{};
-    constexpr std::size_t usual = 80;
-    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
-    std::size_t left = (known ? size.ws_col : usual) - 1, at = 0;
-    for (; at < text.size(); ++at) {
-        const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0) != 0x80; // a letter of UTF-8
-        if (begins && left-- == 0)
-            break;
-    }
-    text.resize(at);
-    return text;
-}
-} // namespace
-
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verbosity::quiet) {}
 
 Progress::~Progress() { clear_progress(); }
@@ -105,25 +118,6 @@ std::string duration_words(double seconds) {
     return whole < 120 ? std::to_string(whole) + " s"
                        : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }
-
-namespace {
-
-std::atomic<bool> asked_to_stop = false; // lock-free, so that a signal handler may set it
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-void ask(int signal) {
-    asked_to_stop = true;
-    std::signal(signal, SIG_DFL);
-}
-
-/// Handles the signals that ask to stop, except those that are ignored.
-void handle(void (*handler)(int)) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (std::signal(signal, handler) == SIG_IGN)
-            std::signal(signal, SIG_IGN);
-}
-
-} // namespace
 
 Interrupt::Interrupt() {
     asked_to_stop = false;

@@ -143,58 +143,6 @@ json design_json(const DesignRun& run) {
     return result;
 }
 
-} // namespace
-
-json shown_json(const rough::Target& target, std::size_t index, const std::string& curves) {
-    json result = target_json(target);
-    result["weight"] = target.weight;
-    const std::string quantity =
-        rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
-    result["file"] = std::filesystem::path(target.name).filename().string();
-    result["quantity"] = quantity;
-    result["figure"] = std::to_string(index + 1) + " " + quantity +
-                       (target.against_pressure() ? " pressure" : " displacement") + curves +
-                       (target.has_band() ? " band" : "");
-    return result;
-}
-
-json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons) {
-    json all = json::array();
-    for (const auto& reason : reasons)
-        all.push_back({{"reason", reason.reason},
-                       {"at", reason.at},
-                       {"highest_similarity", reason.bound},
-                       {"on_this_grid", reason.on_this_grid}});
-    return all;
-}
-
-void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
-    write_json(folder / "result.json", design_json(run));
-    if (!run.tolerance)
-        return;
-    Csv table("noise_rms_mm,quantile,median,draws"); // similarity of the draws
-    for (const rough::NoiseQuantile& one : run.tolerance->curve)
-        table.row(one.noise_rms, one.quantile, one.median, one.draws);
-    rough::write_atomically(folder / "tolerance.csv", table.text());
-}
-
-void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
-    rough::write_atomically(folder / "answer.csv", csv(run.response.responses.front()));
-    rough::write_atomically(folder / "genome.json",
-                            rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
-    if (run.setup.model.grid.is_2d())
-        try { // a design is of use, even if its tile cannot be printed
-            const rough::Profile tile = sample(run.found.best.genome, run.setup.model.grid);
-            write_solids(solids_of(tile, {}), folder, "surface");
-            write_height_image(tile, {}, folder, "surface");
-            say(print_note(tile, {}));
-        } catch (const rough::InputError& error) {
-            say(std::string("note: no solid of the surface is written: ") + error.what());
-        }
-}
-
-namespace {
-
 constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 
 /// Curves and, at the targets' points, misfits over the weight; x and y in the units of the target's file.
@@ -257,6 +205,54 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
 }
 
 } // namespace
+
+json shown_json(const rough::Target& target, std::size_t index, const std::string& curves) {
+    json result = target_json(target);
+    result["weight"] = target.weight;
+    const std::string quantity =
+        rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
+    result["file"] = std::filesystem::path(target.name).filename().string();
+    result["quantity"] = quantity;
+    result["figure"] = std::to_string(index + 1) + " " + quantity +
+                       (target.against_pressure() ? " pressure" : " displacement") + curves +
+                       (target.has_band() ? " band" : "");
+    return result;
+}
+
+json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons) {
+    json all = json::array();
+    for (const auto& reason : reasons)
+        all.push_back({{"reason", reason.reason},
+                       {"at", reason.at},
+                       {"highest_similarity", reason.bound},
+                       {"on_this_grid", reason.on_this_grid}});
+    return all;
+}
+
+void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {
+    write_json(folder / "result.json", design_json(run));
+    if (!run.tolerance)
+        return;
+    Csv table("noise_rms_mm,quantile,median,draws"); // similarity of the draws
+    for (const rough::NoiseQuantile& one : run.tolerance->curve)
+        table.row(one.noise_rms, one.quantile, one.median, one.draws);
+    rough::write_atomically(folder / "tolerance.csv", table.text());
+}
+
+void write_design_tables(const DesignRun& run, const std::filesystem::path& folder) {
+    rough::write_atomically(folder / "answer.csv", csv(run.response.responses.front()));
+    rough::write_atomically(folder / "genome.json",
+                            rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
+    if (run.setup.model.grid.is_2d())
+        try { // a design is of use, even if its tile cannot be printed
+            const rough::Profile tile = sample(run.found.best.genome, run.setup.model.grid);
+            write_solids(solids_of(tile, {}), folder, "surface");
+            write_height_image(tile, {}, folder, "surface");
+            say(print_note(tile, {}));
+        } catch (const rough::InputError& error) {
+            say(std::string("note: no solid of the surface is written: ") + error.what());
+        }
+}
 
 void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder) {
     write_curves(run, folder);

@@ -79,58 +79,6 @@ void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) 
                                                 "; give a lower bound that is not above the upper one");
 }
 
-} // namespace
-
-std::vector<Setting> search_settings() {
-    rough::DesignSetup setup;
-    rough::SearchOptions options;
-    const std::vector<Setting> settings{
-        Setting("quantity", "both", "target from the response of --like; both: stiffness and contact area")
-            .of(rough::names_of_likeness()),
-        ga::whole("points", "20", 2, "number of points of the target from --like").up_to(1e5),
-        {"database", "", "genome database; the search begins from its curves nearest to the target"},
-        {"variant", "",
-         "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
-         "--database, like for a scan's contact area, made with --noise or --tilt]"},
-        {"pipeline", "", "text of the pipeline to run, instead of a variant"},
-        positive("hardness", "",
-                 "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
-    };
-    return joined({settings,
-                   settings_of(fields_of(options)),
-                   settings_of(fields_of(setup)),
-                   model_settings(),
-                   {accuracy_setting()}});
-}
-
-std::vector<Setting> design_settings() {
-    const std::vector<Setting> settings{
-        {"target", "", "target file (CSV), or several with commas between"},
-        positive("weights", "", "weight of each target, with commas between [1 each]").several(),
-        {"like", "",
-         "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
-        resistivity_setting(),
-        shear_strength_setting(),
-        {"from", "",
-         "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
-         "necessary to meet the target"},
-        {"control", "", "chromosomes of --from whose phases may change, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
-        ga::number("largest-change", "0.05", ga::above_zero, 0.5,
-                   "largest change of a phase, as a share of a turn, up to 0.5"),
-        {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
-        force_setting(),
-        Setting(
-            "resume", "",
-            "continue the design in the folder given by --out, which was interrupted, killed or out of time",
-            true),
-        pictures_setting(),
-    };
-    return joined(
-        {settings, search_settings(), asperity_settings(), scan_settings(), {resolution_setting()}});
-}
-
-namespace {
-
 /// The surface in production of --from, --control and --largest-change; nothing without --from.
 std::optional<Production> production_from(const Settings& settings) {
     if (!settings.has("from")) {
@@ -189,6 +137,54 @@ void take_targets(const Settings& settings, DesignRun& run) {
 }
 
 } // namespace
+
+std::vector<Setting> search_settings() {
+    rough::DesignSetup setup;
+    rough::SearchOptions options;
+    const std::vector<Setting> settings{
+        Setting("quantity", "both", "target from the response of --like; both: stiffness and contact area")
+            .of(rough::names_of_likeness()),
+        ga::whole("points", "20", 2, "number of points of the target from --like").up_to(1e5),
+        {"database", "", "genome database; the search begins from its curves nearest to the target"},
+        {"variant", "",
+         "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
+         "--database, like for a scan's contact area, made with --noise or --tilt]"},
+        {"pipeline", "", "text of the pipeline to run, instead of a variant"},
+        positive("hardness", "",
+                 "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
+    };
+    return joined({settings,
+                   settings_of(fields_of(options)),
+                   settings_of(fields_of(setup)),
+                   model_settings(),
+                   {accuracy_setting()}});
+}
+
+std::vector<Setting> design_settings() {
+    const std::vector<Setting> settings{
+        {"target", "", "target file (CSV), or several with commas between"},
+        positive("weights", "", "weight of each target, with commas between [1 each]").several(),
+        {"like", "",
+         "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
+        resistivity_setting(),
+        shear_strength_setting(),
+        {"from", "",
+         "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
+         "necessary to meet the target"},
+        {"control", "", "chromosomes of --from whose phases may change, SERIES:CHROMOSOME, e.g. 1:3,1:5"},
+        ga::number("largest-change", "0.05", ga::above_zero, 0.5,
+                   "largest change of a phase, as a share of a turn, up to 0.5"),
+        {"out", "", "folder for the results [out/design, or out/design-2 and on]"},
+        force_setting(),
+        Setting(
+            "resume", "",
+            "continue the design in the folder given by --out, which was interrupted, killed or out of time",
+            true),
+        pictures_setting(),
+    };
+    return joined(
+        {settings, search_settings(), asperity_settings(), scan_settings(), {resolution_setting()}});
+}
 
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
     std::vector<rough::Target> goals;

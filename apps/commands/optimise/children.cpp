@@ -39,6 +39,12 @@ void close_once(int& descriptor) {
         close(std::exchange(descriptor, -1));
 }
 
+/// The beginning of a line, for a message.
+std::string clipped(const std::string& line) {
+    constexpr std::size_t longest = 120;
+    return line.size() <= longest ? line : line.substr(0, longest) + "...";
+}
+
 } // namespace
 
 Words split_command(const std::string& command) {
@@ -138,16 +144,6 @@ std::string Child::end(double patience) {
     return WIFEXITED(status) ? "ended with exit code " + std::to_string(WEXITSTATUS(status))
                              : "was ended by signal " + std::to_string(WTERMSIG(status));
 }
-
-namespace {
-
-/// The beginning of a line, for a message.
-std::string clipped(const std::string& line) {
-    constexpr std::size_t longest = 120;
-    return line.size() <= longest ? line : line.substr(0, longest) + "...";
-}
-
-} // namespace
 
 Children::Children(const std::string& command, int count, double seconds, std::filesystem::path log)
     : text_(command), command_(split_command(command)), seconds_(seconds), log_file_(std::move(log)),

@@ -111,41 +111,6 @@ GroupResult group_of(const std::string& name, const std::vector<const Bout*>& bo
     return group;
 }
 
-} // namespace
-
-long successes(const std::vector<Reached>& runs, std::size_t target) {
-    return std::count_if(runs.begin(), runs.end(),
-                         [&](const Reached& run) { return !std::isnan(run.evaluations[target]); });
-}
-
-double expected_runtime(const std::vector<Reached>& runs, std::size_t target) {
-    double sum = 0;
-    for (const Reached& run : runs)
-        sum += std::isnan(run.evaluations[target]) ? static_cast<double>(run.spent) : run.evaluations[target];
-    return sum / static_cast<double>(successes(runs, target));
-}
-
-double mean_area(const GroupResult& group, std::size_t variant) {
-    return rough::mean(
-        rough::column(group.areas, [&](const Areas& areas) { return rough::mean(areas[variant]); }));
-}
-
-std::vector<GroupResult> analysed(const Contest& contest) {
-    std::vector<GroupResult> results;
-    for (const Bout& first : contest.bouts) {
-        const std::string& name = first.problem.group;
-        std::vector<const Bout*> bouts;
-        for (const Bout& bout : contest.bouts)
-            if (bout.problem.group == name)
-                bouts.push_back(&bout);
-        if (bouts.front() == &first) // otherwise the group is done
-            results.push_back(group_of(name, bouts, contest));
-    }
-    return results;
-}
-
-namespace {
-
 using nlohmann::json;
 
 /// Whether ert.csv has a target: whole decades and the last target.
@@ -234,6 +199,37 @@ json bout_json(const Bout& bout) {
 }
 
 } // namespace
+
+long successes(const std::vector<Reached>& runs, std::size_t target) {
+    return std::count_if(runs.begin(), runs.end(),
+                         [&](const Reached& run) { return !std::isnan(run.evaluations[target]); });
+}
+
+double expected_runtime(const std::vector<Reached>& runs, std::size_t target) {
+    double sum = 0;
+    for (const Reached& run : runs)
+        sum += std::isnan(run.evaluations[target]) ? static_cast<double>(run.spent) : run.evaluations[target];
+    return sum / static_cast<double>(successes(runs, target));
+}
+
+double mean_area(const GroupResult& group, std::size_t variant) {
+    return rough::mean(
+        rough::column(group.areas, [&](const Areas& areas) { return rough::mean(areas[variant]); }));
+}
+
+std::vector<GroupResult> analysed(const Contest& contest) {
+    std::vector<GroupResult> results;
+    for (const Bout& first : contest.bouts) {
+        const std::string& name = first.problem.group;
+        std::vector<const Bout*> bouts;
+        for (const Bout& bout : contest.bouts)
+            if (bout.problem.group == name)
+                bouts.push_back(&bout);
+        if (bouts.front() == &first) // otherwise the group is done
+            results.push_back(group_of(name, bouts, contest));
+    }
+    return results;
+}
 
 void write_coco_runs(const Contest& contest, const std::filesystem::path& folder) {
     std::map<std::string, std::vector<ga::CocoFunction>> of_variant;

@@ -80,6 +80,53 @@ ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::f
     return truth;
 }
 
+/// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number of
+/// nodes. @param coarser  the run on the next coarser grid, or null
+std::optional<LeftOutFor> barred(const ChartSetting& setting, const ChartRun* coarser, double limit,
+                                 bool is_late) {
+    if (coarser && coarser->outcome != Outcome::solved && !coarser->late)
+        return LeftOutFor::unsolved;
+    if (coarser && coarser->seconds * static_cast<double>(setting.nodes) >
+                       limit * static_cast<double>(coarser->setting.nodes))
+        return LeftOutFor::limit;
+    return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
+}
+
+Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
+    static const ChartExtent quick_extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1},
+        whole_extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
+                     {512, 2048},
+                     {5, 10, 40, 80, 160},
+                     {1e-3, 1e-4, 1e-6, 1e-8},
+                     65537,
+                     5};
+    const bool quick = settings.is_on("chart.quick");
+    ga::Stopwatch since_written;
+    const auto watch = [&](const ChartData& so_far, const std::string& where) {
+        conditions.progress.show(where);
+        if (so_far.runs.empty() || since_written.seconds() < 3)
+            return;
+        rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
+        since_written = {};
+    };
+    const ChartData data = charted(chart_scenes(), quick ? quick_extent : whole_extent,
+                                   {60 * settings.number("chart.minutes"), quick ? 128 : 256,
+                                    [&] { return conditions.stop.load(); }, watch});
+    if (data.runs.empty())
+        return {};
+    const std::string left_out = left_out_in_a_line(data);
+    const Csv table = chart_table(data);
+    Findings found{.result = chart_facts(data),
+                   .files = {{"chart.csv", table.text()},
+                             {"models.csv", models_table(data.models).text()},
+                             {"points.csv", points_table(data).text()},
+                             {"model_errors.csv", model_errors_table(data.models).text()}},
+                   .summary = std::to_string(data.runs.size()) + " settings charted" +
+                              (left_out.empty() ? "" : "; " + left_out)};
+    found.result["runs"] = table.rows();
+    return found;
+}
+
 } // namespace
 
 ChartSetting usual_setting(std::size_t scene, Solver method, Index nodes) {
@@ -197,57 +244,6 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
     }
     return run;
 }
-
-namespace {
-
-/// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number of
-/// nodes. @param coarser  the run on the next coarser grid, or null
-std::optional<LeftOutFor> barred(const ChartSetting& setting, const ChartRun* coarser, double limit,
-                                 bool is_late) {
-    if (coarser && coarser->outcome != Outcome::solved && !coarser->late)
-        return LeftOutFor::unsolved;
-    if (coarser && coarser->seconds * static_cast<double>(setting.nodes) >
-                       limit * static_cast<double>(coarser->setting.nodes))
-        return LeftOutFor::limit;
-    return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
-}
-
-Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
-    static const ChartExtent quick_extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1},
-        whole_extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
-                     {512, 2048},
-                     {5, 10, 40, 80, 160},
-                     {1e-3, 1e-4, 1e-6, 1e-8},
-                     65537,
-                     5};
-    const bool quick = settings.is_on("chart.quick");
-    ga::Stopwatch since_written;
-    const auto watch = [&](const ChartData& so_far, const std::string& where) {
-        conditions.progress.show(where);
-        if (so_far.runs.empty() || since_written.seconds() < 3)
-            return;
-        rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
-        since_written = {};
-    };
-    const ChartData data = charted(chart_scenes(), quick ? quick_extent : whole_extent,
-                                   {60 * settings.number("chart.minutes"), quick ? 128 : 256,
-                                    [&] { return conditions.stop.load(); }, watch});
-    if (data.runs.empty())
-        return {};
-    const std::string left_out = left_out_in_a_line(data);
-    const Csv table = chart_table(data);
-    Findings found{.result = chart_facts(data),
-                   .files = {{"chart.csv", table.text()},
-                             {"models.csv", models_table(data.models).text()},
-                             {"points.csv", points_table(data).text()},
-                             {"model_errors.csv", model_errors_table(data.models).text()}},
-                   .summary = std::to_string(data.runs.size()) + " settings charted" +
-                              (left_out.empty() ? "" : "; " + left_out)};
-    found.result["runs"] = table.rows();
-    return found;
-}
-
-} // namespace
 
 ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
                   const ChartBounds& bounds) {

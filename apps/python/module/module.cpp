@@ -17,27 +17,6 @@ void request_stop(int) {
         current->stop() = true;
 }
 
-} // namespace
-
-Interruptible::Interruptible() {
-    if (std::this_thread::get_id() != main_thread || current)
-        return;
-    current = this;
-    holds_ = true;
-    before_ = std::signal(SIGINT, request_stop);
-}
-
-Interruptible::~Interruptible() {
-    if (!holds_)
-        return;
-    std::signal(SIGINT, before_);
-    current = nullptr;
-}
-
-bool Interruptible::requested() const { return holds_ && stop_; }
-
-namespace {
-
 /// A value as in the program's flags and keys: "on", "1e-3", "64x48" or, between commas, "1,2".
 std::string text_of(const py::handle& value, const std::string& between) {
     if (py::isinstance<py::bool_>(value))
@@ -58,6 +37,23 @@ rough::Model with_load(rough::Model model, const app::Settings& settings) {
 }
 
 } // namespace
+
+Interruptible::Interruptible() {
+    if (std::this_thread::get_id() != main_thread || current)
+        return;
+    current = this;
+    holds_ = true;
+    before_ = std::signal(SIGINT, request_stop);
+}
+
+Interruptible::~Interruptible() {
+    if (!holds_)
+        return;
+    std::signal(SIGINT, before_);
+    current = nullptr;
+}
+
+bool Interruptible::requested() const { return holds_ && stop_; }
 
 app::Settings Keywords::settings(const std::vector<app::Setting>& known,
                                  const std::vector<std::string>& except) {
