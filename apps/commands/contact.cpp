@@ -355,8 +355,7 @@ int contact(const Settings& settings, const std::string&) {
             "contact: not exactly one surface is given; give one of --genome, --profile and --surface");
     if (settings.has("friction") && settings.has("hardness"))
         throw rough::InputError(
-            "--friction: given with --hardness; give one of them, as partial slip rests on "
-            "elastic contact");
+            "--friction: given with --hardness; give one of them, as partial slip rests on elastic contact");
     const bool is_2d = asks_for_area(settings);
     const CurveFiles files = files_from(settings, is_2d);
     Pressed found = is_2d ? pressed_area(settings) : pressed(settings);

@@ -218,9 +218,8 @@ Command database_query_command() {
         "FILE --target T.csv [--max-pressure P] [--best K] [--out GENOME.json]",
         "Scores every stored curve against a target (Eq. 12), verifies the nearest as a design is verified, "
         "and lists the best. `worst` is the lowest similarity on the file's grid, on a grid four times "
-        "finer, "
-        "in four times the load steps, and in both. Stored curves are scaled exactly to another length or "
-        "modulus; other flags of a set-up must agree with the file.",
+        "finer, in four times the load steps, and in both. Stored curves are scaled exactly to another "
+        "length or modulus; other flags of a set-up must agree with the file.",
         joined({{file_setting,
                  {"target", "", "target file (CSV), as in rugosa design"},
                  max_pressure_setting(),

@@ -166,14 +166,13 @@ Command design_command() {
             "(surface.3mf, surface.stl, surface.png). A target is a CSV file with the columns pressure_MPa "
             "and stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm and "
             "contact_fraction or pressure_MPa. Columns lower and upper are a tolerance band. The answer is "
-            "verified on its "
-            "grid, on a grid four times finer, in four times the load steps, and in both. Its lowest "
-            "similarity must be at least 0.99, or --reach-similarity. With --from a surface in production is "
-            "corrected instead: the phases of the named chromosomes are changed as little as is necessary to "
-            "meet the target again. Exit code 0: found. 2: wrong use. 3: similarity or limits missed, a "
-            "map not verified in time, or the target is out of reach. 130: interrupted. The best answer is "
-            "written, except after wrong use. With --asperities the surface is an array of spherical caps; "
-            "asperities.csv has their heights.",
+            "verified on its grid, on a grid four times finer, in four times the load steps, and in both. "
+            "Its lowest similarity must be at least 0.99, or --reach-similarity. With --from a surface in "
+            "production is corrected instead: the phases of the named chromosomes are changed as little as "
+            "is necessary to meet the target again. Exit code 0: found. 2: wrong use. 3: similarity or "
+            "limits missed, a map not verified in time, or the target is out of reach. 130: interrupted. The "
+            "best answer is written, except after wrong use. With --asperities the surface is an array of "
+            "spherical caps; asperities.csv has their heights.",
             design_settings(),
             {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
              "design --like scan.txt --unit um --reach-similarity 0.99",

@@ -253,8 +253,7 @@ std::vector<Setting> loading_settings() {
 rough::Model loaded(rough::Model model, const Settings& settings) {
     if (settings.given("to-pressure") + settings.given("pressures") + settings.given("reach") > 1)
         settings.refuse(settings.given("pressures") ? "pressures" : "to-pressure",
-                        "given with another end of the load; give one of reach, to-pressure and "
-                        "pressures");
+                        "given with another end of the load; give one of reach, to-pressure and pressures");
     if (settings.given("pressures") && settings.given("steps"))
         settings.refuse("steps", "given with pressures; give one of them");
     take(settings, loading_fields(model));

@@ -15,10 +15,9 @@ struct Writing {
 };
 
 /// The folder of a run's results: --out or, by default, out/NAME below the working directory, or out/NAME-2
-/// and so on if that exists. No other run can use it while this object lives. Throws rough::InputError if
-/// the folder cannot be made or written, is in use, or has a file that would be lost. Symbolic links among
-/// the files to write are never followed: --force removes them. The destructor removes folders that stayed
-/// empty.
+/// and so on if that exists. No other run can use it while this object lives. Throws rough::InputError if the
+/// folder cannot be made or written, is in use, or has a file that would be lost. Symbolic links among the
+/// files to write are never followed: --force removes them. The destructor removes folders that stayed empty.
 class OutputFolder {
   public:
     OutputFolder(const std::string& given, const std::string& name, const Writing& writing);

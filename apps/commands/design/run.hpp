@@ -126,8 +126,7 @@ std::vector<Setting> search_settings();
 /// All settings of the program's design: with target or scan, production and files.
 std::vector<Setting> design_settings();
 
-/// The run that the settings describe, after the exact tests of its targets. Throws
-/// rough::InputError.
+/// The run that the settings describe, after the exact tests of its targets. Throws rough::InputError.
 DesignRun design_from(const Settings& settings);
 /// The run for targets and a model that `take_targets` sets.
 DesignRun design_from(const Settings& settings,
