@@ -5,7 +5,7 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
+#include "apps/report/record.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 #include "ga/base/parallel.hpp"

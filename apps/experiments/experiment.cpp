@@ -3,7 +3,6 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
-#include "apps/report/result.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/held_folder.hpp"
 

@@ -100,11 +100,6 @@ std::vector<ga::Variable> range_of(const Genes& genes) {
     return range;
 }
 
-bool Genes::all_real() const {
-    return kind == Kind::numbers &&
-           std::none_of(parts.begin(), parts.end(), [](const Part& part) { return part.is_whole; });
-}
-
 std::vector<double> rounded(const Genes& genes, std::vector<double> numbers) {
     std::size_t g = 0;
     for (const Genes::Part& part : genes.parts)

@@ -22,9 +22,6 @@ struct Genes {
     Kind kind = Kind::numbers;
     std::size_t count = 1;        ///< number of all genes
     std::vector<Part> parts = {}; ///< parts of Kind::numbers
-
-    /// Whether every gene is a real number.
-    bool all_real() const;
 };
 
 /// A search whose genomes are evaluated by another program or by Python, and its result except the answers.

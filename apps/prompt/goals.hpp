@@ -29,9 +29,6 @@ std::vector<std::string> without_effect(const Settings& settings,
 /// rough::InputError if none is given.
 std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name);
 
-/// Their targets, each with the name of its file.
-std::vector<rough::Target> named_targets(const Settings& settings, const std::string& name);
-
 /// The function that a formula describes. It has numbers, `x` (or `name`), + - * / ^, parentheses, pi, sqrt,
 /// exp, log, log10, sin, cos, tanh, abs, min(a,b) and max(a,b). Throws rough::InputError that begins with
 /// `where` and names the column that it cannot read.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "domain/accuracy/respond.hpp"
-#include "domain/target/target.hpp"
+#include "domain/accuracy/respond_within.hpp"
+#include "domain/design/search.hpp"
 #include "ga/run/context.hpp"
 
 #include <nlohmann/json.hpp>
@@ -103,7 +103,25 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate, id, parents, similarity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent)
 ///@}
 
-/// The first record at the path, or null.
-const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path);
+/// The record of a search under a name, without the response of its answer.
+VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
+                       std::vector<StageRecord> stages, double seconds);
+
+/// The model: grid, body, load steps.
+nlohmann::json model_json(const rough::Model& model);
+
+/// Name and points of a target, with the columns of its file as keys.
+nlohmann::json target_json(const rough::Target& target);
+
+/// The keys of every result.json: version, command, seed and threads.
+nlohmann::json origin_json(const Origin& origin);
+
+/// result.json of a record, to which a kind of run adds keys. Each variant has its stages, its answer, and an
+/// account of the answer's model per kind of load. On the free half-plane it has dK/d ln d per load step.
+nlohmann::json result_json(const Record& record);
+
+/// An account as in CURVE.json and result.json. It has nodes, steps, used and dropped chromosomes with their
+/// bound, solver, tolerance, seconds, estimated errors, and a description in words.
+nlohmann::json account_json(const rough::Account& account);
 
 } // namespace app

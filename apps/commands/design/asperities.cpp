@@ -4,7 +4,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"

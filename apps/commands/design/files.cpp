@@ -1,9 +1,7 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "apps/report/surface.hpp"
-#include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"
 #include "apps/report/builtin.hpp"
-#include "domain/design/search.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "apps/experiments/compare/race.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/problem/setup.hpp"
 
 /// Runs of a comparison of variants, and their statistics.
 namespace app {

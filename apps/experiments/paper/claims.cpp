@@ -1,5 +1,4 @@
-#include "apps/experiments/paper/claims.hpp"
-
+#include "apps/experiments/paper/paper.hpp"
 #include "apps/report/builtin.hpp"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 
 #include "apps/cluster/evaluator.hpp"
-#include "apps/experiments/paper/studies.hpp"
+#include "apps/experiments/paper/paper.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
@@ -64,6 +63,13 @@ std::vector<rough::Genome> database_of(const PaperRun& run) {
             chromosome.phases[0] = random.uniform(0, 2 * std::numbers::pi);
     }
     return genomes;
+}
+
+/// The first record at the path, or null.
+const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path) {
+    const auto found = std::find_if(stages.begin(), stages.end(),
+                                    [&](const StageRecord& stage) { return stage.path == path; });
+    return found == stages.end() ? nullptr : &*found;
 }
 
 /// A run of gco or cco at one threshold (MPa).

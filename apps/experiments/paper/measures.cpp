@@ -1,4 +1,4 @@
-#include "apps/experiments/paper/claims.hpp"
+#include "apps/experiments/paper/paper.hpp"
 #include "domain/profile/spectrum.hpp"
 
 #include <algorithm>

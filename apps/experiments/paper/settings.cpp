@@ -1,4 +1,4 @@
-#include "apps/experiments/paper/run.hpp"
+#include "apps/experiments/paper/paper.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -1,4 +1,4 @@
-#include "apps/experiments/paper/studies.hpp"
+#include "apps/experiments/paper/paper.hpp"
 
 #include <Eigen/QR>
 

@@ -1,5 +1,4 @@
-#include "apps/experiments/paper/claims.hpp"
-#include "apps/report/result.hpp"
+#include "apps/experiments/paper/paper.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/text/json.hpp"
 

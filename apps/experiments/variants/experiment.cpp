@@ -4,9 +4,7 @@
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/output.hpp"
-#include "apps/report/result.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/problem/setup.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 

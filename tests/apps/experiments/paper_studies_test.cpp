@@ -1,5 +1,4 @@
-#include "apps/experiments/paper/run.hpp"
-#include "apps/experiments/paper/studies.hpp"
+#include "apps/experiments/paper/paper.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,6 @@
-#include "apps/report/result.hpp"
+#include "apps/report/record.hpp"
 
 #include "domain/numerics/vector_loops.hpp"
-
-#include <algorithm>
 
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChromosomePlace, series, n, wave_length_mm, amplitude_mm)
@@ -43,6 +41,9 @@ json account_json(const rough::Account& account) {
             {"words", in_words(account)}};
 }
 
+namespace {
+
+/// The account of a genome's response in a search, and its error against the exact model (`true_error`).
 json modelled_json(const rough::Genome& genome, const rough::Model& model) {
     const rough::AccountedResponse found = respond_within(genome, model);
     json result = account_json(found.account);
@@ -53,8 +54,6 @@ json modelled_json(const rough::Genome& genome, const rough::Model& model) {
             : 0.0;
     return result;
 }
-
-namespace {
 
 json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
     json stages = variant.stages;
@@ -163,12 +162,6 @@ json result_json(const Record& record) {
     for (const VariantRun& variant : record.variants)
         result["variants"][variant.name] = variant_json(variant, record.loaded);
     return result;
-}
-
-const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path) {
-    const auto found = std::find_if(stages.begin(), stages.end(),
-                                    [&](const StageRecord& stage) { return stage.path == path; });
-    return found == stages.end() ? nullptr : &*found;
 }
 
 } // namespace app
