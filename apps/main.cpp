@@ -1,7 +1,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/compare/contest.hpp"
-#include "apps/prompt/terminal.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <cerrno>

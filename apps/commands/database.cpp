@@ -1,16 +1,11 @@
-#include "apps/cluster/cluster.hpp"
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
-#include "domain/accuracy/respond.hpp"
-#include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/mwm/genome_json.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,4 @@
-#include "apps/commands/commands.hpp"
 #include "apps/commands/optimise/children.hpp"
-#include "apps/external/genes.hpp"
 #include "apps/external/problem.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
@@ -8,7 +6,6 @@
 #include "apps/report/record.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
-#include "ga/base/parallel.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 

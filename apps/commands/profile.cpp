@@ -9,7 +9,6 @@
 #include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
-#include "domain/scan/map.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <cmath>

@@ -1,4 +1,3 @@
-#include "domain/target/target.hpp"
 
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/goals.hpp"

@@ -1,5 +1,4 @@
 #include "apps/commands/design/asperities.hpp"
-#include "apps/experiments/experiment.hpp"
 #include "apps/experiments/paper/paper.hpp"
 #include "apps/external/process.hpp"
 #include "apps/prompt/goals.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
-#include "ga/problem/problem.hpp"
 #include "ga/text/parser.hpp"
 
 #include <limits>

@@ -2,7 +2,6 @@
 
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/design/search.hpp"
-#include "ga/run/context.hpp"
 
 #include <nlohmann/json.hpp>
 

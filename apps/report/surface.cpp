@@ -5,7 +5,6 @@
 #include "apps/report/output.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/profile/height_image.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/text/atomic_file.hpp"

@@ -4,11 +4,9 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/record.hpp"
-#include "domain/accuracy/resolution.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
-#include "domain/target/out_of_reach.hpp"
 
 /// A design from settings to files, for the program and Python.
 namespace app {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "apps/external/solution.hpp"
-#include "ga/base/random.hpp"
-#include "ga/problem/permutation.hpp"
 #include "ga/problem/problem.hpp"
 #include "ga/problem/ranking.hpp"
 

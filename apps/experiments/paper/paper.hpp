@@ -4,7 +4,6 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/paper/dominance.hpp"
 #include "domain/paper/variants.hpp"
 
 #include <limits>
