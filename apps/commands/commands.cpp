@@ -10,9 +10,18 @@ namespace app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all{
-        contact_command(),  profile_command(),   target_command(), design_command(),
-        database_command(), run_command(),       report_command(), optimise_command(),
-        compare_command(),  operators_command(), chart_command(),  stability_command(),
+        contact_command(),
+        profile_command(),
+        target_command(),
+        design_command(),
+        database_command(),
+        run_command(),
+        report_command(),
+        optimise_command(),
+        short_command("compare", "compare pipelines on problems with known answers"),
+        operators_command(),
+        short_command("chart", "chart speed against accuracy for every contact solver"),
+        short_command("stability", "try every contact solver on difficult cases, and tabulate which fail"),
     };
     return all;
 }

@@ -21,8 +21,8 @@ struct Command {
     std::vector<Command> parts = {};          ///< its subcommands; `run` is empty then
 };
 
-Command chart_command();
-Command compare_command();
+/// The command that runs experiments of a kind under its name.
+Command short_command(const std::string& kind, const std::string& summary);
 Command contact_command();
 Command design_command();
 Command database_command();
@@ -30,7 +30,6 @@ Command profile_command();
 Command report_command();
 Command run_command();
 Command target_command();
-Command stability_command();
 Command operators_command();
 Command optimise_command();
 

@@ -47,12 +47,6 @@ namespace {
 /// the answer end. The rest is for drawing the report.
 constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 
-int exit_code(const DesignRun& run) {
-    if (run.interrupted)
-        return exit_interrupted;
-    return run.summary.found ? 0 : 3;
-}
-
 /// Finds the smallest change of the controlled phases that brings a surface back to its target.
 void morph_into(DesignRun& run) {
     const Production& from = *run.from;
@@ -81,7 +75,6 @@ int design(const Settings& settings, const std::string& line) {
     const auto& folder = output.path();
     if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
         return repeat_verdict(folder / "result.json");
-    const bool pictures = settings.choice("pictures") == 0;
     for (const auto& account : run.accounts)
         say(account);
 
@@ -127,15 +120,13 @@ int design(const Settings& settings, const std::string& line) {
         run.seconds = clock.seconds();
         write_design_result(run, folder);
     }
-    if (!run.interrupted) {
-        if (pictures) {
-            try {
-                write_design_drawings(run, folder);
-            } catch (const rough::InputError& error) { // the page has no pictures then
-                say(std::string("note: ") + error.what());
-            }
-            write_page(folder, limit - clock.seconds());
+    if (!run.interrupted && settings.choice("pictures") == 0) {
+        try {
+            write_design_drawings(run, folder);
+        } catch (const rough::InputError& error) { // the page has no pictures then
+            say(std::string("note: ") + error.what());
         }
+        write_page(folder, limit - clock.seconds());
     }
     if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
@@ -152,7 +143,7 @@ int design(const Settings& settings, const std::string& line) {
         say(fact.name + ": " + fact.text);
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(clock.seconds()) + " s)" +
         (std::filesystem::exists(checkpoint) ? "; --resume continues the search" : ""));
-    return exit_code(run);
+    return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;
 }
 
 } // namespace

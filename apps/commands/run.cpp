@@ -78,34 +78,6 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
     return carry_out(experiment, settings, request);
 }
 
-Command short_command(const std::string& kind, const std::string& summary) {
-    const Experiment& experiment = *std::find_if(experiments().begin(), experiments().end(),
-                                                 [&](const Experiment& one) { return one.kind == kind; });
-    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()};
-    if (experiment.takes_file) {
-        flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
-        for (Setting common : {seed_setting(), threads_setting()}) {
-            common.fallback = "";
-            common.meaning += " [the file's, or the default of the experiment]";
-            flags.push_back(common);
-        }
-    }
-    for (Setting key : experiment.settings)
-        if (key.name.starts_with(kind + ".")) {
-            key.name.erase(0, kind.size() + 1);
-            flags.push_back(key);
-        }
-    return {
-        kind,
-        summary,
-        std::string(experiment.takes_file ? "[FILE.ini] " : "") + "[--out DIR] [flags]",
-        experiment.summary,
-        flags,
-        experiment.examples,
-        [&](const Settings& given, const std::string& line) { return run_by_name(experiment, given, line); },
-        experiment.takes_file ? Words{"experiment"} : Words{}};
-}
-
 int run(const Settings& flags, const std::string& line) {
     if (!flags.has("experiment"))
         throw rough::InputError("run: no experiment given; name an .ini file");
@@ -136,14 +108,31 @@ int run(const Settings& flags, const std::string& line) {
 
 } // namespace
 
-Command chart_command() {
-    return short_command("chart", "chart speed against accuracy for every contact solver");
-}
-Command compare_command() {
-    return short_command("compare", "compare pipelines on problems with known answers");
-}
-Command stability_command() {
-    return short_command("stability", "try every contact solver on difficult cases, and tabulate which fail");
+Command short_command(const std::string& kind, const std::string& summary) {
+    const Experiment& experiment = experiment_named(kind);
+    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()};
+    if (experiment.takes_file) {
+        flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
+        for (Setting common : {seed_setting(), threads_setting()}) {
+            common.fallback = "";
+            common.meaning += " [the file's, or the default of the experiment]";
+            flags.push_back(common);
+        }
+    }
+    for (Setting key : experiment.settings)
+        if (key.name.starts_with(kind + ".")) {
+            key.name.erase(0, kind.size() + 1);
+            flags.push_back(key);
+        }
+    return {
+        kind,
+        summary,
+        std::string(experiment.takes_file ? "[FILE.ini] " : "") + "[--out DIR] [flags]",
+        experiment.summary,
+        flags,
+        experiment.examples,
+        [&](const Settings& given, const std::string& line) { return run_by_name(experiment, given, line); },
+        experiment.takes_file ? Words{"experiment"} : Words{}};
 }
 
 Command run_command() {

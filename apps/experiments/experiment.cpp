@@ -16,6 +16,10 @@ const std::vector<Experiment>& experiments() {
     return all;
 }
 
+const Experiment& experiment_named(const std::string& kind) {
+    return *std::ranges::find(experiments(), kind, &Experiment::kind);
+}
+
 std::vector<Setting> Experiment::all_settings() const {
     return joined(
         {{{"experiment.kind", "paper",

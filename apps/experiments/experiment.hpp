@@ -58,6 +58,7 @@ Experiment statistical_experiment();
 
 /// All kinds of experiments.
 const std::vector<Experiment>& experiments();
+const Experiment& experiment_named(const std::string& kind);
 
 /// A requested run.
 struct Request {

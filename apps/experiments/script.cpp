@@ -22,9 +22,8 @@ namespace {
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 /// Runs an experiment's script with the settings as JSON. The script writes result.json and tables.
-Findings findings_of_script(const Experiment& experiment, const Settings& settings,
-                            const Conditions& conditions) {
-    const std::string& kind = experiment.kind;
+Findings findings_of_script(const Settings& settings, const Conditions& conditions) {
+    const std::string& kind = conditions.origin.kind;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
     nlohmann::json given{{"folder", std::filesystem::absolute(ga::held(conditions.folder / "")).string()},
                          {"program", program.string()},
@@ -35,7 +34,7 @@ Findings findings_of_script(const Experiment& experiment, const Settings& settin
     for (const Claim& claim : paper_claims())
         if (claim.rule() != "cannot be decided")
             given["claims"].push_back({{"id", claim.id}, {"place", claim.place}, {"says", claim.sentence}});
-    for (const Setting& one : experiment.settings)
+    for (const Setting& one : experiment_named(kind).settings)
         given["settings"][one.name] = settings.text(one.name);
     if (settings.knows("targets.files"))
         for (const auto& file : target_files(settings, "targets.files"))
@@ -88,9 +87,7 @@ Experiment features_experiment() {
                   pressure("targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
                  model_settings("model.")}),
             .files = {"features.csv", "waves.csv", "heldout.csv", "best"},
-            .run = [](const Settings& settings, const Conditions& conditions) {
-                return findings_of_script(features_experiment(), settings, conditions);
-            }};
+            .run = findings_of_script};
 }
 
 Experiment metainterfaces_experiment() {
@@ -112,9 +109,7 @@ Experiment metainterfaces_experiment() {
               {"caps.large-pipeline", "default", "pipeline for the larger array"}},
              caps}),
         .files = {"laws.csv", "curves.csv"},
-        .run = [](const Settings& settings, const Conditions& conditions) {
-            return findings_of_script(metainterfaces_experiment(), settings, conditions);
-        }};
+        .run = findings_of_script};
 }
 
 Experiment readings_experiment() {
@@ -135,7 +130,7 @@ Experiment readings_experiment() {
                 expect_none(settings, {"model.kernel", "model.datum", "model.reach"},
                             "cannot be set, because the readings try several values; omit it");
                 model_from(settings, "model.");
-                return findings_of_script(readings_experiment(), settings, conditions);
+                return findings_of_script(settings, conditions);
             },
         .resumes = true};
 }

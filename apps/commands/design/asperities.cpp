@@ -25,6 +25,11 @@ constexpr double base_depth =
 constexpr double solid_nodes = 90000; ///< nodes of the tile
 constexpr int drawn_points = 200;     ///< points of a drawn curve
 
+/// "independent" or "interacting"
+std::string name_of(rough::CapModel model) {
+    return model == rough::CapModel::independent ? "independent" : "interacting";
+}
+
 struct CapRun {
     rough::CapSetup setup;
     rough::SearchOptionsOf<rough::CapProblem> options;
@@ -42,10 +47,7 @@ struct CapRun {
 
 /// FROM:TO or FROM:TO:STEP, mm.
 rough::GeneRange range_from(const Settings& settings, const std::string& name) {
-    std::vector<double> parts;
-    std::string text = settings.text(name) + ":";
-    for (std::size_t at = 0, next; (next = text.find(':', at)) != std::string::npos; at = next + 1)
-        parts.push_back(rough::number_from(text.substr(at, next - at), settings.place(name)));
+    const std::vector<double> parts = settings.numbers(name);
     if (parts.size() < 2 || parts.size() > 3)
         settings.refuse(name, settings.text(name) + " is not a range; give FROM:TO or FROM:TO:STEP");
     return {parts[0], parts[1], parts.size() == 3 ? parts[2] : 0};
@@ -128,12 +130,10 @@ void conclude(CapRun& run) {
                       readable(run.found.best.similarity, 4);
     else if (std::isnan(lowest))
         run.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by the " +
-                      cap_model_names()[static_cast<std::size_t>(run.setup.model)] +
-                      " model, no time was left for boundary elements" + wanted;
+                      name_of(run.setup.model) + " model, no time was left for boundary elements" + wanted;
     else
         run.verdict = std::string(run.is_found ? "found" : "not found within the budget") +
-                      ": lowest similarity " + readable(lowest, 5) + ", by the " +
-                      cap_model_names()[static_cast<std::size_t>(run.setup.model)] +
+                      ": lowest similarity " + readable(lowest, 5) + ", by the " + name_of(run.setup.model) +
                       " model and by boundary elements at " +
                       std::to_string(run.found.best.verification.meshed.size()) + " points" + wanted;
 }
@@ -179,7 +179,7 @@ void write_result(const CapRun& run, const std::filesystem::path& folder) {
                    {"radii_mm", range(setup.radii)},
                    {"effective_modulus_MPa", setup.effective_modulus},
                    {"nominal_area_mm2", setup.array.nominal_area()},
-                   {"model", cap_model_names()[static_cast<std::size_t>(setup.model)]},
+                   {"model", name_of(setup.model)},
                    {"required_similarity", setup.required_similarity},
                    {"target", target_json(setup.targets.front())},
                    {"verdict", run.verdict},
@@ -262,11 +262,6 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
 
 } // namespace
 
-const std::vector<std::string>& cap_model_names() {
-    static const std::vector<std::string> names{"independent", "interacting"};
-    return names;
-}
-
 std::vector<Setting> cap_settings(const std::string& prefix) {
     return {
         Setting(ga::whole(prefix + "asperities", "", 1,
@@ -275,8 +270,9 @@ std::vector<Setting> cap_settings(const std::string& prefix) {
             .several('x'),
         positive(prefix + "pitch", "", "distance of neighbouring caps, mm [1.5]"),
         positive(prefix + "radius", "", "radius of all caps, mm [0.526]"),
-        {prefix + "radii", "", "radii of caps as genes, FROM:TO or FROM:TO:STEP, mm"},
-        {prefix + "heights", "", "heights of the summits, FROM:TO or FROM:TO:STEP, mm [0:0.12:0.001]"},
+        Setting(prefix + "radii", "", "radii of caps as genes, FROM:TO or FROM:TO:STEP, mm").several(':'),
+        Setting(prefix + "heights", "", "heights of the summits, FROM:TO or FROM:TO:STEP, mm [0:0.12:0.001]")
+            .several(':'),
     };
 }
 
@@ -350,9 +346,9 @@ int design_asperities(const Settings& settings, const std::string& line) {
     tell_notes(run.found.notes);
     const rough::CapVerification& verified = run.found.best.verification;
     say("Errors: independent caps differ from interacting ones by " + percent(run.other_model_error) +
-        "; the " + cap_model_names()[static_cast<std::size_t>(run.setup.model)] +
-        " model from boundary elements by " + percent(verified.area_error) + " in area and " +
-        percent(verified.force_error) + " of the largest force");
+        "; the " + name_of(run.setup.model) + " model from boundary elements by " +
+        percent(verified.area_error) + " in area and " + percent(verified.force_error) +
+        " of the largest force");
     for (const rough::HeightTolerance& one : run.tolerance)
         say("Tolerance: height errors of " + readable(1000 * one.rms) + " µm rms keep the law within " +
             percent(one.error));

@@ -5,9 +5,6 @@
 
 namespace app {
 
-/// In the order of rough::CapModel: independent, interacting.
-const std::vector<std::string>& cap_model_names();
-
 /// The settings of an array of caps, each name behind `prefix`.
 std::vector<Setting> cap_settings(const std::string& prefix = "");
 /// The settings that only `rugosa design` with caps has.
