@@ -183,16 +183,7 @@ int optimise(const Settings& settings, const std::string& line) {
     search.stop = &interrupt.flag();
     search.show = [&](const std::string& line) { progress.show(line); };
     search.seconds -= clock.seconds();
-    switch (search.genes.kind) {
-    case Genes::Kind::numbers:
-        search_by_children<std::vector<double>>(search, children);
-        break;
-    case Genes::Kind::bits:
-        search_by_children<std::vector<bool>>(search, children);
-        break;
-    case Genes::Kind::permutation:
-        search_by_children<ga::Permutation>(search, children);
-    }
+    by_kind(search.genes, [&](auto genome) { search_by_children<decltype(genome)>(search, children); });
     if (!children.trouble().empty())
         search.stopped = children.trouble();
     const BestKnown& record = children.record;

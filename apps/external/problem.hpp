@@ -93,6 +93,14 @@ Registry<P> whole_vocabulary(); // text/whole_vocabulary.hpp, which brings Eigen
 
 namespace app {
 
+/// Calls with a genome of the type that the genes have.
+template <class Call>
+auto by_kind(const Genes& genes, Call call) {
+    return genes.kind == Genes::Kind::numbers ? call(std::vector<double>())
+           : genes.kind == Genes::Kind::bits  ? call(std::vector<bool>())
+                                              : call(ga::Permutation());
+}
+
 /// The variant of a search: the given one, "pipeline" for a text, or the default for the objectives.
 inline std::string variant_of(const OutsideSearch& search, std::size_t objectives) {
     return !search.variant.empty()    ? search.variant

@@ -56,21 +56,13 @@ Optimisation requested(const py::object& problem, const py::kwargs& given) {
     return search;
 }
 
-/// Calls with a genome of the search's type.
-template <class Call>
-auto by_kind(const Optimisation& search, Call call) {
-    return search.genes.kind == Genes::Kind::numbers ? call(std::vector<double>())
-           : search.genes.kind == Genes::Kind::bits  ? call(std::vector<bool>())
-                                                     : call(ga::Permutation());
-}
-
 /// The search of search(). It must not move, because its engine points at `result`.
 struct Search {
     Optimisation result;
     std::unique_ptr<AskTell> engine;
 
     explicit Search(Optimisation of) : result(std::move(of)) {
-        engine = by_kind(result, [this](auto genome) { return ask_tell<decltype(genome)>(result); });
+        engine = by_kind(result.genes, [this](auto genome) { return ask_tell<decltype(genome)>(result); });
     }
 };
 
@@ -162,7 +154,7 @@ void add_engine(py::module_& module) {
         "optimise",
         [](const py::object& problem, const py::kwargs& given) {
             Optimisation search = requested(problem, given);
-            by_kind(search, [&](auto genome) { optimise<decltype(genome)>(search); });
+            by_kind(search.genes, [&](auto genome) { optimise<decltype(genome)>(search); });
             return search;
         },
         "problem"_a, documented(help_of_optimise, app::outside_settings()).c_str());
