@@ -40,8 +40,7 @@ int dispatch(app::Words words) {
     for (const auto& command : app::commands())
         names.push_back(command.name);
     if (words.empty())
-        throw rough::InputError("no subcommand given" + ga::suggestion("", names) +
-                                " ('rugosa --help' lists more)");
+        rough::refuse("no subcommand given", ga::suggestion("", names), " ('rugosa --help' lists more)");
     if (words[0] == "help" && words.size() > 1)
         words = {words[1], "--help"};
     if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
@@ -56,9 +55,9 @@ int dispatch(app::Words words) {
         if (words[0] == command.name)
             return run_with(command, {words.begin() + 1, words.end()});
     if (words[0].starts_with("-"))
-        throw rough::InputError("'" + words[0] + "' given; put a subcommand before its flags" +
-                                ga::suggestion(words[0], {"--help", "--version"}));
-    throw rough::InputError("'" + words[0] + "' is not a subcommand" + ga::suggestion(words[0], names));
+        rough::refuse("'", words[0], "' given; put a subcommand before its flags",
+                      ga::suggestion(words[0], {"--help", "--version"}));
+    rough::refuse("'", words[0], "' is not a subcommand", ga::suggestion(words[0], names));
 }
 
 void complain(const std::string& message) {

@@ -281,7 +281,7 @@ void leave(int code) {
 
 void expect_message(bool good) {
     if (!good)
-        throw rough::InputError("MPI: a message has another form; run one program on all ranks");
+        rough::refuse("MPI: a message has another form; run one program on all ranks");
 }
 
 bool is_alone() { return rank_count == 1; }

@@ -69,9 +69,9 @@ int run_part(const Command& command, const Words& words) {
         if (names.push_back(part.name); !words.empty() && words[0] == part.name)
             return run_with(part, {words.begin() + 1, words.end()}, command.name + " ");
     if (words.empty())
-        throw rough::InputError(command.name + ": nothing given" + ga::suggestion("", names) + " ('rugosa " +
-                                command.name + " --help' lists more)");
-    throw rough::InputError(command.name + ": '" + words[0] + "' given" + ga::suggestion(words[0], names));
+        rough::refuse(command.name, ": nothing given", ga::suggestion("", names), " ('rugosa ", command.name,
+                      " --help' lists more)");
+    rough::refuse(command.name, ": '", words[0], "' given", ga::suggestion(words[0], names));
 }
 
 } // namespace

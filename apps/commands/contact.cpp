@@ -249,16 +249,15 @@ struct CurveFiles {
 
 CurveFiles files_from(const Settings& settings, bool is_2d) {
     if (!settings.has("out"))
-        throw rough::InputError("--out: missing; name the curve file to write");
+        rough::refuse("--out: missing; name the curve file to write");
     const std::filesystem::path given = settings.text("out");
     CurveFiles files;
     files.curve = expect_writable(given, settings);
     if (std::filesystem::exists(files.curve) && !std::filesystem::is_regular_file(files.curve)) {
         for (const char* flag : {"friction", "report", is_2d ? "out" : ""}) // a device or a pipe
             if (*flag && settings.has(flag))
-                throw rough::InputError("--" + std::string(flag) + ": " + given.string() +
-                                        " is not a regular file; choose one that further files can be "
-                                        "written next to");
+                rough::refuse("--", flag, ": ", given.string(),
+                              " is not a regular file; choose one that further files can be written next to");
         return files;
     }
     std::filesystem::path account = given;
@@ -344,10 +343,10 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
 
 int contact(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError(
+        rough::refuse(
             "contact: not exactly one surface is given; give one of --genome, --profile and --surface");
     if (settings.has("friction") && settings.has("hardness"))
-        throw rough::InputError(
+        rough::refuse(
             "--friction: given with --hardness; give one of them, as partial slip rests on elastic contact");
     const bool is_2d = asks_for_area(settings);
     const CurveFiles files = files_from(settings, is_2d);

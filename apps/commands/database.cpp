@@ -47,7 +47,7 @@ const Setting file_setting{"file", "", "the database (may be given without the f
 
 std::filesystem::path given_file(const Settings& settings) {
     if (!settings.has("file"))
-        throw rough::InputError("database: no file given; name a genome database");
+        rough::refuse("database: no file given; name a genome database");
     return settings.text("file");
 }
 
@@ -145,14 +145,13 @@ int database_merge(const Settings& settings, const std::string&) {
     const Words names = settings.words("files");
     const std::vector<std::filesystem::path> files(names.begin(), names.end());
     if (files.size() < 2 || !settings.has("out"))
-        throw rough::InputError(
-            "database merge: too little given; name two or more genome databases, then --out "
-            "and the file to write");
+        rough::refuse("database merge: too little given; name two or more genome databases, then --out "
+                      "and the file to write");
     const auto out = expect_writable(settings.text("out"), settings);
     std::error_code none;
     for (const auto& file : files)
         if (std::filesystem::equivalent(file, out, none))
-            throw rough::InputError("--out: " + out.string() + " is read here; choose another name");
+            rough::refuse("--out: ", out.string(), " is read here; choose another name");
     say(out.string() + ": " + std::to_string(rough::merge(files, out)) + " genomes of " +
         std::to_string(files.size()) + " files");
     return 0;
@@ -175,7 +174,7 @@ Command database_merge_command() {
 
 int database_query(const Settings& settings, const std::string&) {
     if (!settings.has("target"))
-        throw rough::InputError("--target: missing; name a target file");
+        rough::refuse("--target: missing; name a target file");
     std::filesystem::path out;
     if (settings.has("out"))
         out = expect_writable(settings.text("out"), settings);
@@ -190,8 +189,8 @@ int database_query(const Settings& settings, const std::string&) {
     const auto answers =
         stored_answers(store, setup, settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
     if (answers.empty())
-        throw rough::InputError(store.file().string() + ": no stored curve reaches the end of the target; "
-                                                        "use a database with more genomes");
+        rough::refuse(store.file().string(), ": no stored curve reaches the end of the target; "
+                                             "use a database with more genomes");
     std::printf("%llu curves screened in %.3f s\n%4s %12s %12s %12s %14s\n",
                 static_cast<unsigned long long>(store.stored()), clock.seconds(), "rank", "genome",
                 "similarity", "worst", "scale");

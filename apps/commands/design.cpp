@@ -20,7 +20,7 @@ Origin origin_of(const char* kind, const std::string& line, const Settings& sett
 bool resumes(const Settings& settings) {
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
-        throw rough::InputError("--resume: given without --out; name the folder of the interrupted design");
+        rough::refuse("--resume: given without --out; name the folder of the interrupted design");
     return resume;
 }
 

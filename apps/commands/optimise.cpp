@@ -139,9 +139,8 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
 SearchByChildren search_from(const Settings& settings) {
     for (const char* needed : {"genes", "evaluate"})
         if (!settings.has(needed))
-            throw rough::InputError(
-                std::string("--") + needed + ": missing; give it" +
-                (needed[0] == 'g' ? ", e.g. real:5:-5:5" : ", e.g. 'python3 fitness.py'"));
+            rough::refuse("--", needed, ": missing; give it",
+                          needed[0] == 'g' ? ", e.g. real:5:-5:5" : ", e.g. 'python3 fitness.py'");
     SearchByChildren search;
     take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
@@ -158,7 +157,7 @@ SearchByChildren search_from(const Settings& settings) {
                              .dump();
     search.resume = settings.is_on("resume");
     if (search.resume && !settings.has("out"))
-        throw rough::InputError("--resume: given without --out; name the folder of the interrupted run");
+        rough::refuse("--resume: given without --out; name the folder of the interrupted run");
     return search;
 }
 
@@ -197,8 +196,7 @@ int optimise(const Settings& settings, const std::string& line) {
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(ga::held(folder / kept));
     if (!children.trouble().empty())
-        throw rough::InputError(children.trouble() +
-                                (record.best() ? "; the best so far is in " + folder.string() : ""));
+        rough::refuse(children.trouble(), record.best() ? "; the best so far is in " + folder.string() : "");
     tell_notes(search.notes);
     std::string best = "nothing was evaluated";
     if (record.best()) {

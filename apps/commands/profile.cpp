@@ -92,7 +92,7 @@ struct Description {
 
 Description described_profile(const Settings& settings) {
     if (settings.has("profile") && settings.given("length"))
-        throw rough::InputError("--length: given with a scan; omit it, as a scan has a length");
+        rough::refuse("--length: given with a scan; omit it, as a scan has a length");
     const rough::Source source = source_from(settings, nodes_from(settings));
     rough::Grid grid = source.grid();
     settings.take("nodes", grid.nodes);
@@ -301,15 +301,14 @@ void write_description(const Description& of, const Settings& settings, const ro
 
 int profile(const Settings& settings, const std::string&) {
     if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        throw rough::InputError(
+        rough::refuse(
             "profile: not exactly one surface is given; give one of a genome file, --profile and --surface");
     rough::Extrusion extrusion;
     take(settings, fields_of(extrusion));
     const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
         if (!is_map && settings.given(name))
-            throw rough::InputError("--" + name +
-                                    ": given without a map; give --surface or --nodes NXxNY too");
+            rough::refuse("--", name, ": given without a map; give --surface or --nodes NXxNY too");
     write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
     return 0;
 }

@@ -9,7 +9,7 @@ namespace {
 
 int report(const Settings& given, const std::string&) {
     if (!given.has("folder"))
-        throw rough::InputError("report: no folder given; name the folder of a result");
+        rough::refuse("report: no folder given; name the folder of a result");
     const PageSource source = page_source(given.text("folder"));
     const std::filesystem::path page =
         given.has("out") ? std::filesystem::path(given.text("out")) : page_of(source);

@@ -72,7 +72,7 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
         return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
     const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
     if (settings.text("experiment.kind") != kind)
-        settings.refuse("experiment.kind", settings.text("experiment.kind") + " given; give " + kind);
+        settings.refuse("experiment.kind", settings.text("experiment.kind"), " given; give ", kind);
     for (const auto& input : settings.files())
         request.inputs.push_back(input);
     return carry_out(experiment, settings, request);
@@ -80,7 +80,7 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
 
 int run(const Settings& flags, const std::string& line) {
     if (!flags.has("experiment"))
-        throw rough::InputError("run: no experiment given; name an .ini file");
+        rough::refuse("run: no experiment given; name an .ini file");
     std::vector<std::string> overrides = flags.has("set") ? flags.words("set") : Words{};
     for (const char* key : {"seed", "threads"})
         if (flags.has(key))

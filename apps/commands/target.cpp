@@ -47,8 +47,7 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     const auto points = settings.whole<rough::Index>("points");
     if (settings.has("formula")) {
         if (!settings.has("to"))
-            throw rough::InputError(
-                "--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
+            rough::refuse("--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const rough::Model model = model_from(settings);
         rough::Target goal = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
@@ -118,12 +117,12 @@ int target(const Settings& settings, const std::string&) {
     for (const char* source : {"formula", "genome", "like", "check", "draw"})
         given += settings.has(source);
     if (given != 1)
-        throw rough::InputError(
+        rough::refuse(
             "target: not exactly one source is given; give one of --formula, --genome, --like, --check and "
             "--draw");
     if (settings.has("draw")) {
         if (settings.has("out"))
-            throw rough::InputError("--out: given with --draw; omit it, as the page saves the target");
+            rough::refuse("--out: given with --draw; omit it, as the page saves the target");
         write_drawing_page(expect_writable(settings.text("draw"), settings, "--draw"), settings);
         return 0;
     }
@@ -137,7 +136,7 @@ int target(const Settings& settings, const std::string&) {
         return report(goal, model, settings);
     }
     if (!settings.has("out"))
-        throw rough::InputError("--out: missing; name the target file to write");
+        rough::refuse("--out: missing; name the target file to write");
     const std::filesystem::path out = expect_writable(settings.text("out"), settings);
     auto [goal, model] = made_target(settings);
     if (settings.has("band")) {

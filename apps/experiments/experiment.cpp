@@ -48,10 +48,10 @@ void write(Findings& found, const Origin& origin, const std::filesystem::path& f
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
     if (request.resume && !experiment.resumes)
-        throw rough::InputError("--resume: experiments of kind " + experiment.kind +
-                                " do not write checkpoints; omit it");
+        rough::refuse("--resume: experiments of kind ", experiment.kind,
+                      " do not write checkpoints; omit it");
     if (request.resume && request.out.empty())
-        throw rough::InputError("--resume: no --out; give the folder of the interrupted run");
+        rough::refuse("--resume: no --out; give the folder of the interrupted run");
     std::vector<std::string> names = experiment.files;
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)

@@ -48,7 +48,7 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
     if (!nothing || !errors ||
         start_process(child, {"python3", "-c", builtin_files().at(kind + ".py"), given.dump()},
                       fileno(nothing.get()), fileno(nothing.get()), fileno(errors.get())) != 0)
-        throw rough::InputError(kind + ": python3 was not found; install the Debian package python3");
+        rough::refuse(kind, ": python3 was not found; install the Debian package python3");
     conditions.progress.show(kind + ".py");
     int status = 0;
     while (!process_ended_within(0.2, child, status))
@@ -59,10 +59,10 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
         std::string problem; // the last line
         for (std::string line; std::getline(lines, line);)
             problem = line;
-        throw rough::InputError(kind + ": " + problem +
-                                (problem.find("No module") == std::string::npos
-                                     ? ""
-                                     : "; install python3, numpy and the Python module rugosa"));
+        rough::refuse(kind, ": ", problem,
+                      problem.find("No module") == std::string::npos
+                          ? ""
+                          : "; install python3, numpy and the Python module rugosa");
     }
     const std::filesystem::path result = conditions.folder / "result.json";
     if (!std::filesystem::exists(result))

@@ -16,8 +16,8 @@ class Reader {
     Reader(const std::string& text, std::string name, std::string where)
         : text_(text), name_(std::move(name)), where_(std::move(where)) {
         if (text_.size() > longest)
-            throw rough::InputError(where_ + ": a formula of " + std::to_string(text_.size()) +
-                                    " characters is too long; use at most " + std::to_string(longest));
+            rough::refuse(where_, ": a formula of ", text_.size(), " characters is too long; use at most ",
+                          longest);
     }
 
     Function whole() {
@@ -45,9 +45,8 @@ class Reader {
 
     Function power() {
         if (++depth_ > deepest)
-            throw rough::InputError(where_ + ": column " + std::to_string(at_ + 1) +
-                                    ": parentheses, signs or powers more than " + std::to_string(deepest) +
-                                    " deep; nest fewer");
+            rough::refuse(where_, ": column ", at_ + 1, ": parentheses, signs or powers more than ", deepest,
+                          " deep; nest fewer");
         const Function result = signed_power();
         --depth_;
         return result;
@@ -132,8 +131,7 @@ class Reader {
         ++at_;
     }
     [[noreturn]] void refuse(const std::string& permitted) const {
-        throw rough::InputError(where_ + ": \"" + text_ + "\", column " + std::to_string(at_ + 1) +
-                                " is malformed; give " + permitted);
+        rough::refuse(where_, ": \"", text_, "\", column ", at_ + 1, " is malformed; give ", permitted);
     }
 
     static constexpr std::size_t longest = 10000;

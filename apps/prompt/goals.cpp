@@ -19,10 +19,10 @@ void expect_same_model(const rough::Target& goal, const rough::Model& model) {
     const auto differences = recorded_differences(goal, model);
     for (const auto& [key, recorded, actual] : differences)
         if ((key == "datum_mm" && model.grid.is_2d()) || (key == "width_mm" && !model.grid.is_2d()))
-            throw rough::InputError(goal.name + ": recorded with " + key + " " + recorded +
-                                    (model.grid.is_2d()
-                                         ? "; give a target of a map, which has none"
-                                         : "; give a target of a profile, or --nodes and --length as pairs"));
+            rough::refuse(goal.name, ": recorded with ", key, " ", recorded,
+                          model.grid.is_2d()
+                              ? "; give a target of a map, which has none"
+                              : "; give a target of a profile, or --nodes and --length as pairs");
     std::string flags;
     for (const auto& [key, recorded, actual] : differences) {
         const auto length = goal.recorded.find("length_mm");
@@ -31,9 +31,9 @@ void expect_same_model(const rough::Target& goal, const rough::Model& model) {
             flags += " --" + flag_of.at(key) + " " + recorded;
     }
     if (!differences.empty())
-        throw rough::InputError(goal.name + ": recorded with " + in_words(differences) +
-                                "; use the recorded model, as the target depends on it:" +
-                                (flags.empty() ? " no --datum" : flags));
+        rough::refuse(
+            goal.name, ": recorded with ", in_words(differences),
+            "; use the recorded model, as the target depends on it:", flags.empty() ? " no --datum" : flags);
 }
 
 } // namespace

@@ -40,9 +40,9 @@ std::vector<rough::Layer> layers_from(const std::string& text, const std::string
             numbers.push_back(rough::number_from(part, place));
         const bool has_elasticity = numbers.size() == 3;
         if (numbers.size() != 1 && !has_elasticity)
-            throw rough::InputError(place + ": \"" + word + "\" given; give a thickness T (mm), or T:E:NU");
+            rough::refuse(place, ": \"", word, "\" given; give a thickness T (mm), or T:E:NU");
         if (has_elasticity && !(numbers[1] > 0))
-            throw rough::InputError(place + ": \"" + word + "\" has no modulus above 0; give T:E:NU");
+            rough::refuse(place, ": \"", word, "\" has no modulus above 0; give T:E:NU");
         numbers.resize(3); // 0: that of the body
         layers.push_back({numbers[0], numbers[1], numbers[2]});
     }
@@ -160,8 +160,8 @@ rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const 
     grid.length = length.front();
     grid.width = length.back();
     if (nodes.front() * nodes.back() > 2e7)
-        settings.refuse(prefix + "nodes",
-                        "'" + settings.text(prefix + "nodes") + "' has more than 2e7 nodes; give fewer");
+        settings.refuse(prefix + "nodes", "'", settings.text(prefix + "nodes"),
+                        "' has more than 2e7 nodes; give fewer");
     return grid;
 }
 
@@ -259,9 +259,8 @@ rough::Model loaded(rough::Model model, const Settings& settings) {
     take(settings, loading_fields(model));
     const auto& all = model.loading.pressures;
     if (std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
-        settings.refuse("pressures",
-                        settings.text("pressures") +
-                            " given; give positive increasing numbers (MPa) with commas between");
+        settings.refuse("pressures", settings.text("pressures"),
+                        " given; give positive increasing numbers (MPa) with commas between");
     if (!all.empty())
         model.loading.steps = static_cast<int>(all.size());
     return model;

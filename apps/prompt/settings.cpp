@@ -49,10 +49,10 @@ std::map<std::string, std::string> values_of(const po::parsed_options& parsed,
     for (const auto& option : parsed.options) {
         const std::string value = option.value.empty() ? "on" : option.value.front();
         if (value.empty())
-            throw InputError("--" + option.string_key + ": \"\" given; give a value");
+            rough::refuse("--", option.string_key, ": \"\" given; give a value");
         const auto [before, is_first] = values.emplace(option.string_key, value);
         if (!is_first && !repeats(known, option.string_key))
-            throw InputError("--" + option.string_key + ": given twice; give it once");
+            rough::refuse("--", option.string_key, ": given twice; give it once");
         if (!is_first)
             before->second += "\n" + value;
     }
@@ -79,12 +79,12 @@ Ini parsed_ini(const std::filesystem::path& file) {
         try {
             for (const auto& option : po::parse_config_file(one, po::options_description(), true).options) {
                 if (!ini.values.emplace(option.string_key, rough::trim(option.value.front())).second)
-                    throw InputError(place + option.string_key + ": given twice; give it once");
+                    rough::refuse(place, option.string_key, ": given twice; give it once");
                 ini.lines[option.string_key] = number;
             }
         } catch (const po::error&) {
-            throw InputError(place + "\"" + std::string(text.substr(0, 60)) +
-                             "\" is not a line of an .ini file; write [section] or key = value");
+            rough::refuse(place, "\"", text.substr(0, 60),
+                          "\" is not a line of an .ini file; write [section] or key = value");
         }
         if (text.starts_with('['))
             section = line;
@@ -205,10 +205,6 @@ std::string Settings::place(const std::string& name) const {
     return source_ + (line == lines_.end() ? "" : ":" + std::to_string(line->second)) + ": " + name;
 }
 
-void Settings::refuse(const std::string& name, const std::string& problem) const {
-    throw InputError(place(name) + ": " + problem);
-}
-
 const std::string& Settings::text(const std::string& name) const {
     const auto found = given_.find(name);
     return found != given_.end() ? found->second : known_.at(name).fallback;
@@ -220,14 +216,14 @@ bool Settings::is_on(const std::string& name) const {
         return true;
     if (value.empty() || value == "off" || value == "no" || value == "false" || value == "0")
         return false;
-    refuse(name, "\"" + value + "\" given; give on or off");
+    refuse(name, "\"", value, "\" given; give on or off");
 }
 
 double Settings::number_in(const std::string& name, const std::string& word,
                            const ga::Parameter& range) const {
     const double value = rough::number_from(word, place(name));
     if (!range.is_text() && !range.allows(value))
-        refuse(name, word + " is out of range (" + range.expected(true) + ")");
+        refuse(name, word, " is out of range (", range.expected(true), ")");
     return value;
 }
 
@@ -239,7 +235,7 @@ std::vector<double> Settings::numbers(const std::string& name) const {
     std::vector<double> all;
     const auto given = words(name);
     if (known_.at(name).between == 'x' && given.size() > 2)
-        refuse(name, "'" + text(name) + "' given; give two numbers with an x between, as in 64x48");
+        refuse(name, "'", text(name), "' given; give two numbers with an x between, as in 64x48");
     for (const std::string& word : given)
         all.push_back(number_in(name, word, known_.at(name).takes));
     return all;
@@ -285,7 +281,7 @@ std::size_t Settings::one_of(const std::string& name, const std::vector<std::str
     const auto found = std::find(words.begin(), words.end(), text(name));
     if (found != words.end())
         return static_cast<std::size_t>(found - words.begin());
-    refuse(name, "\"" + text(name) + "\" given" + ga::suggestion(text(name), words));
+    refuse(name, "\"", text(name), "\" given", ga::suggestion(text(name), words));
 }
 
 std::vector<std::string> Settings::names_under(const std::string& prefix) const {
@@ -329,9 +325,9 @@ Settings read_command_line(const std::vector<std::string>& given, const std::vec
                 .run();
         for (const auto& option : parsed.options)
             if (option.string_key == too_many)
-                throw InputError(
-                    "'" + option.value.front() + "' given; give " +
-                    (positional.empty() ? "flags only" : "one " + positional.front() + " and flags only"));
+                rough::refuse("'", option.value.front(), "' given; give ",
+                              positional.empty() ? "flags only"
+                                                 : "one " + positional.front() + " and flags only");
         return {"", known, values_of(parsed, known)};
     } catch (const po::unknown_option& error) {
         std::string name = error.get_option_name();
@@ -339,11 +335,11 @@ Settings read_command_line(const std::vector<std::string>& given, const std::vec
         std::vector<std::string> flags{"--help", "--quiet", "--verbose"};
         for (const Setting& setting : known)
             flags.push_back("--" + setting.name);
-        throw InputError("--" + name + ": unknown flag" + ga::suggestion("--" + name, flags));
+        rough::refuse("--", name, ": unknown flag", ga::suggestion("--" + name, flags));
     } catch (const po::invalid_command_line_syntax& error) {
-        throw InputError(error.get_option_name() + (error.kind() == error.extra_parameter
-                                                        ? ": takes no value; omit it"
-                                                        : ": lacks its value; give one"));
+        rough::refuse(error.get_option_name(), error.kind() == error.extra_parameter
+                                                   ? ": takes no value; omit it"
+                                                   : ": lacks its value; give one");
     } catch (const po::error& error) {
         throw InputError(error.what());
     }
@@ -355,7 +351,7 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     for (const auto& override_text : overrides) {
         const auto equals = override_text.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw InputError("--set: \"" + override_text + "\" given; give section.key=value");
+            rough::refuse("--set: \"", override_text, "\" given; give section.key=value");
         const std::string name = override_text.substr(0, equals);
         values[name] = override_text.substr(equals + 1);
         lines.erase(name);
@@ -367,8 +363,8 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
         if (std::find(names.begin(), names.end(), name) == names.end() &&
             std::find(names.begin(), names.end(), any) == names.end()) {
             const std::string place = settings.place(name);
-            throw InputError(place.substr(0, place.size() - name.size()) + "unknown key '" + name + "'" +
-                             key_suggestion(name, names));
+            rough::refuse(place.substr(0, place.size() - name.size()), "unknown key '", name, "'",
+                          key_suggestion(name, names));
         }
     }
     return settings;

@@ -104,8 +104,11 @@ class Settings {
     /// The name of the setting in messages: "--nodes", "nodes" in Python, "paper.ini:12: model.nodes", or
     /// "paper.ini: model.nodes" if no line of the file gives it.
     std::string place(const std::string& name) const;
-    /// Throws rough::InputError that begins with the place of a setting.
-    [[noreturn]] void refuse(const std::string& name, const std::string& problem) const;
+    /// Throws rough::InputError: the place of a setting, ": " and the parts of the problem.
+    template <class... Parts>
+    [[noreturn]] void refuse(const std::string& name, const Parts&... problem) const {
+        rough::refuse(place(name), ": ", problem...);
+    }
     /// A copy with some values changed, or removed by "". `described` replaces the descriptions of settings.
     Settings with(const std::map<std::string, std::string>& values,
                   const std::vector<Setting>& described = {}) const;
@@ -179,7 +182,7 @@ auto read_at(const Settings& settings, const std::string& key, Work work) {
     try {
         return work();
     } catch (const ga::UsageError& error) {
-        throw rough::InputError(settings.place(key) + ": " + error.what());
+        settings.refuse(key, error.what());
     }
 }
 

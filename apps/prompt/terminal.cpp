@@ -56,7 +56,7 @@ void handle(void (*handler)(int)) {
 void parse_verbosity(std::vector<std::string>& words) {
     const bool quiet = std::erase(words, "--quiet") > 0, verbose = std::erase(words, "--verbose") > 0;
     if (quiet && verbose)
-        throw rough::InputError("--quiet and --verbose given; give one of them");
+        rough::refuse("--quiet and --verbose given; give one of them");
     verbosity = quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::plain;
 }
 

@@ -46,7 +46,7 @@ File memory_file(const std::string& content = "") {
     File file(fdopen(memfd_create("rugosa", MFD_CLOEXEC), "w+"), std::fclose);
     if (!file || std::fwrite(content.data(), 1, content.size(), file.get()) != content.size() ||
         std::fflush(file.get()) != 0 || lseek(fileno(file.get()), 0, SEEK_SET) != 0)
-        throw rough::InputError("pictures: the system gives no file in memory; set --pictures off");
+        rough::refuse("pictures: the system gives no file in memory; set --pictures off");
     return file;
 }
 

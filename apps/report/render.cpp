@@ -232,7 +232,7 @@ std::string rendered(const std::string& name, kainjow::mustache::basic_context<s
     kainjow::mustache::mustache page(file_text(name, rendering));
     const std::string text = page.is_valid() ? page.render(context) : "";
     if (!page.is_valid())
-        throw rough::InputError(name + ": " + page.error_message() + "; correct the template");
+        rough::refuse(name, ": ", page.error_message(), "; correct the template");
     return text;
 }
 
@@ -286,8 +286,7 @@ PageSource page_source(const std::filesystem::path& place) {
     const json kind = source.values.is_object() ? source.values.value("kind", json()) : json();
     if (!kind.is_string() ||
         kind.get<std::string>().find_first_not_of("abcdefghijklmnopqrstuvwxyz-") != std::string::npos)
-        throw rough::InputError(file.string() +
-                                ": kind is missing or is not a kind of result; run the command again");
+        rough::refuse(file.string(), ": kind is missing or is not a kind of result; run the command again");
     return source;
 }
 

@@ -49,7 +49,7 @@ struct CapRun {
 rough::GeneRange range_from(const Settings& settings, const std::string& name) {
     const std::vector<double> parts = settings.numbers(name);
     if (parts.size() < 2 || parts.size() > 3)
-        settings.refuse(name, settings.text(name) + " is not a range; give FROM:TO or FROM:TO:STEP");
+        settings.refuse(name, settings.text(name), " is not a range; give FROM:TO or FROM:TO:STEP");
     return {parts[0], parts[1], parts.size() == 3 ? parts[2] : 0};
 }
 
@@ -287,11 +287,11 @@ rough::CapSetup cap_setup_from(const Settings& settings, const std::string& pref
     const std::string array = prefix + "asperities", radius = prefix + "radius", radii = prefix + "radii";
     const auto sides = settings.numbers(array);
     if (sides.size() != 2)
-        settings.refuse(array, settings.text(array) + " is not a pair; give NXxNY, e.g. 8x8");
+        settings.refuse(array, settings.text(array), " is not a pair; give NXxNY, e.g. 8x8");
     setup.array = {static_cast<rough::Index>(sides[0]), static_cast<rough::Index>(sides[1])};
     settings.take(prefix + "pitch", setup.array.pitch);
     if (settings.has(radius) && settings.has(radii))
-        settings.refuse(radii, "given with " + settings.place(radius) + "; give one of both");
+        settings.refuse(radii, "given with ", settings.place(radius), "; give one of both");
     if (settings.has(radius))
         setup.radii = {settings.number(radius), settings.number(radius), 0};
     if (settings.has(radii))

@@ -72,10 +72,9 @@ void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) 
                                          {"gamma", bounds.gamma_from, bounds.gamma_to},
                                          {"lambda", bounds.lambda_from, bounds.lambda_to}})
         if (from > to)
-            settings.refuse(gene + "-from", shown(gene + "-from", from) + ", " +
-                                                settings.place(gene + "-to") + ": " +
-                                                shown(gene + "-to", to) +
-                                                "; give a lower bound that is not above the upper one");
+            settings.refuse(gene + "-from", shown(gene + "-from", from), ", ", settings.place(gene + "-to"),
+                            ": ", shown(gene + "-to", to),
+                            "; give a lower bound that is not above the upper one");
 }
 
 /// The surface in production of --from, --control and --largest-change; nothing without --from.
@@ -99,14 +98,14 @@ std::optional<Production> production_from(const Settings& settings) {
 /// Sets targets and model by --target or --like.
 void take_targets(const Settings& settings, DesignRun& run) {
     if (settings.has("target") == settings.has("like"))
-        throw rough::InputError("design: not exactly one target is given; give either --target or --like");
+        rough::refuse("design: not exactly one target is given; give either --target or --like");
     rough::DesignSetup& setup = run.setup;
     run.from = production_from(settings);
     if (run.from)
         setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
     const bool area = asks_for_area(settings);
     if (area && run.from)
-        throw rough::InputError("--from: given with a map; omit it, as it is for profiles only");
+        rough::refuse("--from: given with a map; omit it, as it is for profiles only");
     if (settings.has("like") && area) {
         const AreaScene scene = area_from(settings, "like");
         run.accounts = scene.notes;
@@ -192,8 +191,7 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
     if (settings.has("weights")) {
         const auto weights = settings.numbers("weights");
         if (weights.size() != goals.size())
-            settings.refuse("weights", std::to_string(weights.size()) + " given; give " +
-                                           std::to_string(goals.size()) + ", one per target");
+            settings.refuse("weights", weights.size(), " given; give ", goals.size(), ", one per target");
         for (std::size_t i = 0; i < goals.size(); ++i)
             goals[i].weight = weights[i] / *std::max_element(weights.begin(), weights.end());
     }
@@ -203,8 +201,8 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
 std::string pipeline_from(const Settings& settings, const std::map<std::string, std::string>& variants,
                           const std::string& usual) {
     if (settings.given("variant") && settings.given("pipeline"))
-        throw rough::InputError("design: two pipelines are given; give either " + settings.place("variant") +
-                                " or " + settings.place("pipeline"));
+        rough::refuse("design: two pipelines are given; give either ", settings.place("variant"), " or ",
+                      settings.place("pipeline"));
     if (!settings.has("variant"))
         return settings.has("pipeline") ? settings.text("pipeline") : usual;
     const std::string name = settings.text("variant");
@@ -212,7 +210,7 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
     for (const auto& [each, text] : variants)
         names.push_back(each);
     if (!variants.count(name))
-        settings.refuse("variant", "unknown variant '" + name + "'" + ga::suggestion(name, names));
+        settings.refuse("variant", "unknown variant '", name, "'", ga::suggestion(name, names));
     return name;
 }
 
@@ -239,15 +237,15 @@ DesignRun design_from(const Settings& settings,
         settings.refuse("database", "given with a map; omit it, as it is for profiles only");
     for (const rough::Target& goal : setup.targets)
         if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
-            settings.refuse("max-pressure", settings.text("max-pressure") +
-                                                " MPa is too low; give at least the last pressure of " +
-                                                goal.name + ", " + readable(goal.last(), 6) + " MPa");
+            settings.refuse("max-pressure", settings.text("max-pressure"),
+                            " MPa is too low; give at least the last pressure of ", goal.name, ", ",
+                            readable(goal.last(), 6), " MPa");
     const double least = std::min(grid.widest_spacing(), grid.length / 60);
     if (const double length = setup.errors.noise_length;
         settings.has("noise-length") && (length < least || length > grid.length))
-        settings.refuse("noise-length", settings.text("noise-length") +
-                                            " is out of range; give a number from " + readable(least, 6) +
-                                            " to " + readable(grid.length, 6));
+        settings.refuse("noise-length", settings.text("noise-length"),
+                        " is out of range; give a number from ", readable(least, 6), " to ",
+                        readable(grid.length, 6));
     setup.bounds = completed(setup.bounds, grid.length);
     expect_in_order(settings, setup.bounds);
     setup = placing(settings, "", [&] { return completed(setup); });
@@ -276,8 +274,8 @@ DesignRun design_from(const Settings& settings,
         const auto store = rough::GenomeStore::open(settings.text("database"));
         options.starts = rough::stored_starts(store, setup, 100, options.threads);
         if (options.starts.empty())
-            throw rough::InputError(
-                settings.text("database") +
+            rough::refuse(
+                settings.text("database"),
                 ": no stored curve reaches the end of the target; use a database with more genomes");
         run.accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
                                " stored curves screened, the search begins from the nearest " +

@@ -29,8 +29,8 @@ constexpr off_t max_log = 10'000'000, kept_log = 100'000;
 std::array<int, 2> new_pipe() {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw rough::InputError("--evaluate: a pipe cannot be opened (" + std::string(std::strerror(errno)) +
-                                "); use fewer --threads");
+        rough::refuse("--evaluate: a pipe cannot be opened (", std::strerror(errno),
+                      "); use fewer --threads");
     return ends;
 }
 
@@ -70,10 +70,9 @@ Words split_command(const std::string& command) {
             words.back() += c;
     }
     if (quote != 0)
-        throw rough::InputError("--evaluate: a " + std::string(1, quote) + " is left open in \"" + command +
-                                "\"; close it");
+        rough::refuse("--evaluate: a ", quote, " is left open in \"", command, "\"; close it");
     if (words.empty() || words.front().empty())
-        throw rough::InputError("--evaluate: \"" + command + "\" given; give a program with its arguments");
+        rough::refuse("--evaluate: \"", command, "\" given; give a program with its arguments");
     return words;
 }
 
@@ -88,8 +87,8 @@ Child::Child(const Words& command, int log) {
     if (error != 0) {
         close_once(in_);
         close_once(out_);
-        throw rough::InputError("--evaluate: '" + command.front() + "' cannot be started (" +
-                                std::strerror(error) + "); name a program");
+        rough::refuse("--evaluate: '", command.front(), "' cannot be started (", std::strerror(error),
+                      "); name a program");
     }
     fcntl(in_, F_SETFL, O_NONBLOCK);
     fcntl(out_, F_SETFL, O_NONBLOCK);
@@ -150,7 +149,7 @@ Children::Children(const std::string& command, int count, double seconds, std::f
       log_(open(log_file_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666)),
       children_(static_cast<std::size_t>(count)) {
     if (log_ < 0)
-        throw rough::InputError(log_file_.string() + ": cannot be written; choose another --out");
+        rough::refuse(log_file_.string(), ": cannot be written; choose another --out");
 }
 
 Children::~Children() {

@@ -147,7 +147,7 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
         } else if (name == "roughness" && roughness) {
             all.push_back(roughness_benchmark(*roughness));
         } else if (name == "roughness") {
-            throw rough::InputError("roughness: has no target; give its file (CSV)");
+            rough::refuse("roughness: has no target; give its file (CSV)");
         }
         for (const Benchmark& each : fixed)
             if (each.name == name || each.group == name)
@@ -156,16 +156,16 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
             std::vector<std::string> known{"bbob5", "bbob20", "bbob5-1", "roughness"};
             for (const Benchmark& each : fixed)
                 known.insert(known.end(), {each.name, each.group});
-            throw rough::InputError("\"" + name +
-                                    "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
-                                    "zdt, dtlz, knapsack, tsp, a problem of theirs or roughness" +
-                                    ga::suggestion(name, known));
+            rough::refuse("\"", name,
+                          "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
+                          "zdt, dtlz, knapsack, tsp, a problem of theirs or roughness",
+                          ga::suggestion(name, known));
         }
     }
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (all[i].name == all[j].name)
-                throw rough::InputError("\"" + all[i].name + "\" is given twice; give it once");
+                rough::refuse("\"", all[i].name, "\" is given twice; give it once");
     return all;
 }
 

@@ -52,8 +52,7 @@ long budget_from(const Settings& settings, const std::string& text, std::size_t 
     const std::string place = settings.place("compare.budget");
     const double budget = rough::number_from(number, place) * factor;
     if (!(budget >= 1 && budget <= 1e12))
-        throw rough::InputError(place + ": " + text +
-                                " is out of range (1 to 1e12 evaluations, e.g. 20000 or 1e4*D)");
+        rough::refuse(place, ": ", text, " is out of range (1 to 1e12 evaluations, e.g. 20000 or 1e4*D)");
     return static_cast<long>(budget);
 }
 
@@ -88,12 +87,10 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
             if (name.find_first_of("|({ ") != std::string::npos) // the "=" of an argument
                 name = text = std::string(rough::trim(part));
             if (name.empty() || text.empty())
-                throw rough::InputError(settings.place("compare.variants") + ": \"" + part +
-                                        "\" is not a variant; give NAME=PIPELINE");
+                settings.refuse("compare.variants", "\"", part, "\" is not a variant; give NAME=PIPELINE");
             for (const auto& other : given)
                 if (other.first == name)
-                    throw rough::InputError(settings.place("compare.variants") + ": '" + name +
-                                            "' is given twice; give it once");
+                    settings.refuse("compare.variants", "'", name, "' is given twice; give it once");
             given.emplace_back(name, meaning(text));
         }
         return given;
@@ -125,7 +122,7 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
         problems = benchmarks(
             rough::listed(text_of(settings, "compare.problems", usual_problems, quick_problems)), roughness);
     } catch (const rough::InputError& error) {
-        throw rough::InputError(settings.place("compare.problems") + ": " + error.what());
+        settings.refuse("compare.problems", error.what());
     }
     bool has_bbob = false;
     for (Benchmark& problem : problems) {
@@ -138,8 +135,8 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
                 problem.check(text);
             } catch (const ga::UsageError& error) {
                 const std::string key = problem.kind + "." + name;
-                throw rough::InputError(settings.place(settings.given(key) ? key : "compare.variants") +
-                                        ": '" + name + "' on " + problem.name + ": " + error.what());
+                settings.refuse(settings.given(key) ? key : "compare.variants", "'", name, "' on ",
+                                problem.name, ": ", error.what());
             }
         has_bbob |= problem.name.starts_with("bbob");
         bout.runs.assign(bout.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
@@ -147,8 +144,7 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
         contest.bouts.push_back(std::move(bout));
     }
     if (settings.is_on("compare.coco") && !has_bbob)
-        throw rough::InputError(settings.place("compare.coco") +
-                                ": no function of BBOB; add one to --problems, e.g. bbob5");
+        settings.refuse("compare.coco", "no function of BBOB; add one to --problems, e.g. bbob5");
     return contest;
 }
 

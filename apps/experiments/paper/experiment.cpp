@@ -42,8 +42,7 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     const auto given = settings.texts_under("variants.");
     for (const auto& [name, text] : given) {
         if (texts.count(name))
-            throw rough::InputError(settings.place("variants." + name) +
-                                    ": the paper has a variant of this name; choose another");
+            settings.refuse("variants." + name, "the paper has a variant of this name; choose another");
         texts[name] = text;
     }
     for (const auto& [name, text] : given)

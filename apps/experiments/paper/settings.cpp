@@ -12,9 +12,8 @@ namespace {
 /// Throws rough::InputError if the two keys that end in from and to are in the wrong order.
 void expect_order(const Settings& settings, const std::string& name) {
     if (settings.number(name + "from") > settings.number(name + "to"))
-        throw rough::InputError(settings.place(name + "to") + ": " + settings.text(name + "to") +
-                                " is below the start of the range; give at least " +
-                                settings.text(name + "from"));
+        settings.refuse(name + "to", settings.text(name + "to"),
+                        " is below the start of the range; give at least ", settings.text(name + "from"));
 }
 
 /// The keys whose values a run keeps as they are.
@@ -70,8 +69,8 @@ rough::Target target_of(const rough::Source& scan, const rough::Model& model, co
 rough::Target stiffness_from(const std::string& file) {
     rough::Target target = rough::read_target(file);
     if (target.quantity != rough::Quantity::stiffness || target.has_band() || !target.recorded.empty())
-        throw rough::InputError(file + ": has another quantity, a band or a recorded model; give only "
-                                       "pressure_MPa,stiffness_MPa_per_mm");
+        rough::refuse(file, ": has another quantity, a band or a recorded model; give only "
+                            "pressure_MPa,stiffness_MPa_per_mm");
     return target;
 }
 
@@ -86,8 +85,8 @@ void take_targets(const Settings& settings, PaperRun& run) {
         return;
     }
     if (!settings.has("target.file"))
-        throw rough::InputError(settings.place("target.file") +
-                                ": missing; name a target (CSV), or a measured profile as target.profile");
+        settings.refuse("target.file",
+                        "missing; name a target (CSV), or a measured profile as target.profile");
     run.searched = model_from(settings, "model.");
     run.targets = {{"drawn", stiffness_from(settings.path("target.file"))}};
     if (settings.has("heldout.file"))
@@ -99,8 +98,8 @@ std::map<std::string, std::string> readings_from(const std::filesystem::path& fi
     try {
         return rough::parsed_json(rough::read_whole(file), file.string()).at("claims");
     } catch (const nlohmann::json::exception&) {
-        throw rough::InputError(file.string() + ": has no sentence on each claim; give readings.json of an "
-                                                "experiment of kind readings");
+        rough::refuse(file.string(), ": has no sentence on each claim; give readings.json of an "
+                                     "experiment of kind readings");
     }
 }
 

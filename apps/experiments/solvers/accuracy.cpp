@@ -53,8 +53,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
     const long samples = settings.whole("accuracy.surfaces");
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
-        throw rough::InputError(settings.place("accuracy.accuracies") +
-                                ": the list is empty; give numbers separated by commas");
+        settings.refuse("accuracy.accuracies", "the list is empty; give numbers separated by commas");
     const double light = settings.number("accuracy.light");
     for (const std::string kind : {"smooth", "rough"})
         for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::strip})

@@ -14,16 +14,15 @@ const char* const usual_pipeline =
 
 rough::StatisticalTask task_of(const Settings& settings) {
     if (!settings.has("target.file"))
-        throw rough::InputError(settings.place("target.file") + ": missing; name a target's file (CSV)");
+        settings.refuse("target.file", "missing; name a target's file (CSV)");
     rough::StatisticalTask task;
     task.target = rough::read_target(settings.path("target.file"));
     settings.take("statistical.theory", task.theory);
     settings.take("statistical.surface", task.is_area);
     task.nodes = settings.whole("statistical.nodes");
     if (task.is_area && task.nodes > 2048)
-        throw rough::InputError(settings.place("statistical.nodes") + ": " +
-                                settings.text("statistical.nodes") +
-                                " is out of range for a map (40 to 2048 along each side)");
+        settings.refuse("statistical.nodes", settings.text("statistical.nodes"),
+                        " is out of range for a map (40 to 2048 along each side)");
     task.length = settings.number("statistical.length");
     task.effective_modulus = settings.number("statistical.modulus");
     return task;

@@ -19,14 +19,14 @@ Genes genes_from(Keywords& keywords) {
                permutation = keywords.take<std::size_t>("permutation", 0);
     const bool real = lower || upper;
     if (real + (bits > 0) + (permutation > 0) != 1)
-        throw rough::InputError("optimise: no kind of genes, or two; give one of lower and upper, bits, "
-                                "permutation");
+        rough::refuse("optimise: no kind of genes, or two; give one of lower and upper, bits, "
+                      "permutation");
     if (!real)
         return {bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation, bits + permutation};
     if (!lower || !upper || lower->size() != upper->size() || lower->size() == 0 ||
         !(lower->array() < upper->array()).all() || !(*upper - *lower).allFinite())
-        throw rough::InputError("optimise: lower and upper do not fit; give lists of one length, each lower "
-                                "bound below its upper bound and both finite");
+        rough::refuse("optimise: lower and upper do not fit; give lists of one length, each lower "
+                      "bound below its upper bound and both finite");
     Genes genes{Genes::Kind::numbers, static_cast<std::size_t>(lower->size())};
     for (Eigen::Index gene = 0; gene < lower->size(); ++gene)
         genes.parts.push_back({1, (*lower)[gene], (*upper)[gene]});

@@ -75,7 +75,7 @@ rough::Model model_from(Keywords& keywords) {
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
     const app::Settings settings = keywords.settings(response_settings(), {"nodes", "length"});
     if (surface.is_2d() && settings.has("accuracy"))
-        throw rough::InputError("accuracy: it is only for profiles; omit it for a map");
+        rough::refuse("accuracy: it is only for profiles; omit it for a map");
     return with_load(model_of(surface, settings), settings);
 }
 
