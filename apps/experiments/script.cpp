@@ -11,7 +11,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <sys/wait.h>
 
 /// Experiments that are Python scripts: experiments/KIND.py, built into the program.
@@ -55,10 +54,8 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
         if (conditions.stop)
             end_group(child, SIGTERM);
     if (!conditions.stop && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
-        std::ifstream lines("/proc/self/fd/" + std::to_string(fileno(errors.get())));
-        std::string problem; // the last line
-        for (std::string line; std::getline(lines, line);)
-            problem = line;
+        const std::string problem =
+            last_line(rough::read_whole("/proc/self/fd/" + std::to_string(fileno(errors.get()))));
         rough::refuse(kind, ": ", problem,
                       problem.find("No module") == std::string::npos
                           ? ""

@@ -8,6 +8,7 @@
 #include <ctime>
 #include <fcntl.h>
 #include <spawn.h>
+#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -97,6 +98,15 @@ bool process_ended_within(double seconds, pid_t process, int& status) {
         const timespec pause{0, 1'000'000};
         nanosleep(&pause, nullptr);
     }
+}
+
+std::string last_line(const std::string& messages) {
+    std::istringstream lines(messages);
+    std::string line, last;
+    while (std::getline(lines, line))
+        if (line.find_first_not_of(" ^\t\r") != std::string::npos)
+            last = line;
+    return last;
 }
 
 } // namespace app

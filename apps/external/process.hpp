@@ -18,4 +18,7 @@ void end_group(pid_t process, int signal);
 /// Whether a process ends within a time. If it does, `status` is that of waitpid.
 bool process_ended_within(double seconds, pid_t process, int& status);
 
+/// The last line of a program's messages that has more than blanks and the marks under a place.
+std::string last_line(const std::string& messages);
+
 } // namespace app

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <kainjow/mustache.hpp>
 #include <memory>
-#include <sstream>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,16 +51,6 @@ File memory_file(const std::string& content = "") {
 
 std::string content_of(const File& file) {
     return rough::read_whole("/proc/self/fd/" + std::to_string(fileno(file.get())));
-}
-
-/// The last line of gnuplot's error message, without the marks under the place.
-std::string last_line(const std::string& message) {
-    std::istringstream lines(message);
-    std::string line, last;
-    while (std::getline(lines, line))
-        if (line.find_first_not_of(" ^\t") != std::string::npos)
-            last = line;
-    return last;
 }
 
 /// A text as a literal of gnuplot. A character that could end it, be expanded or be run is escaped.

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <sstream>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
@@ -285,11 +284,7 @@ void Children::bound_log() {
 
 std::string Children::log_end() {
     bound_log();
-    std::istringstream in(log_tail());
-    std::string line, last;
-    while (std::getline(in, line))
-        if (line.find_first_not_of(" \t\r") != std::string::npos)
-            last = line;
+    const std::string last = last_line(log_tail());
     return last.empty() ? "" : "; " + log_file_.string() + " ends with \"" + clipped(last) + "\"";
 }
 
