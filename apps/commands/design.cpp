@@ -1,6 +1,5 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
-#include "apps/commands/design/asperities.hpp"
 #include "apps/commands/design/run.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"

@@ -1,4 +1,4 @@
-#include "apps/commands/design/asperities.hpp"
+#include "apps/commands/design/run.hpp"
 #include "apps/experiments/paper/paper.hpp"
 #include "apps/external/process.hpp"
 #include "apps/prompt/goals.hpp"

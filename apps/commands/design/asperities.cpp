@@ -1,5 +1,3 @@
-#include "apps/commands/design/asperities.hpp"
-
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"

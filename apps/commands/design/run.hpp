@@ -4,6 +4,7 @@
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/record.hpp"
+#include "domain/asperities/design.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
@@ -152,5 +153,14 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
 /// Writes the tables that the page's figures draw: curves.csv, points.csv, heights-drawn.csv or map.csv, and
 /// front.csv or made.csv.
 void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder);
+
+/// The settings of an array of caps, each name behind `prefix`.
+std::vector<Setting> cap_settings(const std::string& prefix = "");
+/// The settings that only `rugosa design` with caps has.
+std::vector<Setting> asperity_settings();
+/// The array, ranges and modulus that the settings describe, without targets.
+rough::CapSetup cap_setup_from(const Settings& settings, const std::string& prefix = "");
+/// `rugosa design --asperities`: a design with spherical caps, from settings to files. Returns the exit code.
+int design_asperities(const Settings& settings, const std::string& line);
 
 } // namespace app

@@ -1,4 +1,3 @@
-#include "apps/commands/design/asperities.hpp"
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
