@@ -1,8 +1,5 @@
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-
-#include <cmath>
 
 namespace rough {
 

@@ -2,7 +2,6 @@
 
 #include "domain/accuracy/error_bounds.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rough {

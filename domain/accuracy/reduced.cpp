@@ -2,10 +2,6 @@
 
 #include "domain/errors.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 namespace rough {
 
 namespace {

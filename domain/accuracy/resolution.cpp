@@ -1,14 +1,12 @@
 #include "domain/accuracy/resolution.hpp"
 
 #include "domain/contact/pressure_and_gap.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/profile/outliers.hpp"
 #include "domain/response/curve.hpp"
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace rough {

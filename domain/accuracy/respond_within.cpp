@@ -2,15 +2,10 @@
 
 #include "domain/accuracy/load_rows.hpp"
 #include "domain/accuracy/respond.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/profile/roughness.hpp"
 #include "ga/base/stopwatch.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace rough {
 

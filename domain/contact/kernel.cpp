@@ -1,12 +1,10 @@
 #include "domain/contact/kernel.hpp"
 
 #include "domain/numerics/fourier.hpp"
-#include "domain/numerics/team.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 namespace rough {
 

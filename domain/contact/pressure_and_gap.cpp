@@ -2,10 +2,6 @@
 
 #include "domain/contact/solvers/problem.hpp"
 
-#include <algorithm>
-#include <functional>
-#include <utility>
-
 namespace rough {
 
 std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic) {

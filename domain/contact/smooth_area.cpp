@@ -3,8 +3,6 @@
 #include "domain/contact/pressure_and_gap.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 
-#include <algorithm>
-
 namespace rough {
 
 namespace {

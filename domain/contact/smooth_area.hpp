@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
-#include "domain/profile/profile.hpp"
 
 namespace rough {
 

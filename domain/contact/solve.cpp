@@ -1,13 +1,11 @@
 #include "domain/contact/solve.hpp"
 
-#include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>

@@ -4,10 +4,7 @@
 #include "domain/errors.hpp"
 #include "ga/base/parallel.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <map>
-#include <mutex>
 #include <unistd.h>
 
 namespace rough {

@@ -1,14 +1,7 @@
 #include "domain/database/screen.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/target/target.hpp"
-#include "ga/base/parallel.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <queue>
 
 namespace rough {

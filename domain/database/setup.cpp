@@ -1,13 +1,9 @@
 #include "domain/database/setup.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/drawn_start.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 
 namespace rough {
 

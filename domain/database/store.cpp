@@ -1,13 +1,9 @@
 #include "domain/database/store.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
-#include "ga/base/random.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 namespace rough {

@@ -3,7 +3,6 @@
 #include "domain/design/options.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/hall_of_fame.hpp"
-#include "ga/problem/comparison.hpp"
 
 namespace rough {
 

@@ -2,12 +2,8 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/curve.hpp"
 
 #include <Eigen/Cholesky>
-
-#include <algorithm>
-#include <limits>
 
 namespace rough {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "domain/contact/body.hpp"
-#include "domain/profile/profile.hpp"
 #include "domain/target/target.hpp"
 
 #include <functional>

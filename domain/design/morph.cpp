@@ -5,8 +5,6 @@
 #include "ga/refinement/levenberg_marquardt.hpp"
 #include "ga/refinement/nlopt.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <numbers>
 

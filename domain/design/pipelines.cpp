@@ -1,14 +1,9 @@
 #include "domain/design/pipelines.hpp"
 
 #include "domain/design/starts.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/paper/variants.hpp"
-#include "ga/base/number.hpp"
 #include "ga/blocks/derived.hpp"
-#include "ga/pipeline/transform.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace rough {

@@ -7,11 +7,6 @@
 #include "domain/errors.hpp"
 #include "domain/problem/stored.hpp"
 #include "domain/text/json.hpp"
-#include "ga/base/stopwatch.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace rough {
 

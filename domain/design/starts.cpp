@@ -3,17 +3,12 @@
 #include "domain/design/inverse.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/problem/response.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace rough {
 

@@ -1,14 +1,8 @@
 #include "domain/design/statistical.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/target/target.hpp"
-#include "ga/pipeline/run.hpp"
 #include "ga/text/adaptation_vocabulary.hpp"
 #include "ga/text/parser.hpp"
-
-#include <cmath>
-#include <limits>
 
 namespace rough {
 

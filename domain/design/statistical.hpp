@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/target/target.hpp"
-#include "domain/theory/random_surface.hpp"
 #include "domain/theory/theory.hpp"
 
 #include <atomic>

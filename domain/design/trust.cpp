@@ -1,18 +1,10 @@
 #include "domain/design/trust.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/drawn_start.hpp"
-#include "domain/problem/problem.hpp"
-#include "domain/problem/setup.hpp"
-#include "ga/base/budget.hpp"
-#include "ga/base/parallel.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace rough {

@@ -4,10 +4,6 @@
 #include "domain/mwm/waves.hpp"
 #include "ga/variation/cross.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 namespace rough {
 
 namespace {

@@ -5,8 +5,6 @@
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
 
 namespace rough {

@@ -3,8 +3,6 @@
 #include "domain/numerics/aligned.hpp"
 #include "domain/numerics/vector_loops.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
 #include <numbers>
 

@@ -3,7 +3,6 @@
 #include <boost/random/sobol.hpp>
 #include <boost/random/uniform_01.hpp>
 
-#include <algorithm>
 #include <numbers>
 
 namespace rough {

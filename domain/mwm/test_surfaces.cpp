@@ -3,9 +3,7 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/profile/detrend.hpp"
-#include "ga/base/random.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace rough {

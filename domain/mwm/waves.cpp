@@ -2,10 +2,7 @@
 
 #include "domain/errors.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
 namespace rough {

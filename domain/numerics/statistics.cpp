@@ -4,9 +4,6 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace rough {

@@ -1,12 +1,7 @@
 #include "domain/paper/dominance.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/numerics/statistics.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace rough {
 

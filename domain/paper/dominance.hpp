@@ -1,9 +1,6 @@
 #pragma once
 
-#include "domain/accuracy/respond.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/response/curve.hpp"
 
 #include <map>
 #include <memory>

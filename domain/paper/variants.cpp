@@ -1,7 +1,5 @@
 #include "domain/paper/variants.hpp"
 
-#include "ga/ga.hpp"
-#include "ga/refinement/mma.hpp"
 #include "ga/text/refinement_vocabulary.hpp"
 
 namespace rough {

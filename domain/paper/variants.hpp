@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/paper/dominance.hpp"
-#include "domain/problem/limits.hpp"
 #include "domain/problem/pipeline.hpp"
 
 namespace rough {

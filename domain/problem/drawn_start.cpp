@@ -1,12 +1,7 @@
 #include "domain/problem/drawn_start.hpp"
 
-#include "domain/mwm/waves.hpp"
 #include "domain/problem/response.hpp"
-#include "domain/target/target.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace rough {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
-#include "ga/base/random.hpp"
 
 #include <vector>
 

@@ -1,9 +1,5 @@
 #include "domain/problem/limits.hpp"
 
-#include "domain/mwm/waves.hpp"
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace rough {

@@ -1,17 +1,9 @@
 #include "domain/problem/problem.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/mwm/genome.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/problem/drawn_start.hpp"
-#include "domain/problem/response.hpp"
-#include "domain/profile/profile.hpp"
-#include "domain/target/target.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace rough {
 

@@ -2,9 +2,6 @@
 
 #include "domain/problem/made.hpp"
 #include "domain/problem/verification.hpp"
-#include "ga/base/random.hpp"
-#include "ga/problem/problem.hpp"
-#include "ga/refinement/sensitivity.hpp"
 
 #include <map>
 #include <memory>

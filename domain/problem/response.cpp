@@ -1,12 +1,6 @@
 #include "domain/problem/response.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/sampling.hpp"
-#include "domain/target/target.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace rough {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
-#include "domain/response/curve.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
 #include <array>

@@ -2,9 +2,6 @@
 
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/target/target.hpp"
-
-#include <algorithm>
 
 namespace rough {
 

@@ -1,7 +1,5 @@
-#include "domain/mwm/sampling.hpp"
 #include "domain/problem/problem.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace rough {

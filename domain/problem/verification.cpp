@@ -1,16 +1,8 @@
 #include "domain/problem/verification.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/sampling.hpp"
-#include "domain/problem/response.hpp"
-#include "domain/target/target.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace rough {
 

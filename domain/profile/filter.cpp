@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

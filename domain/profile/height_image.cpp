@@ -2,10 +2,8 @@
 
 #include "domain/errors.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <png.h>
 
 namespace rough {

@@ -1,6 +1,5 @@
 #include "domain/profile/outliers.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

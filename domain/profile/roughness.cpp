@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -2,10 +2,7 @@
 
 #include "domain/errors.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 namespace rough {
 

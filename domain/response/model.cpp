@@ -1,7 +1,5 @@
 #include "domain/response/model.hpp"
 
-#include "domain/contact/solve.hpp"
-
 #include <cstdio>
 
 namespace rough {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "domain/numerics/grid.hpp"
 #include "domain/response/response.hpp"
 
 #include <string>

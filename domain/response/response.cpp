@@ -1,10 +1,7 @@
 #include "domain/response/response.hpp"
 
 #include "domain/contact/smooth_area.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-
-#include <string>
 
 namespace rough {
 

@@ -4,12 +4,9 @@
 #include "domain/text/bytes.hpp"
 #include "domain/text/words.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <string_view>
-#include <vector>
 
 namespace rough {
 namespace {

@@ -5,9 +5,7 @@
 #include "domain/scan/table.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/bytes.hpp"
-#include "domain/text/lines.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rough {

@@ -6,9 +6,7 @@
 #include "domain/scan/height_map.hpp"
 #include "domain/scan/table.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/lines.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "domain/scan/table.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/text/lines.hpp"
 
 #include <algorithm>
 #include <array>

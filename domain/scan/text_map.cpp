@@ -1,6 +1,5 @@
 #include "domain/errors.hpp"
 #include "domain/scan/height_map.hpp"
-#include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
 
 #include <algorithm>

@@ -7,8 +7,6 @@
 
 #include <boost/uuid/detail/md5.hpp>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <pugixml.hpp>

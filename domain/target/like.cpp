@@ -1,8 +1,6 @@
 #include "domain/target/like.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/response/model.hpp"
-#include "domain/target/target.hpp"
 
 namespace rough {
 

@@ -1,13 +1,9 @@
 #include "domain/target/out_of_reach.hpp"
 
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/curve.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rough {
 

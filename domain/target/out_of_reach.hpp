@@ -1,6 +1,5 @@
 #pragma once
 
-#include "domain/response/model.hpp"
 #include "domain/target/target.hpp"
 
 #include <optional>

@@ -1,17 +1,14 @@
 #include "domain/target/target.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/response/curve.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 namespace rough {
 

@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <zip.h>
 
 namespace rough {

@@ -4,7 +4,6 @@
 #include "domain/numerics/fourier.hpp"
 #include "ga/base/random.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace rough {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
 #include "ga/variation/cross.hpp"
 
 #include <unordered_map>

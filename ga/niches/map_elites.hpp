@@ -1,8 +1,5 @@
 #pragma once
 
-#include "ga/base/errors.hpp"
-#include "ga/pipeline/stage.hpp"
-#include "ga/problem/problem.hpp"
 #include "ga/refinement/sensitivity.hpp"
 #include "ga/variation/mutate.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
 #include "ga/selection/proportional.hpp"
 #include "ga/variation/mutate.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/base/number.hpp"
 #include "ga/run/context.hpp"
 
 #include <algorithm>

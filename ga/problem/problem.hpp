@@ -8,8 +8,6 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/base/errors.hpp"
 #include "ga/refinement/landscape.hpp"
 
 #include <nlopt.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ga/base/budget.hpp"
-#include "ga/base/errors.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/problem/problem.hpp"
 #include "ga/run/memory.hpp"

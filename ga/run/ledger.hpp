@@ -2,8 +2,6 @@
 
 #include "ga/run/evaluator.hpp"
 
-#include <map>
-
 namespace ga {
 
 /// The individuals of a problem.

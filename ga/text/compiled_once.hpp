@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/pipeline/run.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/vocabulary.hpp"
 

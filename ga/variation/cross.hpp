@@ -1,8 +1,6 @@
 #pragma once
 
 #include "ga/pipeline/stage.hpp"
-#include "ga/problem/permutation.hpp"
-#include "ga/problem/problem.hpp"
 
 #include <algorithm>
 #include <cmath>

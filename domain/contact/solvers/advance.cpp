@@ -1,7 +1,5 @@
 #include "domain/contact/solvers/advance.hpp"
 
-#include <algorithm>
-
 namespace rough {
 
 namespace {

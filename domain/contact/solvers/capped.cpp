@@ -2,9 +2,7 @@
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rough {
 

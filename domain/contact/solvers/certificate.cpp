@@ -2,10 +2,8 @@
 
 #include "domain/numerics/vector_loops.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 
 namespace rough {
 

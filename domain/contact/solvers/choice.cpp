@@ -4,10 +4,6 @@
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace rough {
 
 namespace {

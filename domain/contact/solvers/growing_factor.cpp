@@ -1,7 +1,5 @@
 #include "domain/contact/solvers/growing_factor.hpp"
 
-#include <algorithm>
-
 namespace rough {
 
 namespace {

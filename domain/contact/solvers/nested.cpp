@@ -4,7 +4,6 @@
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace rough {

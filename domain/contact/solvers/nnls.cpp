@@ -1,9 +1,6 @@
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/solvers.hpp"
-#include "domain/errors.hpp"
-
-#include <limits>
 
 namespace rough {
 

@@ -3,7 +3,6 @@
 #include "domain/errors.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rough {
 
