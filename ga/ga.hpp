@@ -11,7 +11,6 @@
 #include "ga/pipeline/score.hpp"
 #include "ga/pipeline/transform.hpp"
 #include "ga/replacement/replacement.hpp"
-#include "ga/selection/proportional.hpp"
 #include "ga/selection/selection.hpp"
 #include "ga/variation/cross.hpp"
 #include "ga/variation/mutate.hpp"

@@ -7,7 +7,6 @@
 #include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
+#include "domain/response/response.hpp"
 #include "domain/target/target.hpp"
 
 namespace app {

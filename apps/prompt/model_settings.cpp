@@ -4,7 +4,8 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/profile/filter.hpp"
+#include "domain/profile/preparation.hpp"
+#include "domain/scan/scan.hpp"
 #include "domain/scan/unit.hpp"
 #include "domain/text/words.hpp"
 

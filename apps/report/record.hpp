@@ -2,6 +2,8 @@
 
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/design/search.hpp"
+#include "domain/target/target.hpp"
+#include "ga/run/context.hpp"
 
 #include <nlohmann/json.hpp>
 

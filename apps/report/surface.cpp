@@ -5,8 +5,9 @@
 #include "apps/report/output.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/profile/height_image.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
+#include "domain/profile/solid.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>

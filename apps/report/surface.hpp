@@ -2,7 +2,7 @@
 
 #include "domain/mwm/genome.hpp"
 #include "domain/profile/solid.hpp"
-#include "domain/response/model.hpp"
+#include "domain/response/response.hpp"
 
 #include <filesystem>
 

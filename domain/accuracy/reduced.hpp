@@ -2,7 +2,6 @@
 
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/response/model.hpp"
 
 #include <optional>
 

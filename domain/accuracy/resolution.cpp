@@ -1,8 +1,8 @@
 #include "domain/accuracy/resolution.hpp"
 
-#include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/interface.hpp"
 #include "domain/errors.hpp"
-#include "domain/profile/outliers.hpp"
+#include "domain/profile/preparation.hpp"
 #include "domain/response/curve.hpp"
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "domain/response/model.hpp"
-
-#include <string>
-#include <vector>
+#include "domain/response/response.hpp"
 
 /// @file
 /// Reasons to doubt the curve of a measured surface: its resolution, its outliers, its local pressures.

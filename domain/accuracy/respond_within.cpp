@@ -1,7 +1,6 @@
 #include "domain/accuracy/respond_within.hpp"
 
 #include "domain/accuracy/load_rows.hpp"
-#include "domain/accuracy/respond.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/profile/roughness.hpp"

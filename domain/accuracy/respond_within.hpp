@@ -1,10 +1,7 @@
 #pragma once
 
 #include "domain/accuracy/reduced.hpp"
-#include "domain/scan/source.hpp"
-
-#include <limits>
-#include <string>
+#include "domain/scan/scan.hpp"
 
 namespace rough {
 
@@ -57,6 +54,9 @@ struct AccountedResponse {
         last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
+/// A genome's response within the model's accuracy. Throws InputError if the genome's waves are flat at the
+/// grid's nodes, as a wave whose length is the node spacing is.
+Response respond(const Genome& genome, const Model& model = {});
 /// The grid that counts as resolved for a genome: 64 elements per shortest wavelength, at least 4096 and at
 /// most 2^20.
 Grid resolved_grid(const Genome& genome, double length, bool periodic);

@@ -1,7 +1,6 @@
 #include "domain/contact/solve.hpp"
 
 #include "domain/contact/solvers/certificate.hpp"
-#include "domain/contact/solvers/choice.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"

@@ -4,8 +4,6 @@
 #include "domain/profile/profile.hpp"
 
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace rough {
 

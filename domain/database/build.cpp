@@ -1,6 +1,6 @@
 #include "domain/database/build.hpp"
 
-#include "domain/accuracy/respond.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/parallel.hpp"
 

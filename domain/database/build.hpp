@@ -3,7 +3,6 @@
 #include "domain/database/store.hpp"
 
 #include <atomic>
-#include <functional>
 
 namespace rough {
 

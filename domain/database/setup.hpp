@@ -1,9 +1,7 @@
 #pragma once
 
 #include "domain/mwm/genome.hpp"
-#include "domain/response/model.hpp"
-
-#include <cstdint>
+#include "domain/response/response.hpp"
 
 namespace rough {
 

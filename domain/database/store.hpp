@@ -2,9 +2,7 @@
 
 #include "domain/database/setup.hpp"
 
-#include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 

@@ -2,9 +2,6 @@
 
 #include "domain/target/target.hpp"
 
-#include <functional>
-#include <vector>
-
 namespace rough {
 
 /// A profile whose nodes come into contact in a chosen order and at chosen displacements.

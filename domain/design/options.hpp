@@ -2,15 +2,7 @@
 
 #include "ga/run/context.hpp"
 
-#include <atomic>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace ga {
 template <Problem P>

@@ -4,9 +4,6 @@
 #include "domain/problem/problem.hpp"
 #include "domain/target/out_of_reach.hpp"
 
-#include <cmath>
-#include <limits>
-
 namespace rough {
 
 using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< options of a search for waves

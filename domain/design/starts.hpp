@@ -2,8 +2,6 @@
 
 #include "domain/problem/drawn_start.hpp"
 
-#include <vector>
-
 namespace rough {
 
 /// A genome near the set-up's first target. The order in which nodes come into contact is drawn: one asperity

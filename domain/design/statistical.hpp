@@ -4,7 +4,6 @@
 #include "domain/theory/theory.hpp"
 
 #include <atomic>
-#include <cstdint>
 
 namespace rough {
 

@@ -2,9 +2,6 @@
 
 #include "domain/design/search.hpp"
 
-#include <atomic>
-#include <limits>
-
 namespace rough {
 
 /// Options of the checks of an answer.

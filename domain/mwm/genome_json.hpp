@@ -5,7 +5,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
-#include <string>
 
 namespace rough {
 

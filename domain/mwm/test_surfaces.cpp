@@ -2,7 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
-#include "domain/profile/detrend.hpp"
+#include "domain/profile/preparation.hpp"
 
 #include <numbers>
 

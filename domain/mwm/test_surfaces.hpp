@@ -2,7 +2,6 @@
 
 #include "domain/mwm/sampling.hpp"
 
-#include <cstdint>
 #include <functional>
 
 /// @file

@@ -2,10 +2,8 @@
 
 #include "domain/problem/setup.hpp"
 
-#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 
 namespace rough {
 

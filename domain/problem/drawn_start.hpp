@@ -2,8 +2,6 @@
 
 #include "domain/problem/setup.hpp"
 
-#include <vector>
-
 namespace rough {
 
 /// Appends every chromosome down to the shortest wave (mm), with `ridges` phases uniform in [0, 2 pi).

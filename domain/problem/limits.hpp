@@ -3,10 +3,6 @@
 #include "domain/mwm/sampling.hpp"
 #include "ga/problem/problem.hpp"
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace rough {
 
 /// The bounds within which a design may move its genes. Lengths in mm.

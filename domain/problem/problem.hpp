@@ -3,9 +3,7 @@
 #include "domain/problem/made.hpp"
 #include "domain/problem/verification.hpp"
 
-#include <map>
 #include <memory>
-#include <mutex>
 
 namespace rough {
 

@@ -3,9 +3,6 @@
 #include "domain/problem/setup.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
-#include <array>
-#include <functional>
-
 namespace rough {
 
 /// The loadings that the targets need: one for targets against pressure and one for targets against

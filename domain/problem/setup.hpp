@@ -1,8 +1,8 @@
 #pragma once
 
-#include "domain/accuracy/respond.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/problem/limits.hpp"
-#include "domain/target/like.hpp"
+#include "domain/target/target.hpp"
 
 #include <optional>
 

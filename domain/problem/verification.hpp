@@ -2,7 +2,6 @@
 
 #include "domain/problem/response.hpp"
 
-#include <array>
 #include <deque>
 #include <mutex>
 

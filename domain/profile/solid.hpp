@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace rough {
 
@@ -41,5 +41,18 @@ std::string binary_stl(const Profile& surface, const Extrusion& extrusion = {});
 /// The solid as a 3MF file's bytes (3MF Core 1.3), which say that lengths are millimetres; throws as
 /// solid().
 std::string three_mf(const Profile& surface, const Extrusion& extrusion = {});
+
+/// The heights of a surface as a picture, e.g. for a printer.
+struct HeightImage {
+    std::string png;                                   ///< bytes of the file, 16-bit greyscale
+    std::vector<std::pair<std::string, double>> scale; ///< text chunks of the file: name and value
+};
+
+/// The heights of a map, or of a profile extended along its ridges by width_of(), without magnification. x is
+/// to the right and y upwards, as seen from above. A height (mm) is lowest_height_mm + grey
+/// height_per_grey_mm, to half a grey level. Black (0) is the lowest node and white (65535) the highest. The
+/// scale also has spacing_mm and row_spacing_mm. Throws InputError on over 25 million pixels, or a million
+/// along a side.
+HeightImage height_image(const Profile& surface, const Extrusion& extrusion = {});
 
 } // namespace rough

@@ -1,7 +1,6 @@
 #include "domain/scan/map.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/scan/height_map.hpp"
 #include "domain/scan/table.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/bytes.hpp"
@@ -9,6 +8,7 @@
 #include <cmath>
 
 namespace rough {
+
 namespace {
 
 /// Refuses a given spacing that differs from the file's by more than a thousandth.
@@ -110,10 +110,6 @@ Map map_of_matrix(const Table& table, const MapLayout& layout, double unit, cons
     }
     return map;
 }
-
-} // namespace
-
-namespace {
 
 Map read_any(const std::filesystem::path& path, const MapLayout& layout) {
     const double unit = layout.unit.empty() ? 1 : length_unit_named(layout.unit, "unit").in_mm;

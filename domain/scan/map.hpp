@@ -1,9 +1,10 @@
 #pragma once
 
 #include "domain/profile/profile.hpp"
+#include "domain/scan/unit.hpp"
+#include "domain/text/words.hpp"
 
 #include <filesystem>
-#include <string>
 
 namespace rough {
 
@@ -39,5 +40,51 @@ std::string sur(const Profile& surface);
 /// A map as a legacy VTK file's bytes (version 3.0, binary): a structured grid of points (x, y, z) in mm. Its
 /// scalar `height_mm` shows as a relief in viewers.
 std::string vtk(const Profile& map);
+
+/// Heights at even points from a file whose format has units and spacings: rows along x, y growing from row
+/// to row. A profile is a map of one row.
+struct HeightMap {
+    std::string format;           ///< e.g. "ISO 5436-2 (SMD)"
+    double spacing = 0;           ///< between the points of a row, mm
+    double row_spacing = 0;       ///< between rows, mm; 0 for a profile
+    Index rows = 1;               ///< at least 1
+    LengthUnit height_unit = {};  ///< as the file names it
+    double height_factor = 1;     ///< a stored number times this is in `height_unit`
+    Eigen::VectorXd heights = {}; ///< row after row, as stored; NaN if not measured
+    std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one
+    long announced = -1;          ///< number of heights that the file states; -1: none stated
+
+    Index columns() const { return heights.size() / rows; } ///< points of a row
+};
+
+/// Throws InputError on a file without points, with more than 1e7 in one line, or more than 2e7 on a map.
+void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file);
+
+/// The number that marks a missing value of a type; NaN if the type has no mark. Types have ISO 25178-71's
+/// numbers, 0 to 7: uint8, uint16, uint32, float, int8, int16, int32, double.
+double missing_mark(int type);
+
+/// The first `count` numbers of a type as in missing_mark(), lowest byte first; NaN for `missing` and for
+/// numbers that are not finite. Throws InputError on another type and on too few bytes.
+Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int type, double missing,
+                               const std::string& file);
+
+/// Whether a file that begins with these bytes is one that binary_map reads.
+bool is_binary_map(std::string_view head);
+/// Reads binary maps: surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO (not
+/// compressed), Gwyddion's simple field (GSF), and X3P (ISO 25178-72). Nothing if the bytes begin otherwise.
+/// Sizes are compared with the bytes before memory is allocated. Throws InputError with one line on a file
+/// that cannot be read.
+std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
+
+/// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
+/// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Returns
+/// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
+std::optional<HeightMap> text_map(const Lines& lines, const std::string& file);
+
+/// Reads an X3P file (ISO 25178-72, ISO 5436-2): a zip archive of main.xml and usually binary heights, x and
+/// y incremental, lengths in metres. Its check sums are verified. Throws InputError with one line if it
+/// cannot be read.
+HeightMap read_x3p(const std::string& bytes, const std::string& file);
 
 } // namespace rough

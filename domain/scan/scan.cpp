@@ -1,16 +1,15 @@
 #include "domain/scan/scan.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/profile/filter.hpp"
-#include "domain/profile/outliers.hpp"
-#include "domain/scan/height_map.hpp"
+#include "domain/mwm/sampling.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/scan/table.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <cmath>
 #include <numeric>
 
 namespace rough {
+
 namespace {
 
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
@@ -462,6 +461,40 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     said << file << ": " << counted(read, "point") << ", length " << length << " mm, height range " << range
          << " mm, rms " << rms << " mm; " << account.text.str();
     return {std::move(profile), said.str(), std::move(kept)};
+}
+
+Grid Source::grid(bool periodic) const {
+    if (genome)
+        return {.length = length, .periodic = periodic};
+    const Index nodes = measured.nodes();
+    return {nodes, measured.spacing * static_cast<double>(periodic ? nodes : nodes - 1), periodic};
+}
+
+Profile Source::on(const Grid& wanted) const {
+    if (genome)
+        return sample(*genome, wanted);
+    if (wanted.nodes != measured.nodes())
+        throw InputError(
+            line_of(name, ": a grid of ", wanted.nodes, " nodes; use the scan's ", measured.nodes()),
+            "nodes");
+    Profile profile = measured;
+    if (wanted.length != grid(wanted.periodic).length)
+        profile.spacing = wanted.spacing();
+    return profile;
+}
+
+Source open_genome(const std::filesystem::path& file) {
+    GenomeFile read = read_genome_file(file);
+    return {file.string(), std::move(read.genome), read.length};
+}
+
+Source open_scan(const std::filesystem::path& file, const ScanOptions& options) {
+    Scan scan = read_scan(file, options);
+    return {.name = file.string(),
+            .genome = {},
+            .measured = std::move(scan.profile),
+            .account = std::move(scan.account),
+            .outliers = std::move(scan.outliers)};
 }
 
 } // namespace rough

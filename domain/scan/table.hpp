@@ -1,12 +1,7 @@
 #pragma once
 
 #include "domain/scan/unit.hpp"
-#include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
-
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace rough {
 

@@ -1,8 +1,6 @@
 #include "domain/errors.hpp"
-#include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/text/bytes.hpp"
-#include "domain/text/words.hpp"
 #include "domain/text/zip.hpp"
 
 #include <boost/uuid/detail/md5.hpp>

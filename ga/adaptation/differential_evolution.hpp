@@ -130,7 +130,6 @@ struct Duel : Operator {
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }
-    static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 

@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <map>
-
 namespace ga {
 
 /// Mutation with step sizes that are inherited and mutate too (Schwefel 1977; Beyer and Schwefel 2002,

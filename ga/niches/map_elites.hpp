@@ -3,8 +3,6 @@
 #include "ga/refinement/sensitivity.hpp"
 #include "ga/variation/mutate.hpp"
 
-#include <map>
-
 namespace ga {
 
 /// The problem's descriptors of these names, in their order. Throws UsageError on an unknown one.

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "ga/selection/proportional.hpp"
+#include "ga/selection/selection.hpp"
 #include "ga/variation/mutate.hpp"
-
-#include <map>
 
 namespace ga {
 
@@ -89,7 +87,6 @@ struct Crowding : Operator {
     static Words words() {
         return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
     }
-    static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 

@@ -4,7 +4,6 @@
 #include "ga/base/number.hpp"
 #include "ga/observers/progress.hpp"
 
-#include <filesystem>
 #include <fstream>
 
 namespace ga {

@@ -2,7 +2,6 @@
 
 #include "ga/run/context.hpp"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace ga {

@@ -81,7 +81,6 @@ struct Front : Operator {
     static Words words() {
         return {"front", "selection", "keeps the individuals that no other one dominates, after pareto"};
     }
-    static void describe(auto&, auto) {}
     void check(CheckState& known) const {
         if (!known.several_objectives())
             throw UsageError("stage 'front' needs a population ranked by pareto; put pareto before it");

@@ -2,10 +2,6 @@
 
 #include "ga/pipeline/run.hpp"
 
-#include <chrono>
-#include <condition_variable>
-#include <thread>
-
 namespace ga {
 
 /// A pipeline that hands genomes to its caller for evaluation:

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -110,6 +109,11 @@ struct Words {
 template <class T>
 concept Described = requires {
     { T::words() } -> std::same_as<Words>;
+};
+
+/// Base of operators, rules and methods: by default they have no parameters.
+struct NoParameters {
+    static void describe(auto&, auto) {} ///< visits none
 };
 
 /// One parameter and a pointer to its value in an operator.

@@ -2,8 +2,6 @@
 
 #include "ga/pipeline/stage.hpp"
 
-#include <set>
-
 namespace ga {
 
 /// Options of a run.

@@ -36,7 +36,7 @@ struct Step {
 ///     template <Problem P> void check_problem() const;   checks needs that concepts cannot express
 /// @endcode
 // clang-format on
-struct Operator {};
+struct Operator : NoParameters {};
 
 /// Returns the operator. Throws UsageError if a value is out of range.
 template <class Op>

@@ -3,11 +3,6 @@
 #include "ga/pipeline/run.hpp"
 #include "ga/pipeline/score.hpp"
 
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <thread>
-
 namespace ga {
 
 /// A steady-state search that never waits for the slowest evaluation (asynchronous master and workers). Each

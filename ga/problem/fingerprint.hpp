@@ -6,7 +6,6 @@
 #include <cstring>
 #include <ranges>
 #include <string>
-#include <string_view>
 
 namespace ga {
 

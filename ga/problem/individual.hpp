@@ -10,8 +10,6 @@
 #include <mutex>
 #include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
 namespace ga {
 

@@ -2,7 +2,6 @@
 
 #include "ga/base/random.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>

@@ -4,13 +4,8 @@
 #include "ga/problem/fingerprint.hpp"
 #include "ga/problem/permutation.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <concepts>
 #include <functional>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 namespace ga {
 

@@ -3,9 +3,6 @@
 #include "ga/pipeline/parameters.hpp"
 #include "ga/refinement/sensitivity.hpp"
 
-#include <cstdint>
-#include <optional>
-
 namespace ga {
 
 /// The search space around one genome: a box of n variables and functions of a point x in it. Each call

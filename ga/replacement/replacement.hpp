@@ -74,7 +74,6 @@ struct JoinParents : Operator {
         return {"parents", "replacement",
                 "adds the generation's start, so that the next stages choose among all"};
     }
-    static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const {
         known.need_generation(text_of(*this));
@@ -101,7 +100,6 @@ struct Steady : Operator {
     static Words words() {
         return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }
-    static void describe(auto&, auto) {}
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 

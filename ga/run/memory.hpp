@@ -3,7 +3,6 @@
 #include "ga/problem/fingerprint.hpp"
 #include "ga/problem/individual.hpp"
 
-#include <memory>
 #include <variant>
 
 namespace ga {

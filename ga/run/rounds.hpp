@@ -5,8 +5,6 @@
 #include <condition_variable>
 #include <deque>
 #include <semaphore>
-#include <system_error>
-#include <thread>
 
 namespace ga {
 

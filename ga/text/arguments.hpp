@@ -4,7 +4,6 @@
 #include "ga/text/nearest.hpp"
 #include "ga/text/syntax.hpp"
 
-#include <charconv>
 #include <map>
 
 namespace ga {

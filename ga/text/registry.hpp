@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ga/blocks/pair.hpp"
-#include "ga/stopping/rule.hpp"
+#include "ga/stopping/rules.hpp"
 #include "ga/text/arguments.hpp"
 
 namespace ga {

@@ -2,7 +2,6 @@
 
 #include "ga/base/errors.hpp"
 
-#include <string>
 #include <string_view>
 #include <vector>
 

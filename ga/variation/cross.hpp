@@ -2,11 +2,6 @@
 
 #include "ga/pipeline/stage.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <span>
-
 namespace ga {
 
 /// A method to cross two genomes in place. It has words() and describe() like an operator. It also has `void
@@ -166,10 +161,9 @@ struct Points {
 };
 
 /// Cross-over with one cut.
-struct OnePoint {
+struct OnePoint : NoParameters {
     ///@{ What every cross-over has (Crosses).
     static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
-    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires Crosses<Points, P>
@@ -186,10 +180,9 @@ inline Points n_points(std::size_t n) { return {n}; }
 
 /// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
 /// genome.
-struct Uniform {
+struct Uniform : NoParameters {
     ///@{ What every cross-over has (Crosses).
     static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
-    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires(CrossesUniformly<P> || Positional<typename P::Genome>) void
@@ -219,13 +212,12 @@ inline Uniform uniform() { return {}; }
 /// Order cross-over (Davis 1985). Each child keeps a piece of one parent at its position. The other numbers
 /// follow from the end of that piece, in the order of the other parent. Permutations of unequal length stay
 /// as they are.
-struct Order {
+struct Order : NoParameters {
     ///@{ What every cross-over has (Crosses).
     static Words words() {
         return {"order", "cross-over",
                 "keeps a piece of one permutation in place and the other's order elsewhere"};
     }
-    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires std::same_as<typename P::Genome, Permutation>

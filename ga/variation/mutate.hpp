@@ -164,10 +164,9 @@ concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, b
 
 /// Replaces a gene at random: a real one uniformly between its bounds, a whole number by another value. A bit
 /// is flipped. A real gene with an infinite bound stays as it is.
-struct Reset {
+struct Reset : NoParameters {
     ///@{ What every mutation has (Mutates).
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
-    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires(BitString<typename P::Genome> ||
@@ -216,66 +215,47 @@ auto& places(G& genome) {
 template <class G>
 concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G, std::vector<double>>;
 
-/// Calls change(i, j) for each gene i that `chance` picks, with another gene j at random; true if it did.
-template <class Genes, class Change>
-bool with_another(const Genes& genes, const Chance& chance, Stream& stream, Change change) {
-    bool changed = false;
-    if (genes.size() < 2)
-        return false;
-    chance.each(genes.size(), stream, [&](std::size_t i) {
-        change(i, (i + 1 + stream.below(genes.size() - 1)) % genes.size());
-        changed = true;
-    });
-    return changed;
-}
-
-/// Exchanges the gene with another one.
-struct Swap {
-    ///@{ What every mutation has (Mutates).
-    static Words words() { return {"swap", "mutation", "exchanges the gene with another of the genome"}; }
-    static void describe(auto&, auto) {}
-
-    template <Problem P>
-    requires Ordered<typename P::Genome>
-    bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
-        auto& genes = places(genome);
-        return with_another(genes, chance, stream, [&](std::size_t i, std::size_t j) {
-            const auto kept = genes[i];
-            genes[i] = genes[j];
-            genes[j] = kept;
-        });
-    }
-    ///@}
-};
-
-/// Reverses the piece between the gene and another one. For a tour this exchanges two edges.
-struct Reverse {
+/// Exchanges the gene with another one, or reverses the whole piece between the two. For a tour a reversed
+/// piece exchanges two edges.
+template <bool piece>
+struct Exchange : NoParameters {
     ///@{ What every mutation has (Mutates).
     static Words words() {
-        return {"reverse", "mutation", "reverses the piece between the gene and another"};
+        if (piece)
+            return {"reverse", "mutation", "reverses the piece between the gene and another"};
+        return {"swap", "mutation", "exchanges the gene with another of the genome"};
     }
-    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires Ordered<typename P::Genome>
     bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
         auto& genes = places(genome);
-        return with_another(genes, chance, stream, [&](std::size_t i, std::size_t j) {
-            const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
-            std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
+        const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
+        bool changed = false;
+        if (genes.size() < 2)
+            return false;
+        chance.each(genes.size(), stream, [&](std::size_t i) {
+            const std::size_t j = (i + 1 + stream.below(genes.size() - 1)) % genes.size();
+            if (piece)
+                std::reverse(at(std::min(i, j)), at(std::max(i, j) + 1));
+            else
+                std::iter_swap(at(i), at(j));
+            changed = true;
         });
+        return changed;
     }
     ///@}
 };
+using Swap = Exchange<false>;   ///< `mutate RATE swap`
+using Reverse = Exchange<true>; ///< `mutate RATE reverse`
 
 /// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise permutations get a
 /// swap, real genes a gaussian step of a tenth of the width, bits and whole numbers a reset.
-struct Natural {
+struct Natural : NoParameters {
     ///@{ What every mutation has (Mutates).
     static Words words() {
         return {"", "mutation", "the genome's natural mutation: the problem's, swap, reset or gaussian 0.1"};
     }
-    static void describe(auto&, auto) {}
 
     template <Problem P>
     requires(MutatesItself<P> || Mutates<Reset, P> || HasGenes<P> || Ordered<typename P::Genome>) bool

@@ -4,7 +4,7 @@
 // opening the file, screening and refinement. It is given on the grid and on one four times finer, next to
 // the similarities of the paper's three variants.
 
-#include "domain/accuracy/respond.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/mwm/sobol.hpp"

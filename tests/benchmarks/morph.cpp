@@ -6,7 +6,7 @@
 #include "domain/design/morph.hpp"
 
 #include "domain/mwm/genome_json.hpp"
-#include "domain/target/like.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/random.hpp"
 #include "tests/benchmarks/measure.hpp"
 

@@ -2,7 +2,7 @@
 // measures the 20-step curve with tangents, the curve with its full Jacobian in every gene, and warm-started
 // NNLS.
 
-#include "domain/accuracy/respond.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"

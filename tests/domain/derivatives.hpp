@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/accuracy/respond.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/response/curve.hpp"
 

@@ -5,11 +5,11 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/filter.hpp"
+#include "domain/profile/preparation.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/target/like.hpp"
+#include "domain/target/target.hpp"
 #include "domain/theory/theory.hpp"
 
 #include <catch2/catch.hpp>

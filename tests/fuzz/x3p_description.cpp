@@ -1,4 +1,4 @@
-#include "domain/scan/height_map.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/text/zip.hpp"
 #include "tests/fuzz/reader.hpp"
 

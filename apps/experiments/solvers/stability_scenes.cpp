@@ -1,7 +1,7 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
 
 #include <cmath>
 #include <limits>

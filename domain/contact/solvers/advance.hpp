@@ -2,8 +2,6 @@
 
 #include "domain/contact/solvers/problem.hpp"
 
-#include <vector>
-
 namespace rough {
 
 /// The nodes that will join the contact set, by a first-order estimate, the most certain first. `depth` is

@@ -1,5 +1,3 @@
-#include "domain/contact/solvers/choice.hpp"
-
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"

@@ -2,8 +2,6 @@
 
 #include "domain/contact/solvers/influence.hpp"
 
-#include <vector>
-
 namespace rough {
 
 /// Cholesky factor L of H_AA on a contact set A that is appended to and cut at its tail, never rebuilt. It

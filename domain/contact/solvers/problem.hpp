@@ -4,8 +4,6 @@
 #include "domain/contact/solve.hpp"
 #include "domain/numerics/fourier.hpp"
 
-#include <limits>
-
 namespace rough {
 
 /// A contact problem without units, as every solver takes it. Heights are in units of the largest

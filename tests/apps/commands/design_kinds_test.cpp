@@ -2,8 +2,8 @@
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/scan/source.hpp"
-#include "domain/target/like.hpp"
+#include "domain/scan/scan.hpp"
+#include "domain/target/target.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>

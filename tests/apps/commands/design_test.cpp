@@ -3,7 +3,7 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/mwm/genome_json.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/profile/height_image.hpp"
+#include "domain/profile/solid.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>

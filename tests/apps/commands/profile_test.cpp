@@ -1,7 +1,7 @@
 #include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/profile/height_image.hpp"
 #include "domain/profile/roughness.hpp"
+#include "domain/profile/solid.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"

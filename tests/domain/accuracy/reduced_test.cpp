@@ -1,7 +1,7 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
-#include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

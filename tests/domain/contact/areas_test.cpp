@@ -1,5 +1,5 @@
+#include "domain/contact/interface.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/pressure_and_gap.hpp"
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"

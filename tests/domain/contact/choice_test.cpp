@@ -1,4 +1,4 @@
-#include "domain/contact/solvers/choice.hpp"
+#include "domain/contact/solvers/solvers.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/solvers.hpp"

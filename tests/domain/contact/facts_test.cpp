@@ -1,6 +1,6 @@
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
-#include "domain/response/model.hpp"
+#include "domain/response/response.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "domain/theory/random_surface.hpp"
+#include "domain/theory/theory.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"

@@ -1,4 +1,4 @@
-#include "domain/contact/pressure_and_gap.hpp"
+#include "domain/contact/interface.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/contact/scenes.hpp"
 #include "tests/domain/random_genome.hpp"

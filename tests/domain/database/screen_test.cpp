@@ -1,4 +1,4 @@
-#include "domain/accuracy/respond.hpp"
+#include "domain/accuracy/respond_within.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"

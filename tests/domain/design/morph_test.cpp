@@ -1,7 +1,7 @@
 #include "domain/design/morph.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/target/like.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,8 +3,8 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/response.hpp"
-#include "domain/response/model.hpp"
-#include "domain/target/like.hpp"
+#include "domain/response/response.hpp"
+#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

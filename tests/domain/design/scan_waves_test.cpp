@@ -2,7 +2,7 @@
 #include "domain/design/starts.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/profile/detrend.hpp"
+#include "domain/profile/preparation.hpp"
 #include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 
 #include "domain/mwm/sampling.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/target/like.hpp"
+#include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>
 

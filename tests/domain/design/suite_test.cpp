@@ -1,8 +1,8 @@
 #include "domain/design/search.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
+#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/response.hpp"
 #include "domain/response/curve.hpp"
-#include "domain/target/like.hpp"
+#include "domain/target/target.hpp"
 #include "ga/base/random.hpp"
 
 #include <Eigen/Cholesky>

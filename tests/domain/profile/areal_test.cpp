@@ -1,7 +1,6 @@
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
-#include "domain/profile/detrend.hpp"
-#include "domain/profile/filter.hpp"
+#include "domain/profile/preparation.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "tests/domain/contact/maps.hpp"

@@ -1,4 +1,4 @@
-#include "domain/profile/filter.hpp"
+#include "domain/profile/preparation.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <Eigen/LU>

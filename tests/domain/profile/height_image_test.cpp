@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/profile/height_image.hpp"
+#include "domain/profile/solid.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "domain/profile/outliers.hpp"
+#include "domain/profile/preparation.hpp"
 #include "tests/domain/accuracy/scans.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,4 @@
 #include "domain/errors.hpp"
-#include "domain/scan/height_map.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 #include "domain/text/bytes.hpp"

@@ -1,6 +1,5 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/target/like.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"

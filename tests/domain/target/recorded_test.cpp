@@ -1,5 +1,5 @@
 #include "domain/errors.hpp"
-#include "domain/response/model.hpp"
+#include "domain/response/response.hpp"
 #include "domain/target/target.hpp"
 #include "domain/text/words.hpp"
 

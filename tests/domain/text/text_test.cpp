@@ -1,6 +1,5 @@
 #include "domain/errors.hpp"
 #include "domain/text/json.hpp"
-#include "domain/text/lines.hpp"
 #include "domain/text/words.hpp"
 
 #include <catch2/catch.hpp>

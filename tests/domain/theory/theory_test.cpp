@@ -1,6 +1,5 @@
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/theory/random_surface.hpp"
 #include "domain/theory/theory.hpp"
 #include "tests/domain/contact/maps.hpp"
 

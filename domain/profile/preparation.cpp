@@ -1,0 +1,305 @@
+#include "domain/profile/preparation.hpp"
+
+#include "domain/errors.hpp"
+#include "domain/numerics/fourier.hpp"
+
+#include <Eigen/QR>
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace rough {
+
+namespace {
+
+/// The height w over c of the circle through (0, c) with angle theta and curvature kappa there. It solves
+/// kappa (x^2 + w^2)/2 + x sin(theta) - w cos(theta) = 0, a line for kappa = 0.
+double arc_height(double x, double theta, double kappa) {
+    const double part = kappa * x * x / 2 + x * std::sin(theta), cosine = std::cos(theta);
+    return 2 * part / (cosine + std::sqrt(cosine * cosine - 2 * kappa * part));
+}
+
+/// Heights minus their arc, by Gauss-Newton in c, theta and kappa from 0.
+Eigen::VectorXd without_arc(const Profile& profile) {
+    const Index nodes = profile.nodes();
+    const double half = profile.spacing * static_cast<double>(nodes - 1) / 2;
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(nodes, -half, half);
+    Eigen::Vector3d of = Eigen::Vector3d::Zero(); // c, theta, kappa
+    Eigen::MatrixXd slopes(nodes, 3);
+    Eigen::VectorXd rest = profile.heights;
+    constexpr int max_steps = 50;
+    for (int step = 0; step < max_steps; ++step) {
+        for (Index i = 0; i < nodes; ++i) {
+            const double w = arc_height(x[i], of[1], of[2]);
+            const double by_w = of[2] * w - std::cos(of[1]);
+            rest[i] = profile.heights[i] - of[0] - w;
+            slopes.row(i) << 1, -(w * std::sin(of[1]) + x[i] * std::cos(of[1])) / by_w,
+                -(x[i] * x[i] + w * w) / 2 / by_w;
+        }
+        if (!rest.allFinite())
+            refuse("detrend: no arc of a circle fits the heights; use parabola or another form");
+        const Eigen::Vector3d scale(1, half, half * half);
+        const Eigen::Vector3d change =
+            (slopes * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(rest);
+        of += change.cwiseQuotient(scale);
+        if (change.cwiseAbs().maxCoeff() <= 1e-14 * (of.cwiseProduct(scale)).cwiseAbs().maxCoeff())
+            break;
+    }
+    return rest;
+}
+
+/// Polynomials of degree 0 to `degree` over even nodes in [-1, 1], orthogonal there (Gram-Schmidt).
+std::vector<Eigen::VectorXd> orthogonal_polynomials(Index nodes, Index degree) {
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(nodes, -1, 1);
+    std::vector<Eigen::VectorXd> basis{Eigen::VectorXd::Ones(nodes)};
+    for (Index power = 1; power <= degree && power < nodes; ++power) {
+        Eigen::VectorXd next = basis.back().array() * t;
+        for (const Eigen::VectorXd& one : basis)
+            next -= one * (one.dot(next) / one.squaredNorm());
+        if (!(next.squaredNorm() > 0))
+            break;
+        basis.push_back(std::move(next));
+    }
+    return basis;
+}
+
+} // namespace
+
+const std::vector<std::string>& detrend_names() {
+    static const std::vector<std::string> names{"none",  "mean",    "line", "parabola",
+                                                "cubic", "quartic", "arc"};
+    return names;
+}
+
+const std::string& name_of(Detrend form) { return detrend_names()[static_cast<std::size_t>(form)]; }
+
+Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
+    if (form == Detrend::none)
+        return profile.heights;
+    if (form == Detrend::arc && profile.is_2d())
+        refuse("detrend: an arc does not fit a map; use none, mean, line, parabola, cubic or quartic");
+    if (form == Detrend::arc)
+        return without_arc(profile);
+    // Products of polynomials along x and y are orthogonal on a grid.
+    const auto [columns, rows] = profile.shape();
+    const Index degree = static_cast<Index>(form) - 1;
+    const auto along_x = orthogonal_polynomials(columns, degree),
+               along_y = orthogonal_polynomials(rows, profile.is_2d() ? degree : 0);
+    Eigen::MatrixXd rest = Eigen::Map<const Eigen::MatrixXd>(profile.heights.data(), columns, rows).array() -
+                           profile.heights.mean();
+    for (std::size_t a = 0; a < along_x.size(); ++a)
+        for (std::size_t b = 0; b < along_y.size() && a + b <= static_cast<std::size_t>(degree); ++b)
+            if (a + b > 0) {
+                const Eigen::VectorXd &p = along_x[a], &q = along_y[b];
+                const double share = p.dot(rest * q) / (p.squaredNorm() * q.squaredNorm());
+                for (Index j = 0; j < rows; ++j)
+                    rest.col(j) -= p * (share * q[j]);
+            }
+    return rest.reshaped();
+}
+
+namespace {
+
+/// A sequence's transform, padded with zeros.
+Eigen::ArrayXcd transformed(const Eigen::VectorXd& values, Index length) {
+    Eigen::ArrayXd padded = Eigen::ArrayXd::Zero(length);
+    padded.head(values.size()) = values.array();
+    return fourier_transform(padded);
+}
+
+/// sum_t weight_t z_(i+t) for each node i, t = -reach .. reach, from the transforms of the heights and of the
+/// reversed weights.
+Eigen::VectorXd correlated(const Eigen::ArrayXcd& heights, const Eigen::ArrayXcd& weights, Index reach,
+                           Index nodes, Index length) {
+    const Eigen::ArrayXd sums = inverse_fourier_transform(heights * weights, length);
+    return sums.segment(reach, nodes).matrix() / static_cast<double>(length);
+}
+
+/// The filter for lines of one length.
+class LineFilter {
+  public:
+    LineFilter(Index nodes, double spacing, double cut_off) : nodes_(nodes) {
+        reach_ = static_cast<Index>(std::min(std::floor(cut_off / spacing), static_cast<double>(nodes - 1)));
+        if (reach_ == 0)
+            return;
+        const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(2 * reach_ + 1, -1, 1); // x over reach * spacing
+        const double share = static_cast<double>(reach_) * spacing / cut_off;
+        const Eigen::ArrayXd weight = (-std::pow(M_PI * share, 2) / std::log(2.0) * t.square()).exp();
+        // Moments of the weights inside the line, by running sums over t.
+        const auto running = [](const Eigen::ArrayXd& values) {
+            Eigen::ArrayXd sums = Eigen::ArrayXd::Zero(values.size() + 1);
+            std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
+            return sums;
+        };
+        s0_ = running(weight), s1_ = running(weight * t), s2_ = running(weight * t.square());
+        length_ = fast_fourier_length(nodes + 2 * reach_ + 1);
+        weight_ = transformed(weight.reverse(), length_);
+        moment_ = transformed((weight * t).reverse(), length_);
+    }
+
+    Eigen::VectorXd operator()(const Eigen::VectorXd& line) const {
+        if (reach_ == 0)
+            return line;
+        const double mean = line.mean();
+        const auto heights = transformed(line.array() - mean, length_);
+        const Eigen::VectorXd t0 = correlated(heights, weight_, reach_, nodes_, length_),
+                              t1 = correlated(heights, moment_, reach_, nodes_, length_);
+        Eigen::VectorXd result(nodes_);
+        for (Index i = 0; i < nodes_; ++i) {
+            const Index first = std::max<Index>(reach_ - i, 0),
+                        past = std::min(reach_ + nodes_ - i, 2 * reach_ + 1);
+            const double m0 = s0_[past] - s0_[first], m1 = s1_[past] - s1_[first],
+                         m2 = s2_[past] - s2_[first];
+            result[i] = mean + (t0[i] * m2 - t1[i] * m1) / (m0 * m2 - m1 * m1);
+        }
+        return result;
+    }
+
+  private:
+    Index nodes_, reach_, length_ = 0;
+    Eigen::ArrayXd s0_, s1_, s2_;
+    Eigen::ArrayXcd weight_, moment_;
+};
+
+} // namespace
+
+Eigen::VectorXd low_passed(const Profile& profile, double cut_off) {
+    if (!(cut_off > 0))
+        refuse("filter: the cut-off ", cut_off, " mm is out of range (above 0)");
+    const auto [columns, rows] = profile.shape();
+    Eigen::MatrixXd z = profile.heights.reshaped(columns, rows);
+    const LineFilter along_x(columns, profile.spacing, cut_off);
+    for (Index j = 0; j < rows; ++j)
+        z.col(j) = along_x(z.col(j));
+    if (profile.is_2d()) {
+        const LineFilter along_y(rows, profile.row_spacing, cut_off);
+        for (Index i = 0; i < columns; ++i)
+            z.row(i) = along_y(z.row(i).transpose()).transpose();
+    }
+    return z.reshaped();
+}
+
+namespace {
+
+constexpr Index min_profile_nodes = 16, around = 12;
+constexpr std::size_t side = 7; ///< nodes that predict, on either side
+constexpr Index min_aside = 3;
+/// Median steps by which a particle stands out, and by which its flanks do.
+constexpr double particle_steps = 6, flank_steps = 3;
+
+template <class Iterator>
+double middle(Iterator first, Iterator end) {
+    const Iterator half = first + (end - first) / 2;
+    std::nth_element(first, half, end);
+    return *half;
+}
+
+/// A node's height as the nodes on one side predict it: their median, and their line of median slope.
+struct Predicted {
+    double median, line;
+};
+/// Predicts a node's height from its left (`step` -1) or right (1); nothing with fewer than three nodes that
+/// are not outliers.
+std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, Index step,
+                                   const std::vector<bool>& is_outlier) {
+    std::array<double, side> z, line, distance;
+    std::array<double, side*(side - 1) / 2> slopes;
+    auto slope = slopes.begin();
+    std::size_t count = 0;
+    for (Index at = node + step; at >= 0 && at < heights.size() && count < side; at += step) {
+        if (is_outlier[static_cast<std::size_t>(at)])
+            continue;
+        z[count] = heights[at], distance[count] = static_cast<double>(std::abs(at - node));
+        for (std::size_t j = 0; j < count; ++j)
+            *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
+        ++count;
+    }
+    if (count < static_cast<std::size_t>(min_aside))
+        return std::nullopt;
+    const double steepness = middle(slopes.begin(), slope);
+    for (std::size_t i = 0; i < count; ++i)
+        line[i] = z[i] - steepness * distance[i];
+    const auto end = static_cast<std::ptrdiff_t>(count);
+    return Predicted{middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
+}
+
+/// The median step between neighbours near this node.
+double usual_step(const Eigen::VectorXd& steps, Index node) {
+    const Index first = std::max<Index>(0, std::min(node - around, steps.size() - 2 * around));
+    Eigen::VectorXd near = steps.segment(first, std::min(2 * around, steps.size() - first));
+    return middle(near.begin(), near.end());
+}
+
+} // namespace
+
+std::vector<Index> outliers(const Eigen::VectorXd& heights) {
+    const Index nodes = heights.size();
+    if (nodes < min_profile_nodes)
+        return {};
+    const Eigen::VectorXd steps = (heights.tail(nodes - 1) - heights.head(nodes - 1)).cwiseAbs();
+    Eigen::VectorXd in_order = steps;
+    const double usual = middle(in_order.begin(), in_order.end()),
+                 range = heights.maxCoeff() - heights.minCoeff();
+    double resolved = range;
+    for (const double step : steps)
+        if (step > 1e-9 * range)
+            resolved = std::min(resolved, step);
+
+    std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
+    // 1 if the node stands out above its neighbours, -1 below, else 0. Flanks are compared only with the
+    // lines, because medians on a slope would hide them.
+    const auto stands_out = [&](Index i, bool is_flank) {
+        const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
+        if (!left || !right)
+            return 0;
+        auto [lowest, highest] = std::minmax({left->line, right->line});
+        if (!is_flank)
+            std::tie(lowest, highest) = std::minmax({lowest, highest, left->median, right->median});
+        const double beyond = std::max(heights[i] - highest, lowest - heights[i]),
+                     times = is_flank ? flank_steps : particle_steps;
+        if (beyond > times * usual && beyond > 3 * resolved && beyond > times * usual_step(steps, i))
+            return heights[i] > highest ? 1 : -1;
+        return 0;
+    };
+    std::vector<std::pair<Index, int>> inner;
+    for (Index i = min_aside; i < nodes - min_aside; ++i)
+        if (const int side = stands_out(i, false))
+            inner.emplace_back(i, side);
+    // A particle's outer nodes and flanks look like a step as long as its inner nodes predict their heights.
+    for (const auto& [node, side] : inner)
+        is_outlier[static_cast<std::size_t>(node)] = true;
+    for (const auto& [node, side] : inner)
+        for (const Index step : {-1, 1})
+            for (Index i = node + step; i >= min_aside && i < nodes - min_aside; i += step)
+                if (!is_outlier[static_cast<std::size_t>(i)]) {
+                    if (stands_out(i, true) != side)
+                        break;
+                    is_outlier[static_cast<std::size_t>(i)] = true;
+                }
+    std::vector<Index> found;
+    for (Index i = 0; i < nodes; ++i)
+        if (is_outlier[static_cast<std::size_t>(i)])
+            found.push_back(i);
+    return found;
+}
+
+Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes) {
+    for (std::size_t at = 0; at < nodes.size();) {
+        std::size_t end = at + 1; // after a run of nodes
+        while (end < nodes.size() && nodes[end] == nodes[end - 1] + 1)
+            ++end;
+        const Index left = nodes[at] - 1, right = nodes[end - 1] + 1;
+        if (left < 0 && right == heights.size())
+            break;
+        const double from = heights[left < 0 ? right : left],
+                     to = heights[right == heights.size() ? left : right];
+        for (; at < end; ++at)
+            heights[nodes[at]] = from + (to - from) * static_cast<double>(nodes[at] - left) /
+                                            static_cast<double>(right - left);
+    }
+    return heights;
+}
+
+} // namespace rough
