@@ -26,13 +26,19 @@ struct NotConverged : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The parts joined to a line; numbers with this many digits.
+template <typename... Parts>
+std::string line_with_digits(int digits, const Parts&... parts) {
+    PlainStream line;
+    line.precision(digits);
+    (line << ... << parts);
+    return line.str();
+}
+
 /// The parts joined to a line; numbers with nine digits.
 template <typename... Parts>
 std::string line_of(const Parts&... parts) {
-    PlainStream line;
-    line.precision(9);
-    (line << ... << parts);
-    return line.str();
+    return line_with_digits(9, parts...);
 }
 
 /// Throws InputError with the parts joined to a line.

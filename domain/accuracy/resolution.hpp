@@ -28,7 +28,7 @@ const std::vector<std::string>& resolution_names();
 /// Contact spots of fewer nodes across are not resolved: their area is that of the nodes that touch.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Usual width of the contact spots (contact/pressure_and_gap.hpp) in nodes; 0 without contact. Half of the
+/// Usual width of the contact spots (contact/interface.hpp) in nodes; 0 without contact. Half of the
 /// contact nodes lie in spots of at most this many nodes on a line, or its square on a map.
 Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 

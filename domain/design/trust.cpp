@@ -25,10 +25,7 @@ Model with_kernel(Model model, Kernel kernel) {
 
 template <class... Parts>
 void flag(Trust& trust, const Parts&... parts) {
-    PlainStream line;
-    line.precision(3);
-    (line << ... << parts);
-    trust.flags.push_back(line.str());
+    trust.flags.push_back(line_with_digits(3, parts...));
 }
 
 /// Root mean square gradient of a map.

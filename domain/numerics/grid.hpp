@@ -28,9 +28,8 @@ struct Grid {
 
     bool is_2d() const { return width > 0; }       ///< two dimensions
     Extent shape() const { return {nodes, rows}; } ///< N_x, N_y
-    double spacing() const {
-        return length / static_cast<double>(periodic ? nodes : nodes - 1);
-    } ///< delta, mm
+    /// delta, mm
+    double spacing() const { return length / static_cast<double>(periodic ? nodes : nodes - 1); }
     /// delta_y, mm, 0 for a line; a single row is as wide as the map
     double row_spacing() const {
         return width / static_cast<double>(periodic || rows == 1 ? rows : rows - 1);

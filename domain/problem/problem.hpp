@@ -100,7 +100,7 @@ class DesignProblem {
     /// so that no wave becomes shorter than allowed. On a periodic grid both are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
-    /// fractions are the smooth ones here (contact/smooth_area.hpp), because a count of nodes has no
+    /// fractions are the smooth ones here (contact/interface.hpp), because a count of nodes has no
     /// derivative.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 

@@ -66,7 +66,7 @@ double similarity(const DesignSetup& setup, const Genome& genome, Index refine =
 Genome in_final_form(const DesignSetup& setup, Genome genome);
 
 /// All targets' misfits under a model with their derivatives, target after target. Contact fractions are
-/// smoothed (contact/smooth_area.hpp). They differ from the node count by at most one node per contact edge.
+/// smoothed (contact/interface.hpp). They differ from the node count by at most one node per contact edge.
 struct Rows {
     ga::Sensitivity misfits;     ///< one row per point
     double factor = 1;           ///< the factor of Eq. 11; 1 without it

@@ -74,7 +74,7 @@ ContactCurve press(const Profile& profile, const Body& body, const Loading& load
 Response respond(const Profile& profile, const Body& body = {}, const Loading& loading = {},
                  const ContactOptions& options = {});
 
-/// A smooth contact fraction (smooth_area.hpp) and its derivatives, for targets of contact area.
+/// A smooth contact fraction (contact/interface.hpp) and its derivatives, for targets of contact area.
 struct AreaGradient {
     Eigen::VectorXd fraction; ///< one per load step; empty if not requested
     Eigen::MatrixXd

@@ -12,13 +12,6 @@ namespace {
 /// Misfits up to this one come from rounding in files with four digits or more.
 constexpr double negligible = 1e-6;
 
-template <class... Parts>
-std::string line_of(const Parts&... parts) {
-    PlainStream line;
-    (line << ... << parts);
-    return line.str();
-}
-
 /// The values that a curve may have at a point: the band, or only y.
 struct Allowed {
     const Target& target;
@@ -50,9 +43,10 @@ void find_fall(const Target& target, std::vector<OutOfReach>& found) {
     for (Index i = 0; i < target.points(); ++i)
         for (Index j = i + 1; j < target.points(); ++j)
             if (const double misfit = allowed.min_misfit(i, j); is_worse(misfit, worst))
-                worst = {line_of(what, " falls from ", allowed.lower(i), " at ", target.x[i], unit_of(target),
-                                 " to ", allowed.upper(j), " at ", target.x[j], unit_of(target),
-                                 ": contact only grows under load, so it never falls"),
+                worst = {line_with_digits(6, what, " falls from ", allowed.lower(i), " at ", target.x[i],
+                                          unit_of(target), " to ", allowed.upper(j), " at ", target.x[j],
+                                          unit_of(target),
+                                          ": contact only grows under load, so it never falls"),
                          {target.x[i], target.x[j]},
                          1 - misfit};
     found.push_back(worst);
@@ -96,11 +90,11 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
             stiff.on_this_grid = stiff.on_this_grid && over(0) <= negligible;
             if (is_worse(misfit, stiff)) {
                 stiff.bound = 1 - misfit;
-                stiff.reason = line_of("stiffness ", allowed.lower(k), " MPa/mm at ", x,
-                                       " MPa is above that of full contact, ", max, " MPa/mm");
+                stiff.reason = line_with_digits(6, "stiffness ", allowed.lower(k), " MPa/mm at ", x,
+                                                " MPa is above that of full contact, ", max, " MPa/mm");
                 if (highest(min) > max)
-                    stiff.reason +=
-                        line_of(", even as the last load steps continue it, ", highest(min), " MPa/mm");
+                    stiff.reason += line_with_digits(6, ", even as the last load steps continue it, ",
+                                                     highest(min), " MPa/mm");
             }
         }
         const double under = target.weight * (lowest - allowed.upper(k)) / target.y[k];
@@ -110,10 +104,12 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
         if (!is_worse(under, soft))
             continue;
         soft.bound = 1 - under;
-        soft.reason = line_of(name_of(target), " ", allowed.upper(k), " MPa/mm at ", x,
-                              " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
+        soft.reason =
+            line_with_digits(6, name_of(target), " ", allowed.upper(k), " MPa/mm at ", x,
+                             " MPa is below that of a single node in contact, ", one_node, " MPa/mm");
         if (lowest < one_node)
-            soft.reason += line_of(", even as its first load steps continue it, ", lowest, " MPa/mm");
+            soft.reason +=
+                line_with_digits(6, ", even as its first load steps continue it, ", lowest, " MPa/mm");
     }
     found.insert(found.end(), {stiff, soft});
 }
@@ -135,9 +131,10 @@ void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std:
                 const double misfit =
                     target.weight * (allowed.lower(j) - chord) / (y + (1 - t) * y_i + t * target.y[k]);
                 if (is_worse(misfit, steep))
-                    steep = {line_of("pressure ", y, " MPa at ", x, " mm is above the straight line from ",
-                                     y_i, " MPa at ", x_i, " mm to ", target.y[k], " MPa at ", target.x[k],
-                                     " mm: stiffness never falls, so the load curve is convex"),
+                    steep = {line_with_digits(6, "pressure ", y, " MPa at ", x,
+                                              " mm is above the straight line from ", y_i, " MPa at ", x_i,
+                                              " mm to ", target.y[k], " MPa at ", target.x[k],
+                                              " mm: stiffness never falls, so the load curve is convex"),
                              {x},
                              1 - misfit};
             }
@@ -145,11 +142,11 @@ void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std:
                                    OutOfReach& worst) {
                 const double misfit = target.weight * beyond / (y + y_i);
                 if (is_worse(misfit, worst))
-                    worst = {
-                        line_of("pressure rises to ", y, " MPa at ", x, " mm ", how, ", ", limit, " MPa/mm"),
-                        {x},
-                        1 - misfit,
-                        on_this_grid};
+                    worst = {line_with_digits(6, "pressure rises to ", y, " MPa at ", x, " mm ", how, ", ",
+                                              limit, " MPa/mm"),
+                             {x},
+                             1 - misfit,
+                             on_this_grid};
             };
             rises(allowed.lower(j) - (high_i + limits.max * (x - x_i)), "faster than with full contact",
                   limits.max, false, steep);

@@ -17,9 +17,8 @@ struct CheckState {
     std::optional<std::string> start_scored; ///< the policy under which the generation's start is scored
     bool nobody = false;                     ///< the population is still empty
     bool on_islands = false;                 ///< inside islands
-    bool several_objectives() const {
-        return scored && scored->find(' ') != std::string::npos;
-    } ///< scored by pareto
+    /// Whether it is scored by pareto.
+    bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
 
     /// Throws UsageError, with the stage's name, if individuals may be unscored.
     [[gnu::cold]] void need_score(const std::string& stage) const {

@@ -152,9 +152,8 @@ class Stage {
         return text;
     }
     bool empty() const { return places_.empty(); } ///< no stages
-    bool begins() const {
-        return !places_.empty() && places_.front().step.begins;
-    } ///< whether it needs no population
+    /// Whether it needs no population.
+    bool begins() const { return !places_.empty() && places_.front().step.begins; }
     /// Number of best individuals at a generation's start that its stages read.
     std::size_t reads_of_start() const {
         std::size_t most = 0;
