@@ -1,6 +1,5 @@
 #include "domain/accuracy/respond_within.hpp"
 
-#include "domain/accuracy/load_rows.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/profile/roughness.hpp"

@@ -47,16 +47,13 @@ double Curve::at(double position) const {
 
 Curve secant_stiffness(const Response& response) {
     const Index n = response.steps();
-    Curve curve{Eigen::VectorXd(n), Eigen::VectorXd(n), 0, response.pressure[n - 1]};
-    double last_pressure = 0, last_displacement = 0;
-    for (Index j = 0; j < n; ++j) {
-        const double P = response.pressure[j], D = response.displacement[j];
-        curve.x[j] = 0.5 * (P + last_pressure);
-        curve.y[j] = (P - last_pressure) / (D - last_displacement);
-        last_pressure = P;
-        last_displacement = D;
-    }
-    return curve;
+    const auto before = [n](const Eigen::VectorXd& values) {
+        Eigen::VectorXd shifted(n);
+        shifted << 0, values.head(n - 1);
+        return shifted;
+    };
+    const Eigen::VectorXd &P = response.pressure, P_before = before(P), D = response.displacement;
+    return {0.5 * (P + P_before), (P - P_before).cwiseQuotient(D - before(D)), 0, P[n - 1]};
 }
 
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
 #include "ga/stopping/rules.hpp"
 
 namespace ga {

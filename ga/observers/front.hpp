@@ -1,7 +1,6 @@
 #pragma once
 
-#include "ga/pareto/hypervolume.hpp"
-#include "ga/run/context.hpp"
+#include "ga/pareto/pareto.hpp"
 
 namespace ga {
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "ga/pareto/hypervolume.hpp"
-#include "ga/pipeline/check.hpp"
-#include "ga/pipeline/parameters.hpp"
-#include "ga/problem/comparison.hpp"
+#include "ga/pareto/pareto.hpp"
 
 #include <tuple>
 

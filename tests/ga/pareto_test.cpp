@@ -1,5 +1,5 @@
 #include "ga/observers/front.hpp"
-#include "ga/pareto/hypervolume.hpp"
+#include "ga/pareto/pareto.hpp"
 #include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>
