@@ -7,6 +7,7 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <algorithm>

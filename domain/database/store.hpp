@@ -2,7 +2,6 @@
 
 #include "domain/database/setup.hpp"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 /// @file
-/// Genomes in checkpoints: lossless, the scale as a separate number. (genome_json.hpp has the
+/// Genomes in checkpoints: lossless, the scale as a separate number. (genome.hpp has the
 /// format of genome files.)
 namespace rough {
 

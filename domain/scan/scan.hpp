@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/profile/preparation.hpp"
 
 #include <optional>

@@ -33,21 +33,16 @@ struct Parameter {
     bool is_quiet = false;               ///< not written if it has its default
 
     /// A copy that is written as KEY=VALUE.
-    Parameter keyed() const {
-        Parameter copy = *this;
-        copy.is_keyed = true;
-        return copy;
-    }
+    Parameter keyed() const { return with(&Parameter::is_keyed, true); }
     /// A copy that is not written in a stage's text if it has its default.
-    Parameter quiet() const {
-        Parameter copy = *this;
-        copy.is_quiet = true;
-        return copy;
-    }
+    Parameter quiet() const { return with(&Parameter::is_quiet, true); }
     /// A copy with another upper limit.
-    Parameter up_to(double limit) const {
+    Parameter up_to(double limit) const { return with(&Parameter::upper, limit); }
+    /// A copy with another value of one member.
+    template <class Value>
+    Parameter with(Value Parameter::*member, Value value) const {
         Parameter copy = *this;
-        copy.upper = limit;
+        copy.*member = value;
         return copy;
     }
 

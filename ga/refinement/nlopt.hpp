@@ -96,11 +96,8 @@ class NloptSearch {
 /// NLopt's number of the algorithm with that name. Throws UsageError on another name, and on algorithms that
 /// need a second optimiser.
 inline int algorithm_number(const std::string& name) {
-    int found = 0;
-    while (found < NLOPT_NUM_ALGORITHMS &&
-           name != nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(found)))
-        ++found;
-    if (found == NLOPT_NUM_ALGORITHMS)
+    const int found = nlopt_algorithm_from_string(name.c_str());
+    if (found < 0)
         throw UsageError("refine nlopt: unknown algorithm '" + name +
                          "'; use one of NLopt's, e.g. LN_COBYLA");
     if (name.find("AUGLAG") != std::string::npos || name.find("MLSL") != std::string::npos)

@@ -5,7 +5,7 @@
 
 #include "domain/design/morph.hpp"
 
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/target/target.hpp"
 #include "ga/base/random.hpp"
 #include "tests/benchmarks/measure.hpp"

@@ -2,7 +2,7 @@
 #include "domain/design/starts.hpp"
 #include "domain/design/statistical.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/preparation.hpp"

@@ -7,7 +7,7 @@
 #include "domain/database/screen.hpp"
 #include "domain/database/sqlite.hpp"
 #include "domain/database/store.hpp"
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/errors.hpp"
 #include "ga/checkpoint/checkpoint.hpp"

@@ -1,4 +1,5 @@
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
+
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(genome) { rough::read_genome_file(fuzz::as_file(bytes)); }

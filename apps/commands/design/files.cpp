@@ -2,6 +2,8 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/surface.hpp"
+#include "domain/mwm/genome.hpp"
+#include "domain/target/target.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/problem/verification.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"

@@ -1,7 +1,7 @@
 #include "apps/prompt/units.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/tolerance.hpp"
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/problem/problem.hpp"
 #include "domain/profile/solid.hpp"
 #include "tests/apps/results.hpp"

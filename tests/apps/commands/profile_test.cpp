@@ -1,4 +1,4 @@
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"

@@ -1,4 +1,4 @@
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/target/target.hpp"
 #include "tests/apps/program.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
-#include "domain/mwm/genome_json.hpp"
+#include "domain/mwm/genome.hpp"
 #include "domain/mwm/sobol.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/genome.hpp"
-#include "domain/mwm/genome_json.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "tests/domain/random_genome.hpp"
 
