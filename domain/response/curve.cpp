@@ -16,6 +16,13 @@ Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
     return curve;
 }
 
+/// Row j - 1 in place of each row j; zeros in place of the first.
+Eigen::MatrixXd rows_before(const Eigen::MatrixXd& rows) {
+    Eigen::MatrixXd before = Eigen::MatrixXd::Zero(rows.rows(), rows.cols());
+    before.bottomRows(rows.rows() - 1) = rows.topRows(rows.rows() - 1);
+    return before;
+}
+
 /// Rounding error of 1 - K/K_full.
 constexpr double rounding = 1e-12;
 
@@ -46,34 +53,19 @@ double Curve::at(double position) const {
 }
 
 Curve secant_stiffness(const Response& response) {
-    const Index n = response.steps();
-    const auto before = [n](const Eigen::VectorXd& values) {
-        Eigen::VectorXd shifted(n);
-        shifted << 0, values.head(n - 1);
-        return shifted;
-    };
-    const Eigen::VectorXd &P = response.pressure, P_before = before(P), D = response.displacement;
-    return {0.5 * (P + P_before), (P - P_before).cwiseQuotient(D - before(D)), 0, P[n - 1]};
+    const Eigen::VectorXd &P = response.pressure, &D = response.displacement;
+    const Eigen::VectorXd P_before = rows_before(P);
+    return {0.5 * (P + P_before), (P - P_before).cwiseQuotient(D - rows_before(D)), 0, P[P.size() - 1]};
 }
 
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian) {
-    const Index steps = response.steps(), genes = jacobian.pressure.cols();
-    CurveJacobian result{Eigen::MatrixXd(steps, genes), Eigen::MatrixXd(steps, genes)};
-    Eigen::RowVectorXd last = Eigen::RowVectorXd::Zero(genes);
-    double last_pressure = 0, last_displacement = 0;
-    for (Index j = 0; j < steps; ++j) {
-        const double step = response.displacement[j] - last_displacement;
-        const double K = (response.pressure[j] - last_pressure) / step;
-        result.x.row(j) = 0.5 * (jacobian.pressure.row(j) + last);
-        // All steps are equal parts of the last displacement: dK = (dP_j - dP_{j-1} - K d step)/step.
-        result.y.row(j) =
-            (jacobian.pressure.row(j) - last - K / static_cast<double>(steps) * jacobian.last_displacement) /
-            step;
-        last = jacobian.pressure.row(j);
-        last_pressure = response.pressure[j];
-        last_displacement = response.displacement[j];
-    }
-    return result;
+    const Eigen::VectorXd &P = response.pressure, &D = response.displacement;
+    const Eigen::VectorXd step = D - rows_before(D), K = (P - rows_before(P)).cwiseQuotient(step);
+    const Eigen::MatrixXd &dP = jacobian.pressure, dP_before = rows_before(dP);
+    // All steps are equal parts of the last displacement: dK = (dP_j - dP_{j-1} - K d step)/step.
+    const Eigen::MatrixXd rise =
+        dP - dP_before - K / static_cast<double>(response.steps()) * jacobian.last_displacement;
+    return {0.5 * (dP + dP_before), rise.array().colwise() / step.array()};
 }
 
 Curve area_against_pressure(const Response& response) {
