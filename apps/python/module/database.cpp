@@ -1,4 +1,6 @@
 #include "apps/python/module/python.hpp"
+#include "domain/database/screen.hpp"
+#include "domain/database/store.hpp"
 
 namespace rugosa::python {
 
