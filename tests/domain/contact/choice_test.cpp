@@ -1,4 +1,3 @@
-#include "domain/contact/solvers/solvers.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/solvers.hpp"
