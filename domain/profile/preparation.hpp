@@ -7,8 +7,8 @@
 
 namespace rough {
 
-/// The form to remove from a measured surface's heights, by least squares of the ordinates over its even
-/// nodes. It is a polynomial of degree 0 to 4 or, for a profile, the arc of a circle. On a map the
+/// The form to remove from a measured surface's heights, by least squares of the heights over its evenly
+/// spaced nodes. It is a polynomial of degree 0 to 4 or, for a profile, the arc of a circle. On a map the
 /// polynomial has all terms in x and y up to its degree: `line` is a plane, `parabola` a quadratic form.
 enum class Detrend { none, mean, line, parabola, cubic, quartic, arc };
 
@@ -25,7 +25,7 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// lambda))^2), alpha^2 = ln 2/pi, |x| <= lambda. A cosine of wavelength l keeps 2^-(lambda/l)^2 of its
 /// amplitude, a half at the cut-off lambda (mm, > 0). Roughness is the heights minus these.
 ///
-/// The window is cut off at the ends; there moments up to the first are kept (ISO 16610-28). The value is
+/// The window is cut off at the ends. There moments up to the first are kept (ISO 16610-28): the value is
 /// that of the weighted least-squares line. So a line passes unchanged and no length is lost. A map is
 /// filtered along x and along y. That is the areal Gaussian filter (ISO 16610-61), because its weights are a
 /// product; a plane passes unchanged.

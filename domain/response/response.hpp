@@ -148,7 +148,7 @@ using Fields = std::vector<std::pair<std::string, std::string>>;
 /// A number with 17 digits, which reads back exactly.
 std::string field_text(double value);
 
-/// A completed model as fields. Solver and tolerance are left out, because solvers agree to the tolerance of
+/// A completed model as fields. Solver and tolerance are omitted, because solvers agree to the tolerance of
 /// their certificate.
 Fields fields(const Model& model);
 

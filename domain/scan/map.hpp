@@ -41,14 +41,14 @@ std::string sur(const Profile& surface);
 /// scalar `height_mm` shows as a relief in viewers.
 std::string vtk(const Profile& map);
 
-/// Heights at even points from a file whose format has units and spacings: rows along x, y growing from row
-/// to row. A profile is a map of one row.
+/// Heights at evenly spaced points, from a file whose format has units and spacings. Rows are along x, and y
+/// grows from row to row. A profile is a map of one row.
 struct HeightMap {
     std::string format;           ///< e.g. "ISO 5436-2 (SMD)"
     double spacing = 0;           ///< between the points of a row, mm
     double row_spacing = 0;       ///< between rows, mm; 0 for a profile
     Index rows = 1;               ///< at least 1
-    LengthUnit height_unit = {};  ///< as the file names it
+    LengthUnit height_unit = {};  ///< unit of the heights in the file
     double height_factor = 1;     ///< a stored number times this is in `height_unit`
     Eigen::VectorXd heights = {}; ///< row after row, as stored; NaN if not measured
     std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one

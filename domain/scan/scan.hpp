@@ -42,9 +42,9 @@ struct Source {
     std::string name;                 ///< path of the file
     std::optional<Genome> genome;     ///< nothing for a scan
     double length = standard_length;  ///< L of a genome; not used for a scan
-    Profile measured = {};            ///< a scan's even nodes; empty for a genome
+    Profile measured = {};            ///< a scan at evenly spaced nodes; empty for a genome
     std::string account = {};         ///< one line on how a scan was read and changed
-    std::vector<Index> outliers = {}; ///< outlying nodes of a scan that were kept
+    std::vector<Index> outliers = {}; ///< outliers of a scan that were kept
 
     /// The file's grid: a scan's points, 512 nodes for a genome. `periodic` for the periodic kernel.
     Grid grid(bool periodic = false) const;

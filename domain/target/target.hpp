@@ -156,11 +156,11 @@ void expect_recorded(const Target& target, const Model& model);
 Target even_target(Quantity quantity, const std::string& name, Index points, double last,
                    const std::function<double(double)>& y);
 
-/// A profile's response as a target, with its recorded model, at even points up to `last` (MPa or mm). The
-/// load steps' end replaces a `last` of 0 or beyond it. With few load steps, points before the first secant
-/// are omitted if the curve, continued there, is not above 0. With a resolution the target has the band over
-/// the heights as they are and interpolated (accuracy/resolution.hpp), if that applies. Throws InputError if
-/// an interface stiffness is infinite at full contact.
+/// A profile's response as a target, with its recorded model, at even points up to `last` (MPa or mm). If
+/// `last` is 0 or beyond the end of the load steps, their end is used. With few load steps, points before the
+/// first secant are omitted if the curve, continued there, is not above 0. With a resolution the target has
+/// the band over the heights as they are and interpolated (accuracy/resolution.hpp), if that applies. Throws
+/// InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,
                    Resolution resolution = Resolution::off);

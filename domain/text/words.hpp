@@ -48,7 +48,7 @@ struct Number {
 /// A cell as a number; nothing if it is neither a number nor a word for a missing value.
 std::optional<Number> number(std::string_view cell, const Dialect& dialect);
 
-/// The lines of a text. They are found by their starts, because a list of views would take four times the
+/// The lines of a text. Only their starts are stored, because a list of views would take four times the
 /// memory.
 class Lines {
   public:
@@ -72,7 +72,7 @@ class Lines {
         bool operator==(const Iterator&) const = default;           ///< at the same line
     };
     Iterator begin() const { return {this, 0}; }    ///< the first line
-    Iterator end() const { return {this, size()}; } ///< behind the last line
+    Iterator end() const { return {this, size()}; } ///< after the last line
 
   private:
     std::string_view text_;
@@ -89,7 +89,7 @@ Lines text_lines(std::string& bytes, const std::string& file);
 /// completely.
 void expect_text(std::string_view head, const std::string& file);
 
-/// The place that a message names: "scan.txt, line 7", or only the file if `line` is 0.
+/// The place in a message: "scan.txt, line 7", or only the file if `line` is 0.
 std::string at(const std::string& file, int line);
 
 } // namespace rough

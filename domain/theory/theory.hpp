@@ -10,7 +10,7 @@ namespace rough {
 /// A random surface as theories of contact describe it: its mean square height, spread over wavenumbers.
 struct RandomSurface {
     Spectrum spectrum;   ///< `power` at each wavenumber; densities are not read
-    bool is_area = true; ///< waves of every direction alike; false: a profile, the section of ridges
+    bool is_area = true; ///< isotropic; false: a profile, constant in the second direction
 };
 
 /// The surface with the spectrum of a profile or map, `periodic` if it repeats. Throws InputError as
@@ -25,7 +25,7 @@ struct SelfAffine {
     double shortest = 0;     ///< at the short one, mm, less than `longest`
     double rms_slope = 0;    ///< h', > 0: root mean square slope of a profile, gradient of a map
     bool is_area = true;     ///< waves of every direction alike
-    Index wave_numbers = 96; ///< number of parts of the spectrum, even in log q, each with its exact share
+    Index wave_numbers = 96; ///< number of parts of the spectrum, even in log q, each with its exact power
 };
 /// The surface of these parameters. Throws InputError on one out of its range.
 RandomSurface random_surface(const SelfAffine& parameters);

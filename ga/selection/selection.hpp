@@ -173,7 +173,7 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
 
 /// Weights by the fitness above the worst (windowing), so that any fitness is allowed and the worst is never
 /// chosen. If all are equal, the weights are equal. Failed individuals have weight 0; so have infeasible ones
-/// if there are feasible ones.
+/// if any is feasible.
 struct ByFitness : NoParameters {
     /// In [0, 1], one per individual.
     template <class G>

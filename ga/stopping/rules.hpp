@@ -52,10 +52,11 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
     return made;
 }
 
-/// Whether the population is better than in all earlier generations of the block. Under one objective its
-/// best individual counts, by Deb's rules. Under several the hypervolume of its front counts. Its reference
-/// is the first front's minimum minus a tenth of its range. For four objectives or more it is estimated
-/// (dominated_share). Stores in `memory` the violation, the worth and the last generation that improved.
+/// Whether the population is better than in all earlier generations of the block. Under one objective the
+/// best individuals are compared by Deb's rules. Under several the hypervolumes of the fronts are compared.
+/// Their reference is the first front's minimum minus a tenth of its range. For four objectives or more it is
+/// estimated (dominated_share). Stores in `memory` the violation, the worth and the last generation that
+/// improved.
 template <class G>
 bool improves(const Progress<G>& now, Numbers& memory) {
     if (memory.empty())
