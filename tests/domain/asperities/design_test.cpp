@@ -105,6 +105,21 @@ TEST_CASE("an answer of a pipeline without round is on the steps") {
         CHECK(is_on_steps(setup, search(setup, {.pipeline = pipeline, .evaluations = 200}).best.genome));
 }
 
+TEST_CASE("round keeps a steep law better than the nearest steps do") {
+    CapSetup setup = made_of_pdms(8, CapModel::independent);
+    setup.targets = {
+        target_of(setup, 0.1, 0.2, [](double force) { return 1.2 * std::pow(force / 0.2, 1.35); })};
+    const std::string relaxed = "sample 200 | score | best 8 | refine lm 60 | best 1";
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto similarity = [&](const std::string& pipeline) {
+            return search(setup, {.pipeline = pipeline, .seed = seed, .threads = 1}).best.similarity;
+        };
+        const double nearest = similarity(relaxed), rounded = similarity(relaxed + " | round 200 | score");
+        CAPTURE(seed, nearest, rounded);
+        CHECK(rounded > nearest);
+    }
+}
+
 TEST_CASE("no caps have an area beyond the limits") {
     for (const CapModel model : {CapModel::independent, CapModel::interacting})
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
