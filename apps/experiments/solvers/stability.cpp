@@ -106,8 +106,13 @@ Findings findings_of(const Rows& rows) {
     return found;
 }
 
-/// The scenes of a name on all kernels, or all of them.
-std::vector<StabilityScene> scenes_from(const Settings& settings) {
+/// The scenes of a name on all kernels, bred ones, or all of them.
+std::vector<StabilityScene> scenes_from(const Settings& settings, const Conditions& conditions) {
+    if (settings.has("stability.search"))
+        return bred_scenes(settings.whole("stability.search"), conditions.origin.seed,
+                           conditions.origin.threads, conditions.stop);
+    if (const std::string name = settings.text("stability.scene"); is_bred(name))
+        return {bred_scene(name)};
     std::vector<StabilityScene> scenes = stability_scenes(settings.is_on("stability.large"));
     if (!settings.has("stability.scene"))
         return scenes;
@@ -130,7 +135,7 @@ rough::Index largest_map(rough::Solver solver) {
 
 Findings run_stability(const Settings& settings, const Conditions& conditions) {
     Rows rows;
-    for (const StabilityScene& scene : scenes_from(settings)) {
+    for (const StabilityScene& scene : scenes_from(settings, conditions)) {
         if (conditions.stop)
             break;
         const std::string& kernel = name_of(scene.body.kernel);
@@ -211,6 +216,10 @@ Experiment stability_experiment() {
                 "converged, or wrong if a second solution contradicts it. Writes stability.csv and a page; "
                 "a cell takes at most 30 s.",
             .settings = {{"stability.scene", "", "only the scene of this name"},
+                         ga::whole(
+                             "stability.search", "", 1,
+                             "number of maps that a genetic algorithm presses to find the ten on which auto "
+                             "fails or works hardest; only these are tried"),
                          {"stability.large", "", "also maps of 256 and 1024 nodes a side (an hour)", true}},
             .files = {"stability.csv"},
             .run = run_stability,

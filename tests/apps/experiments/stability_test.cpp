@@ -137,3 +137,26 @@ TEST_CASE("rugosa stability writes its table and its page") {
     const std::string page = rough::read_whole(folder / "s" / "stability.html");
     CHECK(found(page, "(<tr><td>spike</td>)").size() == 3); // one row per kernel
 }
+
+TEST_CASE("a bred scene is pressed again from its name, and wrong names are refused") {
+    const std::vector<double> genes{0.3, 0.35, 0.9, 0.6, 0.5, 0.1234, 0.4, 0.7, 0.5, 0.3, 0.8};
+    const std::string name = app::bred_name(genes);
+    CHECK(name == "bred 0.3,0.35,0.9,0.6,0.5,0.123,0.4,0.7,0.5,0.3,0.8");
+    const app::StabilityScene scene = app::bred_scene(name), again = app::bred_scene(scene.name);
+    CHECK(again.profile.heights == scene.profile.heights);
+    CHECK(again.pressures == scene.pressures);
+    CHECK(again.body.hardness == scene.body.hardness);
+    CHECK(scene.steps() == 2);
+    CHECK_THROWS_WITH(app::bred_scene("bred 0.3,0.35"), "a bred scene has 2 genes; give 11");
+    CHECK_THROWS_WITH(app::bred_scene("bred 0.3,x"), "'x' is not a gene; give numbers from 0 to 1");
+}
+
+TEST_CASE("rugosa stability breeds scenes, and every solver tries the worst") {
+    const Folder folder;
+    const auto ended = rugosa("stability --search 45 --out s", folder.path());
+    CAPTURE(ended.err);
+    CHECK(ended.code == 0);
+    const std::string table = rough::read_whole(folder / "s" / "stability.csv");
+    CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 10 * 5);
+    CHECK_THAT(table, Catch::Contains("bred 0."));
+}

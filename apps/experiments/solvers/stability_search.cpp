@@ -1,0 +1,155 @@
+#include "apps/experiments/solvers/stability.hpp"
+#include "domain/errors.hpp"
+#include "domain/theory/theory.hpp"
+#include "ga/base/number.hpp"
+#include "ga/ga.hpp"
+#include "ga/observers/hall_of_fame.hpp"
+#include "ga/text/arguments.hpp"
+
+#include <boost/algorithm/string.hpp>
+
+#include <numbers>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t genes = 11;
+constexpr std::size_t worst = 10; ///< scenes of a search that are tried by every solver
+const std::string mark = "bred ";
+
+/// Genomes are numbers from 0 to 1 in thousandths, and an outcome is the work of the solver `auto`: products
+/// with H per load step, or more than any work if it fails or another solver contradicts it.
+struct HardScenes {
+    struct Work {
+        double products;
+    };
+    using Genome = std::vector<double>;
+    using Outcome = Work;
+
+    std::vector<ga::Objective<Outcome>> list = {{"work", [](const Work& of) { return of.products; }}};
+    std::vector<ga::Variable> range = [] {
+        std::vector<ga::Variable> all;
+        for (std::size_t gene = 0; gene < genes; ++gene)
+            all.push_back({gene, 0, 1});
+        return all;
+    }();
+    const std::atomic<bool>& stop;
+
+    const std::vector<ga::Objective<Outcome>>& objectives() const { return list; }
+    const std::vector<ga::Variable>& bounds(const Genome&) const { return range; }
+    Genome sample(ga::Stream& random) const {
+        Genome genome(genes);
+        for (double& gene : genome)
+            gene = random.uniform();
+        return genome;
+    }
+    /// Genomes that are rounded to the same thousandths have one key.
+    std::string key(const Genome& genome) const { return bred_name(genome); }
+
+    Work evaluate(const Genome& genome) const {
+        constexpr double wrong = 2e6, failed = 1e6;
+        StabilityScene scene;
+        try {
+            scene = bred_scene(bred_name(genome));
+        } catch (const rough::InputError&) { // waves that the grid cannot show
+            return {0};
+        }
+        rough::ContactOptions options;
+        options.stop = [this] { return stop.load(); };
+        ContactTrial trial = try_contact(scene, options);
+        if (stop)
+            throw ga::Stopped{"stop requested"};
+        if (trial.outcome == app::Outcome::solved)
+            verify(scene, trial, promised_tolerance(trial.curve, options));
+        switch (trial.outcome) {
+        case app::Outcome::wrong:
+            return {wrong};
+        case app::Outcome::not_converged:
+            return {failed};
+        case app::Outcome::refused:
+            return {0};
+        default:
+            return {static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())};
+        }
+    }
+};
+
+} // namespace
+
+std::string bred_name(const std::vector<double>& genome) {
+    std::string name = mark;
+    for (const double gene : genome)
+        name += (name == mark ? "" : ",") + ga::number(std::round(1000 * gene) / 1000);
+    return name;
+}
+
+bool is_bred(const std::string& name) { return name.starts_with(mark); }
+
+StabilityScene bred_scene(const std::string& name) {
+    std::vector<std::string> words;
+    const std::string numbers = name.substr(mark.size());
+    boost::split(words, numbers, boost::is_any_of(","));
+    std::vector<double> gene;
+    for (const std::string& word : words) {
+        const auto number = ga::Arguments::parsed(word);
+        if (!number || *number < 0 || *number > 1)
+            throw rough::InputError("'" + word + "' is not a gene; give numbers from 0 to 1", "scene");
+        gene.push_back(*number);
+    }
+    if (gene.size() != genes)
+        throw rough::InputError("a bred scene has " + std::to_string(gene.size()) + " genes; give " +
+                                    std::to_string(genes),
+                                "scene");
+    const auto side = [](double u) { return static_cast<rough::Index>(std::round(8 * std::exp2(4 * u))); };
+    const auto between = [](double from, double to, double u) { return from * std::pow(to / from, u); };
+    constexpr double length = 1, slope = 0.1;
+    const rough::Extent shape{side(gene[0]), side(gene[1])};
+    const double spacing = length / static_cast<double>(shape.columns),
+                 width = spacing * static_cast<double>(shape.rows);
+    StabilityScene scene;
+    scene.name = name;
+    scene.body.kernel = gene[2] < 0.4 ? rough::Kernel::free : rough::Kernel::periodic;
+    scene.profile = rough::realised(rough::SelfAffine{.hurst = 0.1 + 0.85 * gene[3],
+                                                      .longest = 0.5 * std::max(length, width),
+                                                      .shortest = spacing * between(2, 16, gene[4]),
+                                                      .rms_slope = slope},
+                                    rough::Grid{shape.columns, length, true, 0, shape.rows, width},
+                                    static_cast<std::uint64_t>(std::round(1000 * gene[5])));
+    if (gene[2] > 0.7) // a layer, on a rigid base if the next gene is below 1/2
+        scene.body.layering = {
+            .layers = {{between(0.01, 0.3, gene[6]), between(0.1, 10, gene[7]), 0.499 * gene[6]}},
+            .rigid_base = gene[7] < 0.5};
+    const double logit = -7 + 16 * gene[8], contact = 1 / (1 + std::exp(-logit));
+    double pressure =
+        slope * std::sqrt(-std::log1p(-contact * contact)) / std::numbers::sqrt2; // near erf's inverse
+    if (scene.body.kernel == rough::Kernel::periodic)
+        pressure = std::min(pressure, 0.9999 * full_contact_load(scene.profile, scene.body));
+    const int steps = 1 + static_cast<int>(4 * gene[9]);
+    for (const double load : even_steps(pressure, steps))
+        scene.pressures.push_back(load);
+    if (gene[10] > 0.5)
+        scene.body.hardness = pressure * between(1.2, 100, 2 * gene[10] - 1);
+    return scene;
+}
+
+std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
+                                        const std::atomic<bool>& stop) {
+    using namespace ga;
+    const auto breeding =
+        sample(40) | score() |
+        repeat(1'000'000, tournament(3) | cross(uniform()) | mutate(0.2) | score() | elite(5));
+    const HardScenes problem{.stop = stop};
+    RunOptions options;
+    options.seed = seed;
+    options.threads = threads;
+    options.budget.evaluations = evaluations;
+    HallOfFame<HardScenes> hardest(problem, worst);
+    run(breeding, problem, {}, options, {hardest.observer()});
+    std::vector<StabilityScene> scenes;
+    for (const auto& individual : hardest.members)
+        scenes.push_back(bred_scene(bred_name(individual.genome)));
+    return scenes;
+}
+
+} // namespace app
