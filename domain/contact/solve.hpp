@@ -83,10 +83,11 @@ struct ContactCurve {
 ContactCurve solve_contact(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                            const ContactOptions& options = {});
 
-/// Presses to each of the mean pressures (MPa, > 0, increasing). Newton's method finds the displacements with
-/// a hardness, if the solver takes no loads (table in solvers/solvers.hpp), or if `automatic` fails on a
-/// line. Without a hardness the method converges, because P is convex in Delta. With a hardness the pressure
-/// agrees to 1e-8 or better. Throws InputError also for a pressure above that of full contact (periodic).
+/// Presses to each of the mean pressures (MPa, > 0, increasing). Newton's method finds the displacements if
+/// there is a hardness, if the solver takes no loads (table in solvers/solvers.hpp), or if `automatic` fails
+/// on a line. Without a hardness the method converges, because P is convex in Delta. With a hardness the
+/// pressure agrees to 1e-8 or better. Throws InputError also for a pressure above that of full contact
+/// (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
@@ -117,7 +118,7 @@ double predicted_cost(double nodes, double contact, double steps);
 /// body's datum. The solution is cached for all threads. Throws InputError for a body without a solution.
 /// Throws NotConverged if the residual of H w = 1 exceeds 1e-8.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
-/// K_full on the grid of a line or a map, which up to `threads` threads share; a free map has no datum.
+/// K_full on the grid of a line or a map, computed on up to `threads` threads. A free map has no datum.
 double full_contact_stiffness(const Profile& surface, const Body& body, int threads = 1);
 
 /// The mean pressure (MPa) at which a periodic profile reaches full contact without tension at any node. It

@@ -19,8 +19,8 @@ struct Answer {
     /// these steps, too.
     double similarity_stepped = 0;
     double similarity_worst = 0; ///< lowest of these three and of that with finer grid and steps together
-    /// Lowest similarity under the set-up's errors: the lower of the one that 95 % of 200 noise draws reach
-    /// and the lowest under tilt. NaN without errors, for a map, for an unverified answer and from
+    /// The lower of two similarities under the set-up's errors: the one that 95 % of 200 noise draws reach,
+    /// and the lowest over tilts. NaN without errors, for a map, for an unverified answer and from
     /// verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
     bool within_limits = true;      ///< whether it keeps every limit of the set-up
@@ -38,7 +38,7 @@ struct Answer {
 /// Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
 /// The answer's response under the set-up; pass exactly(setup) for a response without approximations. If the
-/// verification is incomplete, the response on the set-up's grid.
+/// verification is incomplete, the response that the answer stores is returned.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.

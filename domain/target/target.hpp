@@ -78,8 +78,7 @@ TargetTable read_target_table(const std::filesystem::path& file);
 
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
-    double nominal_area =
-        0; ///< mm^2, converts loads and areas; 0: such columns are refused (a line has none)
+    double nominal_area = 0; ///< mm^2; 0 for a line, whose columns of loads or contact areas are refused
     double conductance_to_stiffness =
         0;                     ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
     double shear_strength = 0; ///< sigma of friction = sigma A, MPa; 0: none
@@ -87,8 +86,8 @@ struct TargetScales {
 
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
 /// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm,
-/// conductance, or the pressure against displacement) and optionally lower and upper. A column name may state
-/// another unit. A pressure may be in Pa, kPa, MPa or GPa. A load in uN, mN, N or kN is divided by the
+/// conductance; with displacement_mm also pressure_MPa) and optionally lower and upper. A column name may
+/// state another unit. A pressure may be in Pa, kPa, MPa or GPa. A load in uN, mN, N or kN is divided by the
 /// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
 /// square, e.g. area_mm2. With a shear strength sigma, friction_N or shear_MPa (friction over the nominal
 /// area) is divided by sigma and gives the contact area. normal_N is a load. A stiffness is a pressure or a
@@ -157,9 +156,9 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
                    const std::function<double(double)>& y);
 
 /// A profile's response as a target, with its recorded model, at even points up to `last` (MPa or mm). If
-/// `last` is 0 or beyond the end of the load steps, their end is used. With few load steps, points before the
-/// first secant are omitted if the curve, continued there, is not above 0. With a resolution the target has
-/// the band over the heights as they are and interpolated (accuracy/resolution.hpp), if that applies. Throws
+/// `last` is 0 or beyond the end of the load steps, their end is used. Points before the curve's first secant
+/// are omitted if its linear continuation is 0 or less there. Unless `resolution` omits it, the target has
+/// the band of the curves of the given heights and of both interpolations (accuracy/resolution.hpp). Throws
 /// InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,

@@ -14,7 +14,7 @@ struct Step {
     std::string text;                       ///< its text in pipelines
     std::function<void(CheckState&)> check; ///< checks its needs and updates the facts
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< the operator's action
-    std::size_t reads_of_start = 0; ///< number of best individuals at the generation's start that it reads
+    std::size_t reads_of_start = 0; ///< how many of the best at the generation's start it reads
     bool begins = false;            ///< whether it needs no population
 };
 
@@ -30,8 +30,8 @@ struct Step {
 /// @code
 ///     struct State;                           state from one generation to the next; to_json and from_json
 ///                                             write and read it; the call takes a State& as last parameter
-///     std::size_t reads_of_start() const;     number of best individuals that it reads at the generation's
-///                                             start, or `everyone`
+///     std::size_t reads_of_start() const;     how many of the best individuals it reads from the
+///                                             generation's start, or `everyone`
 ///     static constexpr bool begins = true;    if it needs no population
 ///     template <Problem P> void check_problem() const;   checks needs that concepts cannot express
 /// @endcode
@@ -81,8 +81,8 @@ class Stage {
     using Genome = typename P::Genome; ///< the problem's
 
     Stage() = default;
-    /// A pipeline of one operator, or of operators joined by `|`. Needs that concepts can express are checked
-    /// when it is compiled. Other needs of the operators throw a UsageError.
+    /// A pipeline of one operator, or of operators joined by `|`. The compiler checks requirements of the
+    /// operators that concepts can express. Throws UsageError if another requirement is not met.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(const Op& op) {
         static_assert(members_fit<P>());
@@ -105,7 +105,7 @@ class Stage {
                 place.written = {text, column};
     }
 
-    /// Throws UsageError if the pipeline cannot work on such a population.
+    /// Throws UsageError if the pipeline cannot work on a population with the facts in `known`.
     void check(CheckState& known) const {
         for (const auto& place : places_)
             place.located([&] {
@@ -154,7 +154,7 @@ class Stage {
     bool empty() const { return places_.empty(); } ///< no stages
     /// Whether it needs no population.
     bool begins() const { return !places_.empty() && places_.front().step.begins; }
-    /// Number of best individuals at a generation's start that its stages read.
+    /// How many of the best individuals its stages read from a generation's start.
     std::size_t reads_of_start() const {
         std::size_t most = 0;
         for (const auto& place : places_)
@@ -183,7 +183,7 @@ class Stage {
         }
     };
 
-    /// Runs one stage. If the run writes checkpoints, a stop inside writes the state before the stage.
+    /// Runs one stage. If the run stops inside it, the checkpoint holds the state before the stage.
     static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
         const typename Context<P>::Scope scope(context.position, place.name, place.ordinal);
         std::optional<std::pair<Snapshot<Genome>, Population<Genome>>> before;
@@ -289,8 +289,8 @@ class Stage {
     std::vector<Place> places_;
 };
 
-/// Checks a body that runs in generations: the next generation must accept the result of one. `more` checks
-/// the facts after the first generation.
+/// Checks a body that runs in generations: each must accept the population that the previous one returns.
+/// `more` checks the facts after the first generation.
 template <Problem P, class More>
 [[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
                                     More more) {
@@ -321,7 +321,7 @@ operator|(Stage<P> a, const B& b) {
     return a;
 }
 
-/// a | b of a pipeline and an operator.
+/// a | b of an operator and a pipeline.
 template <class A, Problem P>
 requires std::derived_from<A, Operator> Stage<P>
 operator|(const A& a, const Stage<P>& b) {

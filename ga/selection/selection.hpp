@@ -48,7 +48,7 @@ struct Random : Operator {
 inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). The one
-/// drawn first wins a tie. The best of n gets k of n places on average.
+/// drawn first wins a tie. The best one of many gets about k places.
 struct Tournament : Operator {
     std::size_t k = 2;    ///< individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
@@ -70,7 +70,7 @@ struct Tournament : Operator {
         const std::vector<double> worth = merits(population);
         const Below any(population.size());
         std::vector<std::size_t> winners(size > 0 ? size : population.size());
-        Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
+        Stream next = context.stream(0); // computed early, while the present one is used
         for (std::size_t i = 0; i < winners.size(); ++i) {
             Stream stream = std::exchange(next, context.stream(i + 1));
             std::size_t winner = any(stream);
@@ -138,7 +138,7 @@ template <Problem P, class G = typename P::Genome>
 /// at_least nearest are taken, with a note. An empty result ends the run.
 template <bool upwards>
 struct Threshold : Operator {
-    double threshold = 0; ///< a fitness, not included
+    double threshold = 0; ///< a fitness; an individual with exactly this fitness does not pass
     AtLeast least;        ///< number that stays in any case
     ///@{ What every operator has (Operator).
     static Words words() {
@@ -171,9 +171,9 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
     return checked(Threshold<false>{{}, threshold, least});
 }
 
-/// Weights by the fitness above the worst (windowing), so that any fitness is allowed and the worst is never
-/// chosen. If all are equal, the weights are equal. Failed individuals have weight 0; so have infeasible ones
-/// if any is feasible.
+/// A weight is the distance of the fitness from the worst one (windowing). So any fitness is allowed, and the
+/// worst is never chosen. If all are equal, the weights are equal. Failed individuals have weight 0; so have
+/// infeasible ones if any is feasible.
 struct ByFitness : NoParameters {
     /// In [0, 1], one per individual.
     template <class G>
@@ -276,7 +276,8 @@ struct Proportional : Operator {
             const auto end = std::upper_bound(ends.begin(), ends.end() - 1, mark * ends.back());
             places[i] = static_cast<std::size_t>(end - ends.begin());
         }
-        // One spin gives copies of an individual neighbouring places; shuffled, they do not always mate.
+        // One spin puts copies of an individual side by side. Shuffled, they do not always mate with each
+        // other.
         for (std::size_t i = n; Weights::one_spin && i > 1; --i)
             std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
