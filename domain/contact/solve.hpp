@@ -114,8 +114,8 @@ double predicted_cost(double nodes, double contact, double steps);
 /// the mean plane. For layers on a rigid base it is E* / mean_compliance().
 ///
 /// The interface stiffness K_i of 1/K_i = 1/K - 1/K_full does not depend on the datum. Conjugate gradients
-/// solve H w = 1, on the free half-plane for a datum d = L. An exact formula converts that result to the
-/// body's datum. The solution is cached for all threads. Throws InputError for a body without a solution.
+/// solve H w = 1. On the free half-plane the datum is then d = L. An exact formula converts that result to
+/// the body's datum. The solution is cached for all threads. Throws InputError for a body without a solution.
 /// Throws NotConverged if the residual of H w = 1 exceeds 1e-8.
 double full_contact_stiffness(Index nodes, double spacing, const Body& body);
 /// K_full on the grid of a line or a map, computed on up to `threads` threads. A free map has no datum.

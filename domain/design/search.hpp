@@ -18,7 +18,7 @@ struct Answer {
     /// With four times the load steps. A target that is computed from a measured profile is computed again in
     /// these steps, too.
     double similarity_stepped = 0;
-    double similarity_worst = 0; ///< lowest of these three and of that with finer grid and steps together
+    double similarity_worst = 0; ///< lowest of these three and of that on the finer grid with finer steps
     /// The lower of two similarities under the set-up's errors: the one that 95 % of 200 noise draws reach,
     /// and the lowest over tilts. NaN without errors, for a map, for an unverified answer and from
     /// verified_answer().
@@ -55,7 +55,7 @@ std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<
 
 /// The result of a search and its cost.
 struct SearchResult {
-    Answer best;                      ///< the answer of the highest rank (search)
+    Answer best;                      ///< the answer with the highest rank, see search()
     std::vector<Answer> alternatives; ///< the best, then the next best ones that differ from all before them
     std::vector<Compromise> front;    ///< from `pareto`; empty if the pipeline does not have it
     /// For a profile whose set-up has errors: the answers on the Pareto front of the similarities without and
@@ -66,7 +66,7 @@ struct SearchResult {
     std::string stopped;            ///< why a stop or a budget ended the pipeline early; empty if neither did
     std::string name;               ///< the variant's name or "pipeline": first word of every path
     std::string pipeline;           ///< text that was run
-    DesignSetup setup;              ///< completed
+    DesignSetup setup;              ///< with its defaults filled in
 };
 
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.
@@ -74,8 +74,8 @@ void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 
 /// Runs a pipeline on a design and verifies the genomes that SearchOptions::verifying describes, and the
 /// alternatives. The best answer has the highest rank: answers within the limits first, then verified ones,
-/// by lowest(). If the search is stopped before its first curve, the answer is a start. If it has made curves
-/// only on coarser grids, the answer is the best genome of the last stage that made some.
+/// by lowest(). If the search is stopped before its first curve, the answer is a start genome. If it has
+/// curves only on coarser grids, the answer is the best genome of the last population that was scored there.
 ///
 /// Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search. Throws InputError
 /// if starts are given to a pipeline that makes starts. Throws NotConverged if every evaluation failed.

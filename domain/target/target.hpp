@@ -78,7 +78,7 @@ TargetTable read_target_table(const std::filesystem::path& file);
 
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
-    double nominal_area = 0; ///< mm^2; 0 for a line, whose columns of loads or contact areas are refused
+    double nominal_area = 0; ///< mm^2; 0 for a line: columns of loads or contact areas are refused
     double conductance_to_stiffness =
         0;                     ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
     double shear_strength = 0; ///< sigma of friction = sigma A, MPa; 0: none
@@ -157,8 +157,8 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
 
 /// A profile's response as a target, with its recorded model, at even points up to `last` (MPa or mm). If
 /// `last` is 0 or beyond the end of the load steps, their end is used. Points before the curve's first secant
-/// are omitted if its linear continuation is 0 or less there. Unless `resolution` omits it, the target has
-/// the band of the curves of the given heights and of both interpolations (accuracy/resolution.hpp). Throws
+/// are omitted if its linear continuation is 0 or less there. Unless `resolution` omits it, the band spans
+/// the curves of the given heights and of both interpolations (accuracy/resolution.hpp). Throws
 /// InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,

@@ -14,8 +14,9 @@ struct Step {
     std::string text;                       ///< its text in pipelines
     std::function<void(CheckState&)> check; ///< checks its needs and updates the facts
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< the operator's action
-    std::size_t reads_of_start = 0; ///< how many of the best at the generation's start it reads
-    bool begins = false;            ///< whether it needs no population
+    std::size_t reads_of_start =
+        0;               ///< number of the best individuals that it reads at the generation's start
+    bool begins = false; ///< whether it needs no population
 };
 
 // clang-format off
@@ -81,8 +82,8 @@ class Stage {
     using Genome = typename P::Genome; ///< the problem's
 
     Stage() = default;
-    /// A pipeline of one operator, or of operators joined by `|`. The compiler checks requirements of the
-    /// operators that concepts can express. Throws UsageError if another requirement is not met.
+    /// A pipeline of one operator, or of operators joined by `|`. The compiler checks those
+    /// requirements that concepts can express. Throws UsageError if another requirement is not met.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(const Op& op) {
         static_assert(members_fit<P>());

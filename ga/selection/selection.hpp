@@ -48,7 +48,7 @@ struct Random : Operator {
 inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). The one
-/// drawn first wins a tie. The best one of many gets about k places.
+/// drawn first wins a tie. The best individual of many gets about k places.
 struct Tournament : Operator {
     std::size_t k = 2;    ///< individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
@@ -172,8 +172,8 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
 }
 
 /// A weight is the distance of the fitness from the worst one (windowing). So any fitness is allowed, and the
-/// worst is never chosen. If all are equal, the weights are equal. Failed individuals have weight 0; so have
-/// infeasible ones if any is feasible.
+/// worst is never chosen. If all are equal, the weights are equal. Failed individuals have weight 0. If one
+/// is feasible, infeasible ones have weight 0, too.
 struct ByFitness : NoParameters {
     /// In [0, 1], one per individual.
     template <class G>
@@ -203,10 +203,10 @@ struct ByFitness : NoParameters {
     void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
 };
 
-/// Roulette: one spin for every place.
+/// Roulette: each place has a separate spin.
 struct Roulette : ByFitness {
     static constexpr bool one_spin = false; ///< a spin for every place
-    /// In the listing.
+    /// The entry in the listing of operators.
     static Words words() {
         return {"roulette", "selection", "chooses in proportion to the fitness above the worst"};
     }
@@ -215,7 +215,7 @@ struct Roulette : ByFitness {
 /// individual gets its expected number of places, rounded up or down.
 struct Universal : ByFitness {
     static constexpr bool one_spin = true; ///< one for all places
-    /// In the listing.
+    /// The entry in the listing of operators.
     static Words words() {
         return {"sus", "selection", "like roulette, by equally spaced marks on one spin"};
     }
@@ -239,7 +239,7 @@ struct ByRank {
     }
     /// Works under any policy.
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
-    /// In the listing.
+    /// The entry in the listing of operators.
     static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
     /// Its one parameter.
     static void describe(auto& self, auto visit) {

@@ -153,7 +153,7 @@ TEST_CASE("a bred scene is pressed again from its name, and wrong names are refu
 
 TEST_CASE("rugosa stability breeds scenes, and every solver tries the worst") {
     const Folder folder;
-    const auto ended = rugosa("stability --search 45 --out s", folder.path());
+    const auto ended = rugosa("stability --search 10 --out s", folder.path());
     CAPTURE(ended.err);
     CHECK(ended.code == 0);
     const std::string table = rough::read_whole(folder / "s" / "stability.csv");
