@@ -101,7 +101,7 @@ StabilityScene bred_scene(const std::string& name) {
         throw rough::InputError("a bred scene has " + std::to_string(gene.size()) + " genes; give " +
                                     std::to_string(genes),
                                 "scene");
-    const auto side = [](double u) { return static_cast<rough::Index>(std::round(8 * std::exp2(4 * u))); };
+    const auto side = [](double u) { return static_cast<rough::Index>(std::round(8 * std::exp2(3 * u))); };
     const auto between = [](double from, double to, double u) { return from * std::pow(to / from, u); };
     constexpr double length = 1, slope = 0.1;
     const rough::Extent shape{side(gene[0]), side(gene[1])};
@@ -145,7 +145,8 @@ std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, in
     options.threads = threads;
     options.budget.evaluations = evaluations;
     HallOfFame<HardScenes> hardest(problem, worst);
-    run(breeding, problem, {}, options, {hardest.observer()});
+    for (const auto& individual : run(breeding, problem, {}, options, {hardest.observer()}).population)
+        hardest.offer(individual); // the budget may end before a stage does
     std::vector<StabilityScene> scenes;
     for (const auto& individual : hardest.members)
         scenes.push_back(bred_scene(bred_name(individual.genome)));
