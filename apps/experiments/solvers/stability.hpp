@@ -23,8 +23,8 @@ bool is_bred(const std::string& name);
 StabilityScene bred_scene(const std::string& name);
 ///@}
 /// Breeds maps on which the solver `auto` fails, is contradicted by another one, or takes the most products
-/// with H per load step; the ten worst, the worst first. A genetic algorithm of the engine presses
-/// `evaluations` maps.
+/// with H per load step. A genetic algorithm of the engine presses `evaluations` maps. Returns the ten worst,
+/// the worst first.
 std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
                                         const std::atomic<bool>& stop);
 

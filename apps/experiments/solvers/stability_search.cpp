@@ -18,8 +18,8 @@ constexpr std::size_t genes = 11;
 constexpr std::size_t worst = 10; ///< scenes of a search that are tried by every solver
 const std::string mark = "bred ";
 
-/// Genomes are numbers from 0 to 1 in thousandths, and an outcome is the work of the solver `auto`: products
-/// with H per load step, or more than any work if it fails or another solver contradicts it.
+/// Genomes are numbers from 0 to 1, rounded to thousandths. An outcome is the work of the solver `auto`: its
+/// products with H per load step. It is more than any work if `auto` fails or another solver contradicts it.
 struct HardScenes {
     struct Work {
         double products;
