@@ -1,4 +1,5 @@
 #include "ga/problem/comparison.hpp"
+#include "ga/problem/fingerprint.hpp"
 
 #include <catch2/catch.hpp>
 
