@@ -22,10 +22,6 @@ double most_memory() {
     return static_cast<double>(usage.ru_maxrss) / 1e6;
 }
 
-} // namespace
-
-namespace {
-
 /// Presses a self-affine map (H = 0.8, waves from L/4 to 8 nodes, slope 0.1) and prints the products with H.
 void press(Index side, Kernel kernel, const std::vector<double>& pressures, Solver solver, int threads = 1) {
     const Profile map = maps::self_affine(side, 0.8, 1, slope);
@@ -63,10 +59,10 @@ int main(int count, char** words) {
     };
     if (count > 1 && std::string(words[1]) == "loads") {
         const Index side = count > 2 ? std::atol(words[2]) : 1024;
-        for (const double units : {0.00058, 0.0045, 0.045, 0.22, 0.66, 1.1, 1.5}) // p/(E* slope)
+        for (const double units : {0.00058, 0.0046, 0.049, 0.29, 1.1, 2.1, 2.9}) // p/(E* slope)
             press(side, Kernel::free, {units * slope}, Solver::automatic);
         for (const int threads : {1, 2})
-            press(side, Kernel::free, steps_to(0.0495 * slope), Solver::automatic, threads);
+            press(side, Kernel::free, steps_to(0.054 * slope), Solver::automatic, threads);
         return 0;
     }
     const Index largest = count > 1 ? std::atol(words[1]) : 1024,

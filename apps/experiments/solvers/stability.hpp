@@ -12,6 +12,17 @@ struct StabilityScene : ContactScene {
     bool has_solution = true;
 };
 
+/// A self-affine map's Hurst exponent, shortest wavelength in node spacings, and seed.
+struct Roughness {
+    double hurst, shortest;
+    std::uint64_t seed;
+};
+/// A map under the load that brings about a contact fraction by Persson's theory, on a periodic body at most
+/// 0.999 of full contact's. A single load begins on the coarsest grid. Throws InputError if the grid is too
+/// coarse for the waves.
+StabilityScene map_scene(const std::string& name, const rough::Body& body, rough::Extent shape,
+                         const Roughness& roughness, double contact);
+
 /// All scenes, named as in the stability table. A scene appears once for each kernel to which it applies.
 /// Maps of 256 and 1024 nodes a side are added if `large`.
 std::vector<StabilityScene> stability_scenes(bool large = false);
@@ -29,9 +40,9 @@ std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, in
                                         const std::atomic<bool>& stop);
 
 /// Turns a solved trial into a wrong one if it differs by more than the tolerance from another solver's
-/// results. On small grids that is another direct solver, if one solves the scene; it also solves a tolerance
-/// below and above each displacement, so that a node that just touches may count either way. At pressures the
-/// displacement is compared, and a thousandth of the nodes may differ.
+/// results. On small grids that is another direct solver, if one solves the scene. It also solves a tolerance
+/// below and above each displacement, because a node that just touches may or may not count. Under loads it
+/// solves the displacements found, and must carry the loads. There a thousandth of the nodes may differ.
 void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance);
 
 } // namespace app

@@ -61,26 +61,10 @@ class SceneList {
         return scenes.back();
     }
 
-    /// Adds a map under the load that brings about a contact fraction by Persson's theory, on a periodic body
-    /// at most 0.999 of full contact's. A single load begins on the coarsest grid.
     StabilityScene& add_map(const std::string& name, Kernel kernel, rough::Extent shape, double contact) {
-        constexpr double slope = 0.1;
-        const double spacing = length / static_cast<double>(shape.columns),
-                     width = spacing * static_cast<double>(shape.rows);
-        StabilityScene scene;
-        scene.name = name;
-        scene.body.kernel = kernel;
-        scene.profile = rough::realised(
-            rough::SelfAffine{.longest = 0.5 * length, .shortest = 6 * spacing, .rms_slope = slope},
-            rough::Grid{shape.columns, length, true, 0, shape.rows, width}, 7);
-        double low = 0, high = 4; // between these lies sqrt 2 P/(E* h')
-        for (int k = 0; k < 60; ++k)
-            (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
-        scene.pressures = {low * slope / std::numbers::sqrt2};
-        if (kernel == Kernel::periodic)
-            scene.pressures[0] =
-                std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));
-        scenes.push_back(scene);
+        Body body;
+        body.kernel = kernel;
+        scenes.push_back(map_scene(name, body, shape, {.hurst = 0.8, .shortest = 6, .seed = 7}, contact));
         return scenes.back();
     }
 
@@ -207,6 +191,30 @@ void add_maps(SceneList& list, Kernel kernel, bool large) {
 }
 
 } // namespace
+
+StabilityScene map_scene(const std::string& name, const Body& body, rough::Extent shape,
+                         const Roughness& roughness, double contact) {
+    constexpr double slope = 0.1;
+    const double spacing = length / static_cast<double>(shape.columns),
+                 width = spacing * static_cast<double>(shape.rows);
+    StabilityScene scene;
+    scene.name = name;
+    scene.body = body;
+    scene.profile =
+        rough::realised(rough::SelfAffine{.hurst = roughness.hurst,
+                                          .longest = 0.5 * length,
+                                          .shortest = roughness.shortest * spacing,
+                                          .rms_slope = slope},
+                        rough::Grid{shape.columns, length, true, 0, shape.rows, width}, roughness.seed);
+    double low = 0, high = 4; // between these lies sqrt 2 P/(E* h')
+    for (int k = 0; k < 60; ++k)
+        (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
+    scene.pressures = {low * slope / std::numbers::sqrt2};
+    if (body.kernel == Kernel::periodic)
+        scene.pressures[0] =
+            std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));
+    return scene;
+}
 
 std::vector<StabilityScene> stability_scenes(bool large) {
     SceneList list;

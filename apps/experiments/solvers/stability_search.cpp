@@ -1,14 +1,11 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "domain/errors.hpp"
-#include "domain/theory/theory.hpp"
 #include "ga/base/number.hpp"
 #include "ga/ga.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/text/arguments.hpp"
 
 #include <boost/algorithm/string.hpp>
-
-#include <numbers>
 
 namespace app {
 
@@ -103,31 +100,19 @@ StabilityScene bred_scene(const std::string& name) {
                                 "scene");
     const auto side = [](double u) { return static_cast<rough::Index>(std::round(8 * std::exp2(3 * u))); };
     const auto between = [](double from, double to, double u) { return from * std::pow(to / from, u); };
-    constexpr double length = 1, slope = 0.1;
-    const rough::Extent shape{side(gene[0]), side(gene[1])};
-    const double spacing = length / static_cast<double>(shape.columns),
-                 width = spacing * static_cast<double>(shape.rows);
-    StabilityScene scene;
-    scene.name = name;
-    scene.body.kernel = gene[2] < 0.4 ? rough::Kernel::free : rough::Kernel::periodic;
-    scene.profile = rough::realised(rough::SelfAffine{.hurst = 0.1 + 0.85 * gene[3],
-                                                      .longest = 0.5 * std::max(length, width),
-                                                      .shortest = spacing * between(2, 16, gene[4]),
-                                                      .rms_slope = slope},
-                                    rough::Grid{shape.columns, length, true, 0, shape.rows, width},
-                                    static_cast<std::uint64_t>(std::round(1000 * gene[5])));
+    rough::Body body;
+    body.kernel = gene[2] < 0.4 ? rough::Kernel::free : rough::Kernel::periodic;
     if (gene[2] > 0.7) // a layer, on a rigid base if the next gene is below 1/2
-        scene.body.layering = {
+        body.layering = {
             .layers = {{between(0.01, 0.3, gene[6]), between(0.1, 10, gene[7]), 0.499 * gene[6]}},
             .rigid_base = gene[7] < 0.5};
-    const double logit = -7 + 16 * gene[8], contact = 1 / (1 + std::exp(-logit));
-    double pressure =
-        slope * std::sqrt(-std::log1p(-contact * contact)) / std::numbers::sqrt2; // near erf's inverse
-    if (scene.body.kernel == rough::Kernel::periodic)
-        pressure = std::min(pressure, 0.9999 * full_contact_load(scene.profile, scene.body));
+    const Roughness roughness{0.1 + 0.85 * gene[3], between(2, 16, gene[4]),
+                              static_cast<std::uint64_t>(std::round(1000 * gene[5]))};
+    const double contact = 1 / (1 + std::exp(7 - 16 * gene[8]));
+    StabilityScene scene = map_scene(name, body, {side(gene[0]), side(gene[1])}, roughness, contact);
+    const double pressure = scene.pressures[0];
     const int steps = 1 + static_cast<int>(4 * gene[9]);
-    for (const double load : even_steps(pressure, steps))
-        scene.pressures.push_back(load);
+    scene.pressures = even_steps(pressure, steps);
     if (gene[10] > 0.5)
         scene.body.hardness = pressure * between(1.2, 100, 2 * gene[10] - 1);
     return scene;
