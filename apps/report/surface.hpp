@@ -23,7 +23,7 @@ std::string jump_note(const rough::Profile& surface);
 std::string resolution_warning(const rough::Profile& surface, const rough::Model& model,
                                const rough::Response& response);
 
-/// The same warning for a surface that is not pressed, from the highest 1 % of its nodes.
+/// This warning for a surface that is not pressed, from the highest 1 % of its nodes.
 std::string resolution_warning(const rough::Profile& surface, bool periodic);
 
 /// A note that a genome has wavelengths under 8 node spacings. "" if it has none.

@@ -33,8 +33,8 @@ constexpr double search_share =
 constexpr double different_heights = 0.05; ///< rms difference of sorted heights over their range
 
 /// Rounds the genes to their steps, then moves single genes by a step while that lowers the misfits of the
-/// linear model. Repeats this from the best point on the steps: with half as many moves if the misfits did
-/// not fall, at last with one move at a time, each move once.
+/// linear model. Repeats this from the best point on the steps. If the misfits did not fall, it makes half
+/// as many moves. At last it makes one move at a time, and tries each move once.
 struct RoundGenes {
     std::vector<double> steps; ///< step of each gene; 0: real
     std::vector<double> from;  ///< a value on the steps

@@ -122,12 +122,12 @@ class SplitOperator {
 
     Extent shape_;
     bool is_circulant_;          ///< without other parts
-    Extent whole_;               ///< N of each axis, or if T is no circulant the next fast length
+    Extent whole_;               ///< N of each axis; the next fast length if T is not circulant
     std::complex<double>* wave_; ///< transform, in memory of the caller's thread
     Workspace<double> work_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
-    /// Of the parts that are circulant or skew along x, then along y: column after column of N_y/2 + 1,
-    /// divided by the number of parts and that of the values. Empty for no such part.
+    /// For each part, circulant or skew along x, then along y: column after column of N_y/2 + 1, divided by
+    /// the number of parts and that of the values. Empty for a missing part.
     std::array<std::array<Eigen::ArrayXd, 2>, 2> eigenvalues_;
 };
 

@@ -275,7 +275,7 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
     table.columns = guess.columns;
     if (table.columns > max_rows)
         refuse(file, ": more than 1e7 numbers in a line; give fewer");
-    // As many as there can be, but only a few times the file's size.
+    // Memory for all possible cells, but only a few times the file's size.
     const auto characters = static_cast<std::size_t>(lines[lines.size() - 1].end() - lines[0].begin());
     table.cells.reserve(std::min({max_cells, lines.size() * table.columns,
                                   std::max(characters / 2, max_scan_columns * lines.size())}));

@@ -149,7 +149,7 @@ class HeldState {
 };
 
 /// Reads a value that its to_json has written. Throws UsageError if a whole number is stored as a real one,
-/// because C++ does not define every such conversion, and nlohmann's exceptions on other JSON.
+/// because C++ does not define every such conversion. Throws nlohmann's exceptions on other JSON.
 template <class T, class Json>
 void read_part(const Json& j, T& value) {
     if constexpr (std::integral<T> && !std::same_as<T, bool>) {

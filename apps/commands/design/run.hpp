@@ -110,7 +110,7 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
 nlohmann::json shown_json(const rough::Target& target, std::size_t index, const std::string& curves);
 /// `out_of_reach` of result.json.
 nlohmann::json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons);
-/// What result.json says of the origin of a design of this kind.
+/// The origin of a design of this kind, for result.json.
 Origin origin_of(const char* kind, const std::string& line, const Settings& settings, std::uint64_t seed,
                  int threads);
 /// Whether a design is resumed. Throws rough::InputError if its folder is not named.

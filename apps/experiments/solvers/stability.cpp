@@ -13,7 +13,7 @@ using nlohmann::json;
 namespace {
 
 constexpr rough::Index max_small = 256; ///< nodes of a small grid
-constexpr double seconds_per_cell = 30; ///< also for the solver that verifies a cell
+constexpr double seconds_per_cell = 30; ///< also for the solver that verifies it
 /// Nodes of a map above which `nnls`, or only the automatic and the active-set solver, would take minutes.
 constexpr rough::Index max_nnls = 1000, max_every = 100'000;
 

@@ -214,7 +214,7 @@ void SetSolver::load(Loaded& x) {
     Eigen::Map<Eigen::VectorXd> input(forward_.input(), x.pressure.size());
     team_.copy(x.pressure, input);
     forward_.apply();
-    team_.copy(input, x.displacement); // where the product is
+    team_.copy(input, x.displacement); // apply() has written the product to it
     ++applies_;
 }
 
