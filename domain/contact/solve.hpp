@@ -84,10 +84,10 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
                            const ContactOptions& options = {});
 
 /// Presses to each of the mean pressures (MPa, > 0, increasing). The table in solvers/solvers.hpp says which
-/// solvers take loads. For the others, with a hardness, and if `automatic` fails on a line, Newton's method
-/// finds the displacements. Without a hardness it converges, because P is convex in Delta. With a hardness
-/// the pressure agrees to 1e-8 or better. Throws InputError also for a pressure above that of full contact
-/// (periodic).
+/// solvers take loads. For those that do not, with a hardness, and if `automatic` fails on a line, Newton's
+/// method finds the displacements. Without a hardness it converges, because P is convex in Delta. With a
+/// hardness the pressure agrees to 1e-8 or better. Throws InputError also for a pressure above that of full
+/// contact (periodic).
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
