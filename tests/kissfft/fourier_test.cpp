@@ -1,6 +1,5 @@
-// The transforms of a build with -DRUGOSA_FFT=kissfft, without the rest of that build.
-#include "domain/numerics/fourier.cpp"
-#include "domain/numerics/team.cpp"
+// The transforms of a build with -DRUGOSA_FFT=kissfft, without the other parts of that build.
+#include "domain/numerics/fourier.hpp"
 
 #include <catch2/catch.hpp>
 
