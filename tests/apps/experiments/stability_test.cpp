@@ -113,6 +113,32 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("under a load a displacement, a stiffness or a load that is off is named") {
+    for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::periodic}) {
+        rough::Body body;
+        body.kernel = kernel;
+        const app::StabilityScene scene = app::map_scene("map", body, {24, 20}, {0.8, 6, 1}, 0.3);
+        const app::ContactTrial right = try_contact(scene, {});
+        const auto message = [&](auto corrupt) {
+            app::StabilityScene verified = scene;
+            app::ContactTrial trial = right;
+            corrupt(trial.curve.steps[0], verified.pressures[0]);
+            verify(verified, trial, 1e-9);
+            CHECK((trial.outcome == app::Outcome::wrong) == !trial.message.empty());
+            return trial.message;
+        };
+        CHECK(message([](const rough::LoadStep&, double) {}).empty());
+        for (const double off : {0.999, 1.001}) {
+            CHECK_THAT(message([&](rough::LoadStep& step, double) { step.displacement *= off; }),
+                       Catch::Contains("pressure of step 1"));
+            CHECK_THAT(message([&](const rough::LoadStep&, double& load) { load *= off; }),
+                       Catch::Contains("pressure of step 1"));
+            CHECK_THAT(message([&](rough::LoadStep& step, double) { step.tangent_stiffness *= off; }),
+                       Catch::Contains("stiffness of step 1"));
+        }
+    }
+}
+
 TEST_CASE("first touch is verified by zero pressure and the stiffness of the touching nodes") {
     app::StabilityScene scene = parabola(40);
     scene.displacements = {0, 0.05};
