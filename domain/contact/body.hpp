@@ -10,36 +10,38 @@ namespace rough {
 
 /// An elastic layer, bonded to the layer or base under it.
 struct Layer {
-    double thickness = 0;      ///< t, > 0; a finite length
-    double modulus = 0;        ///< Young's modulus E, MPa; 0: that of the body
-    double poissons_ratio = 0; ///< nu, above -1, up to 0.5
+    double thickness = 0;      ///< t, mm, > 0 and finite
+    double modulus = 0;        ///< Young's modulus E, MPa; 0: E and nu are those of the half-space
+    double poissons_ratio = 0; ///< Poisson's ratio nu, above -1, up to 0.5
 
     auto operator<=>(const Layer&) const = default; ///< member by member
 };
 
-/// Layers, the top one first, on a half-space or on a rigid base. Periodic kernels only.
+/// Layers, the top one first, on a half-space or on a rigid base. Only the periodic kernel has layers.
 struct Layering {
-    std::vector<Layer> layers = {}; ///< none: a half-space
-    bool rigid_base = false;        ///< otherwise the body's half-space
-    double poissons_ratio = 0;      ///< nu of that half-space
+    std::vector<Layer> layers = {}; ///< if empty, the body is a half-space
+    bool rigid_base = false;        ///< whether the base is rigid; otherwise it is the body's half-space
+    double poissons_ratio = 0;      ///< nu of the half-space
 
     auto operator<=>(const Layering&) const = default; ///< member by member
-    /// Whether a uniform pressure moves the surface. It does on a rigid base if a layer is compressible.
+    /// Whether a uniform pressure moves the surface: on a rigid base, if a layer is compressible.
     bool carries_mean() const;
 };
 
 /// The layers in other units of length and pressure (both > 0), with every modulus given.
 Layering in_units(Layering layering, double length, double pressure);
 
-/// u_q/p_q of the layered body over that of the half-space, 2/(E* q). The wavenumber q > 0 is in the inverse
-/// of the layers' unit of length; on a map it is |wave vector|. A linear system gives the ratio, with four
-/// constants per layer and two for the half-space (Airy's stress function, plane strain). The top has a given
-/// pressure and no friction; interfaces are bonded. `effective_modulus` is E*, MPa.
+/// The compliance u_q/p_q of the layered body, divided by that of the half-space, 2/(E* q). p_q and u_q are
+/// the amplitudes of pressure and displacement at the wavenumber q > 0. q is in the inverse of the layers'
+/// unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa.
+///
+/// A linear system gives the ratio, with four constants per layer and two for the half-space (Airy's stress
+/// function, plane strain). The top has a given pressure and no friction; interfaces are bonded.
 double relative_compliance(const Layering& layering, double effective_modulus, double q);
 
-/// E* u/P of a uniform pressure P, in the layers' unit of length. On a rigid base it is the sum over the
-/// layers of t (1 + nu) (1 - 2 nu) E*/(E (1 - nu)). It is 0 on a half-space, whose displacement is relative
-/// to the mean.
+/// The mean compliance E* u/P, in the layers' unit of length: u is the displacement under a uniform pressure
+/// P. On a rigid base it is the sum over the layers of t (1 + nu) (1 - 2 nu) E*/(E (1 - nu)). It is 0 on a
+/// half-space, whose displacement is relative to the mean.
 double mean_compliance(const Layering& layering, double effective_modulus);
 
 /// Which elastic body the profile is pressed on.
@@ -56,16 +58,17 @@ Kernel kernel_named(const std::string& name, const std::string& where = "kernel"
 
 /// A frictionless elastic half-space; lengths in mm, modulus in MPa.
 struct Body {
-    Kernel kernel = Kernel::free; ///< which influence matrix
+    Kernel kernel = Kernel::free; ///< type of body, which determines the influence matrix
     double effective_modulus = 1; ///< E* = E/(1 - nu^2), MPa
-    /// d, mm: the distance at which the free half-plane's displacement is zero (free only); 0: L
+    /// Datum d, mm: the distance from the contact at which the free half-plane's displacement is zero (free
+    /// only); 0: L.
     double datum = 0;
-    double strip_width = 0; ///< W, mm (strip only); 0: L/511
-    /// p_H, MPa: the highest pressure that a node carries. Nodes that would carry more are held at it and
-    /// sink in. Amplitude is then not only a scale, and contact sets are not known to be nested. No bound
-    /// that depends on either is used.
+    double strip_width = 0; ///< width W of the strip, mm (strip only); 0: L/511
+    /// Hardness p_H, MPa: the highest pressure of a node. Nodes that would carry more are held at it and sink
+    /// in. Then pressures are not proportional to the amplitude of the heights, and contact sets are not
+    /// known to be nested. Bounds that need either property are not used.
     double hardness = std::numeric_limits<double>::infinity();
-    /// Periodic only; thicknesses in mm. contact_sets_nest tells whether contact sets still nest.
+    /// Layers (periodic only), thicknesses in mm. contact_sets_nest() tells whether contact sets only grow.
     Layering layering = {};
 
     /// Whether displacements are relative to the mean plane, so that full contact has the largest one.
@@ -76,18 +79,19 @@ struct Body {
 /// E* = E/(1 - nu^2), MPa, of Young's modulus (MPa) and Poisson's ratio.
 double effective_modulus(double youngs_modulus, double poissons_ratio);
 
-/// dK/d ln d = -K^2 2 L/(pi E*) at the same mean pressure, MPa/mm. The free half-plane's displacement is
-/// known up to a constant, which the datum distance d fixes. Another d shifts Delta by (2 P L/(pi E*))
-/// ln(d2/d1) and changes neither pressure nor area. `length` is L in mm, `stiffness` K in MPa/mm.
+/// The derivative of the stiffness K with respect to ln d at the same mean pressure: -K^2 2 L/(pi E*),
+/// MPa/mm. The free half-plane's displacement is known up to a constant, which the datum d fixes. If d1
+/// becomes d2, Delta grows by (2 P L/(pi E*)) ln(d2/d1); pressures and contact area do not change. `length`
+/// is L in mm, `stiffness` K in MPa/mm.
 double datum_sensitivity(double stiffness, double length, double effective_modulus);
 
 /// The body with the defaults of its kernel in place of zeros, for a profile of this length (mm).
 Body completed(Body body, double length);
 
 /// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart.
-/// The reasons are a modulus or strip width that is not positive, and a datum up to (L + spacing)/4. Others
-/// are layers on another kernel than the periodic one, layers without a thickness or modulus, and a rigid
-/// base without layers.
+/// One reason is a modulus, hardness or strip width that is not positive, or a datum up to (L + spacing)/4.
+/// Another is layers on a kernel other than the periodic one, a layer's value that is out of range, or a
+/// rigid base without layers.
 void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

@@ -20,38 +20,39 @@ void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
             visit(row * shape.columns + i);
 }
 
-/// Contact spots: groups of nodes in contact that are connected by neighbours along x or y; runs on a line.
-/// Returns the number of nodes of each, the largest first. `contact` are the nodes that touch, in any order.
-/// If `periodic`, opposite ends of the grid are neighbours.
+/// The sizes of the contact spots in nodes, the largest first. A spot is a group of touching nodes that are
+/// connected along x or y, on a line a run of touching nodes. `contact` has the indices of the nodes that
+/// touch, in any order. If `periodic`, opposite ends of the grid are neighbours.
 std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic);
 
 /// Pressure and gap between a surface and the body at one load step, along a profile or at a map's nodes.
 struct Interface {
-    Eigen::VectorXd pressure; ///< at every node, MPa; 0 off contact
-    Eigen::VectorXd gap;      ///< between the deformed body and the surface, mm; about 0 in contact
-    Index spots = 0;          ///< number of contact spots; periodic bodies join the ends
-    double widest = 0;        ///< largest spot, mm: its nodes times their spacing; for a map its size, mm^2
+    Eigen::VectorXd pressure; ///< pressure at every node, MPa; 0 at nodes that do not touch
+    Eigen::VectorXd gap;      ///< gap between the deformed body and the surface, mm; about 0 in contact
+    Index spots = 0;          ///< number of contact spots; on a periodic body a spot may include both ends
+    double widest = 0; ///< width of the widest spot of a line, mm; for a map the area of the largest, mm^2
 };
 
-/// The interface at a load step of solve_contact, with its state, for the same profile and body. The gap is u
-/// - (Delta - g0), with u by an FFT of the pressures. The body is completed for the surface's length.
+/// The interface at a load step of solve_contact() and its state, for the same profile and body. The gap is u
+/// - (Delta - g0), with u computed from the pressures by FFT. The body's zeros get their default values.
 Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,
                        const ContactState& state);
 
 /// A contact fraction that changes smoothly with the heights. It has a gradient, unlike a count of nodes.
 ///
-/// Between a touching node i and its free neighbour k the edge of contact is taken at the fraction d/(d + e)
-/// of their distance. d = p_i/w_i is the displacement since node i touched. e = gap_k/(1 - (H w)_k) is the
-/// displacement until node k touches. Both hold to first order at the current contact set. On average over
-/// the entry of a node it equals the count. On a map, edges along x and along y count half each.
+/// The edge of contact lies between a touching node i and a neighbour k that does not touch. It is assumed at
+/// the fraction d/(d + e) of their distance. d = p_i/w_i is the displacement since node i touched. e =
+/// gap_k/(1 - (H w)_k) is the displacement until node k touches. Both are first-order estimates for the
+/// current contact set, with w = ContactState::tangent. The mean of the fraction, while one node comes into
+/// contact, is the count's. On a map, edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one per load step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm
     Eigen::MatrixXd by_height;       ///< d fraction/dZ_i with Delta_j fixed, steps x N, 1/mm
 };
 
-/// The smooth contact fraction of a solution with states. One solution on each step's contact set gives the
-/// derivatives (adjoint).
+/// The smooth contact fraction of a curve with states (ContactOptions::states). One linear solution on each
+/// step's contact set gives the derivatives (adjoint).
 SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve);
 
 } // namespace rough

@@ -10,20 +10,20 @@ struct Material {
     std::string name;     ///< its name for --material
     double modulus;       ///< Young's modulus E, MPa
     double poissons;      ///< Poisson's ratio nu
-    double hardness;      ///< indentation hardness, MPa: about its largest local pressure
-    const char* of;       ///< which grade, in a few words
+    double hardness;      ///< indentation hardness, MPa: about the largest local pressure
+    const char* of;       ///< grade of the material, in a few words
     const char* elastic;  ///< source of E and nu
     const char* indented; ///< source of the hardness
 };
 
-/// The known materials, in the order of their names. Values at room temperature; a heat treatment may change
-/// a hardness several times.
+/// The known materials, in the order of their names. Values are for room temperature. A heat treatment may
+/// multiply or divide a hardness several times.
 const std::vector<Material>& materials();
 /// Their names, in the same order.
 std::vector<std::string> material_names();
 
-/// Largest local pressure over E* for a material of unknown hardness. Glass, silicon and diamond have the
-/// highest ratios, 0.06 to 0.09.
+/// Limit on the largest local pressure, over E*, for a material of unknown hardness. The highest ratios of
+/// hardness and E* are 0.06 to 0.09, for glass, silicon and diamond.
 constexpr double largest_elastic_pressure = 0.1;
 
 } // namespace rough

@@ -30,7 +30,7 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
             problem, problem.load.empty() ? displacements[j] : found.approach * problem.displacement_unit,
             found));
         if (options.states) {
-            // w = H_AA^-1 1 in MPa/mm, so that dP/dDelta = (delta/L) sum w
+            // w = H_AA^-1 1 in MPa/mm, so that dP/dDelta = sum w over L/delta, on a map over N
             const double tangent_unit = problem.stiffness_unit * problem.elements;
             curve.states.push_back({std::move(found.nodes), found.pressure * problem.pressure_unit,
                                     found.tangent * tangent_unit});
@@ -133,10 +133,11 @@ void check_options(const Body& body, const ContactOptions& options) {
     refuse("mean pressure: ", pressure, " MPa is above that of full contact; give at most ", full, " MPa");
 }
 
-/// The step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
-/// convex piecewise linear function reaches it in a finite number of steps, from above after the first. A
-/// step that would leave the bracket is halved, and so is one from above that gained little. With a hardness
-/// P(Delta) need not be convex, and in full contact the stiffness of a periodic half-plane is only rounding.
+/// The load step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
+/// convex piecewise linear function reaches it in a finite number of steps, from above after the first. The
+/// bracket is halved if a step would leave it, or if a step from above gained little. With a hardness or
+/// layers P(Delta) need not be convex. In full contact the stiffness of a periodic half-plane is only
+/// rounding.
 LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
