@@ -13,34 +13,35 @@ namespace rough {
 
 class ResponseMemory;
 
-/// How a search writes checkpoints, from which it can be resumed.
+/// Options for the checkpoints of a search, from which it can be resumed.
 template <ga::Problem P>
 struct CheckpointOptionsOf {
-    std::filesystem::path file; ///< each checkpoint replaces the whole file by renaming
-    bool resume = false;        ///< continue from the file if it exists
+    std::filesystem::path file; ///< path of the file; each checkpoint replaces the whole file by renaming
+    bool resume = false;        ///< whether to continue from the file if it exists
     /// Adds values of observers to the checkpoints.
     std::function<void(ga::Checkpoints<P>&)> add_values = {};
     double interval = 1;     ///< minimum time between two checkpoints, s
     std::string inputs = {}; ///< fingerprints of the files that the run reads
 };
 
-/// Pipeline, start and budget of a search for designs of any genome.
+/// Pipeline, starts and budget of a search for designs with any type of genome.
 template <ga::Problem P>
 struct SearchOptionsOf {
-    std::string pipeline = {};                   ///< text, or the name of a variant; empty: the usual variant
+    std::string pipeline = {}; ///< text of a pipeline, or the name of a variant; empty: the usual variant
     std::vector<typename P::Genome> starts = {}; ///< first population; empty: from the pipeline or a database
-    std::uint64_t seed = 1; ///< equal seeds give equal answers unless `seconds` or `stop` ends it
-    int threads = 0;        ///< 0: as many as OpenMP has
-    ga::Evaluator<P>* evaluator = nullptr; ///< makes the evaluations; null: threads do
-    /// Wall time from the call on, s. At most three quarters of it are kept for verifying the answers.
+    std::uint64_t seed = 1; ///< equal seeds give equal answers unless `seconds` or `stop` ends the search
+    int threads = 0;        ///< number of threads; 0: as many as OpenMP has
+    ga::Evaluator<P>* evaluator = nullptr; ///< makes the evaluations; null: threads make them
+    /// Wall time from the call on, s. At most three quarters of it are reserved for verifying the answers.
     double seconds = std::numeric_limits<double>::infinity();
-    long evaluations = std::numeric_limits<long>::max(); ///< curves and gradients
+    long evaluations = std::numeric_limits<long>::max(); ///< maximum number of curves and gradients
     const std::atomic<bool>* stop = nullptr;             ///< true ends the search and its verification
     std::size_t alternatives = 3;                        ///< number of different answers, including the best
-    /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. Sources
-    /// are the final population, the answers that the pipeline verified and, for a profile, the best of all
-    /// stages. For a profile the first given start is verified, too. For a map the first two give at most two
-    /// genomes each. If they give none, the best of all stages is verified. (Only for DesignProblem.)
+    /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. The
+    /// sources are the final population and the answers that the pipeline verified. For a profile they are
+    /// also the best individuals of all stages and the first given start. For a map at most two genomes of
+    /// each source are verified. If neither source has a genome, the best of all stages is verified. (Only
+    /// for DesignProblem.)
     std::size_t verifying = 3;
     std::optional<CheckpointOptionsOf<P>> checkpoints = {}; ///< none: no checkpoints are written
     /// Curves that several searches of one set-up share (only for DesignProblem).

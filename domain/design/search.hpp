@@ -6,50 +6,52 @@
 
 namespace rough {
 
-using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< options of a search for waves
-using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< checkpoints of a search for waves
+using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< options of a search for genomes
+using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< checkpoints of a search for genomes
 
-/// A genome at its final amplitude, and its similarities. If time ran out during the verification of a map,
+/// A genome that a search returns, and its similarities. If time ran out during the verification of a map,
 /// the similarities without a result and similarity_worst are NaN.
 struct Answer {
-    Genome genome;                 ///< amplitude final
-    double similarity = 0;         ///< on the set-up's grid
-    double similarity_refined = 0; ///< on a grid four times finer, with Eq. 11 applied again
-    /// With four times the load steps. A target that is computed from a measured profile is computed again in
-    /// these steps, too.
+    Genome genome;                 ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
+    double similarity = 0;         ///< similarity on the set-up's grid
+    double similarity_refined = 0; ///< similarity on a grid four times finer; Eq. 11 is applied again
+    /// Similarity in four times the load steps. A target that is computed from a measured profile is computed
+    /// again in these steps, too.
     double similarity_stepped = 0;
-    double similarity_worst = 0; ///< lowest of these three and of that on the finer grid with finer steps
-    /// The lower of two similarities under the set-up's errors: the one that 95 % of 200 noise draws reach,
-    /// and the lowest over tilts. NaN without errors, for a map, for an unverified answer and from
-    /// verified_answer().
+    /// The lowest of these three and a fourth one, on the finer grid in four times the load steps.
+    double similarity_worst = 0;
+    /// The lower of two similarities under DesignSetup::errors. The first is the one that 95 % of 200 draws
+    /// of noise reach. The second is the lowest over the tilts. NaN without errors, for a map, for an
+    /// unverified answer and from verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
-    bool within_limits = true;      ///< whether it keeps every limit of the set-up
-    double difference = 1;          ///< smallest difference from the answers before it
-    Verification verification = {}; ///< the curves that these similarities belong to
+    bool within_limits = true;      ///< whether the genome keeps every limit of the set-up
+    double difference = 1;          ///< smallest difference() from the answers before it in a list
+    Verification verification = {}; ///< the responses and misfits of these similarities
 
-    /// The similarity that counts: on finer grids, with finer load steps and under the given errors.
+    /// The similarity that counts: the lowest on finer grids, in finer load steps and under the given errors.
     double lowest() const { return similarity_made < similarity_worst ? similarity_made : similarity_worst; }
     /// Whether similarity_worst is known.
     bool is_verified() const { return !std::isnan(similarity_worst); }
 };
 
-/// Verifies a genome under a set-up from as_reported(). If the set-up's ContactOptions::stop ends this, the
-/// similarity on the set-up's grid and load steps is still computed; the other similarities may be NaN.
-/// Throws what respond() throws.
+/// Verifies one genome. `reported` is the set-up that as_reported() returns. If ContactOptions::stop ends the
+/// verification, the similarity on the set-up's grid and load steps is still computed. The other similarities
+/// may then be NaN. Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The answer's response under the set-up; pass exactly(setup) for a response without approximations. If the
+/// The answer's response under the set-up. For a response without approximations, pass exactly(setup). If the
 /// verification is incomplete, the response that the answer stores is returned.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.
 struct Compromise {
-    Genome genome;                          ///< amplitude final
-    std::vector<double> similarity;         ///< for each target, on the set-up's grid
-    std::vector<double> similarity_refined; ///< for each target, on a grid four times finer
+    Genome genome;                  ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
+    std::vector<double> similarity; ///< similarity to each target, on the set-up's grid
+    std::vector<double> similarity_refined; ///< similarity to each target, on a grid four times finer
 };
 
-/// The Pareto front of the genomes that keep the limits, by rising similarity to the first target. If it has
-/// more than `max_count` genomes, both ends and evenly spread ones between them are returned.
+/// The genomes on the Pareto front of their similarities to the targets, in the order of rising similarity to
+/// the first target. Genomes beyond the set-up's limits are left out. If the front has more than `max_count`
+/// genomes, both ends and evenly spread genomes between them are returned.
 std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<Genome>& genomes,
                                     std::size_t max_count, int threads);
 
@@ -57,25 +59,27 @@ std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<
 struct SearchResult {
     Answer best;                      ///< the answer with the highest rank, see search()
     std::vector<Answer> alternatives; ///< the best, then the next best ones that differ from all before them
-    std::vector<Compromise> front;    ///< from `pareto`; empty if the pipeline does not have it
-    /// For a profile whose set-up has errors: the answers on the Pareto front of the similarities without and
-    /// with errors. They are sorted by falling similarity without errors.
+    std::vector<Compromise> front;    ///< front of the stage `pareto`; empty if the pipeline does not have it
+    /// Answers on the Pareto front of the similarities without and with DesignSetup::errors, in the order of
+    /// falling similarity without them. Empty for a map, and if no errors are given.
     std::vector<Answer> made;
     ga::Counters counters;          ///< evaluations spent
     std::vector<std::string> notes; ///< remarks of stages
     std::string stopped;            ///< why a stop or a budget ended the pipeline early; empty if neither did
-    std::string name;               ///< the variant's name or "pipeline": first word of every path
-    std::string pipeline;           ///< text that was run
-    DesignSetup setup;              ///< with its defaults filled in
+    std::string name;     ///< name of the variant, or "pipeline"; the paths of all stages begin with it
+    std::string pipeline; ///< text of the pipeline that was run
+    DesignSetup setup;    ///< set-up with its default values
 };
 
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.
 void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 
-/// Runs a pipeline on a design and verifies the genomes that SearchOptions::verifying describes, and the
-/// alternatives. The best answer has the highest rank: answers within the limits first, then verified ones,
-/// by lowest(). If the search is stopped before its first curve, the answer is a start genome. If it has
-/// curves only on coarser grids, the answer is the best genome of the last population that was scored there.
+/// Runs a pipeline on a design. Verifies the genomes that SearchOptions::verifying describes, and the
+/// alternatives. Answers within the limits rank above answers beyond them. Among these, verified answers rank
+/// by lowest(), above unverified answers, which rank by similarity.
+///
+/// If the search is stopped before its first curve, the answer is a start genome. If it has curves only on
+/// coarser grids, the answer is the best genome of the last population that was scored there.
 ///
 /// Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search. Throws InputError
 /// if starts are given to a pipeline that makes starts. Throws NotConverged if every evaluation failed.
@@ -85,17 +89,18 @@ SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
 /// Why no profile can meet a set-up's targets, and an upper bound on the similarity of any profile.
 struct Unreachable {
     std::vector<OutOfReach> reasons; ///< empty if the bound is at least the required similarity
-    double bound = 1;                ///< no profile has a higher similarity
+    double bound = 1;                ///< upper bound on the similarity of any profile
 };
 
-/// A target is reported as out of reach if no profile can have this similarity. A caller may require another
-/// value.
+/// Default similarity for unreachable(): a target is reported as out of reach if no profile can have this
+/// similarity.
 constexpr double exact_enough = 0.999;
 
-/// The verdict on a set-up, without approximations; `required` is the similarity that the caller requires.
+/// The reasons and the bound for a set-up without approximations. The targets are out of reach if no profile
+/// can have the similarity `required`.
 Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
 
-/// Limit on evaluations if the target is out of reach.
+/// Limit on the evaluations of a search if the target is out of reach.
 constexpr long enough_for_the_nearest = 3000;
 
 } // namespace rough

@@ -6,19 +6,21 @@ namespace rough {
 
 /// Options of the checks of an answer.
 struct TrustOptions {
-    int phase_draws = 30;   ///< genomes with redrawn phases
+    int phase_draws = 30;   ///< number of genomes with redrawn phases
     double hardness = 0;    ///< maximum pressure of a node, also for a measured target, MPa; 0: not given
-    std::uint64_t seed = 1; ///< for noise and redrawn phases
-    int threads = 0;        ///< 0: all
-    double seconds = std::numeric_limits<double>::infinity(); ///< checks not done by then are omitted
+    std::uint64_t seed = 1; ///< seed of the noise and of the redrawn phases
+    int threads = 0;        ///< number of threads; 0: all
+    double seconds = std::numeric_limits<double>::infinity(); ///< wall time, s; later checks are omitted
     const std::atomic<bool>* stop = nullptr;                  ///< true ends the checks, as `seconds` does
 };
 
-/// The similarity of an answer under one change.
+/// The similarity of an answer under one change of the model or the heights.
 struct Check {
-    std::string name;     ///< the change, in words
-    double similarity;    ///< NaN: no response
-    bool decides = false; ///< noise, tilt or hardness was given: the answer must hold under it
+    std::string name;  ///< the change, in words
+    double similarity; ///< similarity under the change; NaN: no response
+    /// Whether the answer must keep the required similarity under this change: a given noise, tilt or
+    /// hardness.
+    bool decides = false;
 };
 
 /// The results of the checks of an answer.
@@ -27,46 +29,47 @@ struct Trust {
     std::vector<Check>
         checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt, hardness
     double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
-    bool all_decided = true;    ///< no check that decides was omitted
+    bool all_decided = true;    ///< whether every check that decides was made
     double median = unknown;    ///< median similarity of the checks
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
-    std::vector<Check> kernels; ///< the profile on other bodies, for comparison only
-    /// Highest similarity of genomes with redrawn phases and the same spectrum, in fitted amplitude. If it is
-    /// near the answer's, the response follows from the spectrum; otherwise it follows from the phases.
+    std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
+    /// Highest similarity of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If it
+    /// is near the answer's, the response follows from the spectrum; otherwise it follows from the phases.
     double redrawn_best = unknown;
-    double redrawn_median = unknown;   ///< their median similarity
+    double redrawn_median = unknown;   ///< median similarity of these genomes
     double redrawn_tenth = unknown;    ///< tenth percentile of their similarities
-    int redrawn = 0;                   ///< their number
-    double rms_slope = 0;              ///< slope of the profile, dimensionless
+    int redrawn = 0;                   ///< number of these genomes
+    double rms_slope = 0;              ///< root mean square slope of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa
     double shortest_wave_nodes = 0;    ///< shortest wavelength in units of the node spacing
-    bool contact_at_ends = false;      ///< an end touches at the last load step; false for a periodic body
+    bool contact_at_ends = false;      ///< whether an end touches at the last load step; not if periodic
     ContactState last;                 ///< contact at the last load step
     std::vector<std::string> flags;    ///< doubtful assumptions of the model, one line each
-    std::vector<std::string> left_out; ///< checks without time
+    std::vector<std::string> left_out; ///< names of the checks that were omitted for lack of time
 };
 
-/// Checks a genome in final amplitude under changes of the model and under the set-up's errors. A
-/// curve on a fine area takes a minute, so similarities that the search has verified are taken from
-/// `verified` if it is given. Those that the search did not have time for are left out. The target moves with
-/// the datum by with_datum(). `designed` is the response as designed (response_of), if it is known.
+/// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. A curve on
+/// a fine map takes a minute. So if `verified` is given, similarities that the search has verified are taken
+/// from it, and those without a result are left out. The target moves with the datum by with_datum().
+/// `designed` is the response as designed (response_of), if it is known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 
-/// The targets for a datum at `factor` times the distance, exactly; free kernel only. At equal load
-/// 1/K(f d) = 1/K(d) + (2 L/(pi E*)) ln f, and displacements grow by (2 P L/(pi E*)) ln f. Contact area and
-/// interface stiffness do not change. Targets against displacement with unknown loads are left out.
+/// The targets for a datum of f times the distance d, exactly; f is `factor`. Only for the free kernel. At
+/// equal load 1/K(f d) = 1/K(d) + (2 L/(pi E*)) ln f, and displacements grow by (2 P L/(pi E*)) ln f. Contact
+/// area and interface stiffness do not change. Targets against displacement with unknown loads are left out.
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
 
 /// One source of error of a designed surface.
 struct ErrorSource {
-    std::string kind;   ///< model, numerical or target
-    std::string source; ///< in words
+    std::string kind;   ///< "model", "numerical" or "target"
+    std::string source; ///< the thing that changes, in words
     double size = 0;    ///< largest relative change of the curve at the target's points, or remaining misfit
 };
 
-/// How far an answer's curve moves at the first target's points if one thing changes: body, grid, load steps
-/// or the accuracy of the search. Eq. 11 is applied again. The remaining mismatches on both grids follow.
+/// The changes of an answer's curve at the first target's points if one thing changes: body, grid, load steps
+/// or the accuracy of the search. Eq. 11 is applied again each time. The last two entries are the misfits
+/// that remain on the set-up's grid and on the finer grid.
 std::vector<ErrorSource> error_budget(const DesignSetup& setup, const Answer& answer);
 
 } // namespace rough

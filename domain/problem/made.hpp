@@ -14,19 +14,20 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
 /// Heights of a plane that rises by 1 over the length; for a map also of one that rises by 1 over the width.
 std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 
-/// A surface that is manufactured with errors in its heights. They are not rescaled by Eq. 11, and
-/// displacement counts from the first touch. The surface is loaded as far as in the search.
+/// A surface that is manufactured with errors in its heights. Eq. 11 does not rescale these heights, and
+/// displacement counts from their first touch. The surface is loaded as far as in the search.
 class MadeSurface {
   public:
-    /// The surface of a genome in final amplitude under a completed set-up.
+    /// The surface of a genome from in_final_form(), under a completed set-up.
     MadeSurface(DesignSetup setup, Genome genome);
 
-    const Profile& surface() const { return surface_; } ///< without errors
+    const Profile& surface() const { return surface_; } ///< the surface without errors
     /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws
-    /// ga::Stopped if ContactOptions::stop ends it.
+    /// ga::Stopped if ContactOptions::stop ends the solution.
     double similarity(const Eigen::VectorXd& errors) const;
-    /// Misfits with these errors and their derivatives in the genes. `plain` are the rows of the genome
-    /// without errors, because under Eq. 11 the amplitude depends on the genes. Throws what respond() throws.
+    /// Misfits with these errors, and their derivatives with respect to the genes. `plain` are the rows of
+    /// the genome without errors, because under Eq. 11 the amplitude depends on the genes. Throws what
+    /// respond() throws.
     ga::Sensitivity misfits(const Eigen::VectorXd& errors, const Rows& plain) const;
 
   private:
@@ -36,15 +37,15 @@ class MadeSurface {
     Loadings loadings_;
 };
 
-/// The errors with which a search scores: fixed draws of the noise, equal for every genome, and each tilt in
-/// both directions.
+/// The errors under which a search scores genomes: fixed draws of the noise, equal for every genome, and each
+/// tilt in both directions.
 struct CommonErrors {
-    explicit CommonErrors(const DesignSetup& setup); ///< for a completed set-up
-    std::vector<Eigen::VectorXd> noise = {};         ///< heights, mm
-    std::vector<Eigen::VectorXd> tilts = {};         ///< heights, mm
-    /// The lower of two similarities; 1 without errors. The first is the mean of the lowest tenth over the
-    /// draws of noise. It is near the similarity that 95 % of the draws keep, and changes smoothly. The
-    /// second is the lowest over the tilts.
+    explicit CommonErrors(const DesignSetup& setup); ///< takes a completed set-up
+    std::vector<Eigen::VectorXd> noise = {};         ///< errors of the heights in each draw, mm
+    std::vector<Eigen::VectorXd> tilts = {};         ///< errors of the heights for each tilt, mm
+    /// The lower of two similarities; 1 without errors. The first is the mean of the lowest tenth of the
+    /// similarities under noise. It is near the similarity that 95 % of the draws keep, and changes smoothly.
+    /// The second is the lowest one over the tilts.
     double similarity(const MadeSurface& made) const;
 };
 

@@ -6,7 +6,7 @@
 namespace rough {
 
 /// The loadings that the targets need: one for targets against pressure and one for targets against
-/// displacement. Under Eq. 11 one loading serves all.
+/// displacement. Under Eq. 11 all targets have the same loading.
 struct Loadings {
     std::vector<Loading> each;          ///< the different loadings
     std::vector<std::size_t> of_target; ///< the index of each target's loading
@@ -18,13 +18,13 @@ Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
 /// Continues a curve that ends in full contact before its target, and its derivatives if given. Adds a point
 /// at twice the last x. The contact fraction there is unchanged. Stiffness and load are 101 times the last
-/// value, so they match no target.
+/// value, so that they do not match any target.
 void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
                                   CurveJacobian* jacobian = nullptr);
 /// The set-up's model with each of its targets' loadings.
 std::vector<Model> loaded_models(const DesignSetup& setup);
 
-/// Returns the genome, under Eq. 11 with scale 1, because only the shape then affects the curves.
+/// Returns the genome. Under Eq. 11 its scale becomes 1, because only the shape then affects the curves.
 Genome at_scale_one(Genome genome, const DesignSetup& setup);
 
 /// The bits of a genome that its outcome depends on: all, or under Eq. 11 all except the scale.
@@ -34,11 +34,11 @@ std::string key_of(const DesignSetup& setup, const Genome& genome);
 /// does not fit double precision.
 double eq_11(const DesignSetup& setup, const Response& response);
 
-/// The responses and curves of a genome under a set-up, in its final amplitude.
+/// The responses and curves of a genome under a set-up. Under Eq. 11 they have been multiplied by its factor.
 struct DesignResponse {
     double scale = 1;                ///< the factor of Eq. 11
     std::vector<Response> responses; ///< one for each loading (loadings_of)
-    std::vector<Curve> curves;       ///< one for each target, to compare it with
+    std::vector<Curve> curves;       ///< for each target, the curve that is compared with it
 };
 /// The responses and curves of a genome from its responses at scale 1, one for each loading.
 DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed);
@@ -50,9 +50,9 @@ std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, co
 /// steps or kernel than the set-up.
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model);
 
-/// Misfits of each target at its points.
+/// Misfits to each target at its points.
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response);
-/// Each target's similarity.
+/// The similarity to each target.
 std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response);
 /// The lowest similarity over all targets, by their misfits.
 double least_similarity(const std::vector<Eigen::VectorXd>& misfits);
@@ -62,25 +62,28 @@ double similarity(const DesignSetup& setup, const DesignResponse& response);
 /// accuracy. Eq. 11 is applied to that grid's response.
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine = 1);
 
-/// Returns the genome. Under Eq. 11 its scale is computed on the set-up's grid without approximation.
+/// The genome in its final form, in which it is reported. Under Eq. 11 its scale is the factor of Eq. 11,
+/// computed on the set-up's grid without approximation. Without Eq. 11 the genome is unchanged.
 Genome in_final_form(const DesignSetup& setup, Genome genome);
 
-/// All targets' misfits under a model with their derivatives, target after target. Contact fractions are
-/// smoothed (contact/interface.hpp). They differ from the node count by at most one node per contact edge.
+/// The misfits to all targets under a model, target after target, and their derivatives. Contact fractions
+/// are smoothed (contact/interface.hpp). They differ from the node count by at most one node per contact
+/// edge.
 struct Rows {
     ga::Sensitivity misfits;     ///< one row per point
-    double factor = 1;           ///< the factor of Eq. 11; 1 without it
-    Eigen::RowVectorXd d_factor; ///< its derivatives with respect to the genes; empty without Eq. 11
+    double factor = 1;           ///< the factor of Eq. 11; 1 without Eq. 11
+    Eigen::RowVectorXd d_factor; ///< derivatives of the factor with respect to the genes, or empty
 };
 
-/// The rows of a genome, whose scale is 1 under Eq. 11. Throws what respond() throws.
+/// The rows of a genome. Under Eq. 11 its scale must be 1. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
 /// The rows of a profile under the targets' loadings. `in_genes` converts derivatives with respect to heights
 /// (rows x N) into derivatives with respect to genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
-/// The rows of a genome on a grid `refine` times finer. The first Rows use the load steps of `finer`
-/// (in_finer_steps). The second use every fourth of these, the set-up's load steps. One solution gives both.
+/// The rows of a genome on a grid `refine` times finer. The first Rows are for the load steps of `finer`
+/// (in_finer_steps). The second Rows are for every fourth of these: the set-up's load steps. One solution
+/// gives both.
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine);
 
@@ -88,7 +91,7 @@ std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& fi
 /// curve exactly.
 Response every(Index part, Response response);
 
-/// The rows of both, one above the other.
+/// The rows of `above`, followed by those of `below`.
 ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below);
 
 } // namespace rough
