@@ -12,31 +12,31 @@ namespace rough {
 /// Errors of pressures below this share of the last pressure are relative to that share of it.
 constexpr double light_load = 0.01;
 
-/// The pressures that relative errors of a curve refer to, one entry per row. Both are at least `light` times
-/// the last pressure in rows whose pressure is below that.
+/// The pressures to which relative errors of a curve refer, one entry per row (load step). In rows whose
+/// pressure is below `light` times the last pressure, both are at least `light` times the last pressure.
 struct ErrorScale {
-    Eigen::VectorXd pressure;   ///< the row's pressure, MPa
-    Eigen::VectorXd difference; ///< to the row before, MPa: the secant stiffness times the row's step
+    Eigen::VectorXd pressure;   ///< pressure of the row, MPa
+    Eigen::VectorXd difference; ///< its difference from the row before, MPa
 };
 /// The scale of a curve's pressures (MPa, increasing).
 ErrorScale error_scale(const Eigen::VectorXd& pressure, double light = light_load);
 
-/// Number of first rows with less than 1 % of the last pressure.
+/// Number of first rows whose pressure is below 1 % of the last pressure.
 Index light_rows(const Eigen::VectorXd& pressure);
 
-/// P_j - P_{j-1}, P_0 = 0.
+/// The differences P_j - P_{j-1} of successive pressures, with P_0 = 0.
 Eigen::VectorXd differences(const Eigen::VectorXd& pressure);
 
 /// Largest possible errors of pressures and of their differences from row to row.
 struct Doubt {
-    Eigen::VectorXd pressure;   ///< MPa, one per row
-    Eigen::VectorXd difference; ///< MPa, one per row
+    Eigen::VectorXd pressure;   ///< largest error of each row's pressure, MPa
+    Eigen::VectorXd difference; ///< largest error of its difference from the row before, MPa
 
     /// The errors if the first `rows` rows are known and the other rows are shifted by `offset` (MPa) to join
     /// them.
     Doubt known_up_to(Index rows, double offset) const;
 };
-/// Adds errors of independent sources.
+/// The sum of the errors from two independent sources.
 Doubt operator+(const Doubt& a, const Doubt& b);
 
 /// The largest errors of pressures whose exact values lie within bounds.
@@ -46,28 +46,28 @@ Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, co
 /// curve's by `doubt`. The error is infinite if they may be 0.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
-/// Number of first rows that must be known, so that the other rows are within `accuracy` after they are
-/// shifted to join them. The number of all rows if fewer are not enough.
+/// Number of first rows that must be known so that the other rows, shifted to join them, are within
+/// `accuracy`. It is the number of all rows if fewer known rows are not enough.
 Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
 
-/// The largest relative error over the rows, in pressure and in secant stiffness, of pressures against
-/// resolved ones at the same displacements.
+/// The largest relative error of pressures against `resolved` pressures at the same displacements. It is the
+/// largest over all rows and over pressure and secant stiffness.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
 
-/// The range over the nodes of f_i, the gap of the whole profile Z minus that of a reduced profile Z'. f_i =
-/// (Z'_i - max Z') - (Z_i - max Z) = g0_i - g0'_i.
+/// The range of f_i = g0_i - g0'_i over the nodes i. g0_i = max Z - Z_i is the gap of the whole profile Z at
+/// first touch. g0'_i = max Z' - Z'_i is that of a reduced profile Z'.
 struct Window {
-    double lowest = 0;                                ///< mm, <= 0
-    double highest = 0;                               ///< mm, >= 0
-    double width() const { return highest - lowest; } ///< mm, >= 0
+    double lowest = 0;                                ///< lowest f_i, mm, <= 0
+    double highest = 0;                               ///< highest f_i, mm, >= 0
+    double width() const { return highest - lowest; } ///< width of the range, mm, >= 0
 };
 /// The window of two profiles on the same nodes. Throws InputError if the nodes differ.
 Window window_between(const Profile& whole, const Profile& reduced);
 
 /// Bounds of the exact pressures, one entry per load step, MPa.
 struct Bounds {
-    Eigen::VectorXd lower; ///< MPa
-    Eigen::VectorXd upper; ///< MPa, at least `lower`; may be infinite
+    Eigen::VectorXd lower; ///< lower bounds, MPa
+    Eigen::VectorXd upper; ///< upper bounds, MPa, at least `lower`; they may be infinite
 };
 
 /// Bounds of the whole profile's pressures P(Delta_j) at the given displacements (mm, increasing), from two
@@ -75,8 +75,8 @@ struct Bounds {
 ///
 ///     P'(Delta - highest) <= P(Delta) <= P'(Delta - lowest).
 ///
-/// Periodic: the upper bound is infinite if Delta - lowest exceeds the reduced profile's full contact. Proof
-/// in README.md.
+/// For the periodic kernel, the upper bound is infinite if Delta - lowest exceeds the reduced profile's full
+/// contact. README.md has the proof.
 Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body& body,
                        const std::vector<double>& displacements, const ContactOptions& options = {});
 
@@ -86,25 +86,27 @@ Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body&
 ///     P'_j - highest K'_j <= P'(Delta_j - highest),   P'(Delta_j - lowest) <= P'_j - lowest K'_j+
 ///
 /// K'_j+ is the tangent at the first solved step at or beyond Delta_j - lowest. The upper bound is infinite
-/// without such a step. `steps` are the curve's; the bounds are those of the first `count` of them.
+/// without such a step. `steps` are the load steps of the reduced profile's curve. Bounds are returned for
+/// the first `count` of them.
 Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
 
 /// The pressures that a finer grid would give, from several coarser ones.
 struct Extrapolation {
-    Eigen::VectorXd pressure; ///< MPa, one per row
-    Doubt doubt;              ///< estimated, not a bound
+    Eigen::VectorXd pressure; ///< pressure of each row, MPa
+    Doubt doubt;              ///< estimated errors, not bounds
 };
 
-/// Extrapolates pressures along straight lines P_j(N) - P_j ~ N^-1.5, weighted by N^3, to N = resolved.
+/// Extrapolates pressures along straight lines P_j(N) - P_j ~ N^-1.5, weighted by N^3, to N = `resolved`. N
+/// is the number of elements of a grid.
 ///
 /// Grid errors are not monotone in N. Each contact edge falls anywhere between two nodes, so its error has a
-/// random sign, and its size falls as N^-1.5 to N^-2. Two grids would extrapolate this scatter. Over more
-/// grids the scatter averages out, and its size shows the error of the line. The doubt of a row is the larger
-/// of the extrapolated distance and the line's standard error, times 2.3. With three grids it is times 3.
-/// Both factors were tuned on random scenes (README.md).
+/// random sign. The size of the error falls as N^-1.5 to N^-2. Two grids would extrapolate this scatter. Over
+/// more grids the scatter averages out, and its size shows the error of the line. The doubt of a row is the
+/// larger of the extrapolated distance and the line's standard error, times 2.3. With three grids the factor
+/// is 3. Both factors were tuned on random scenes (README.md).
 ///
-/// `grids` in elements, at least 3; `pressures` has one column per grid, all at the same displacements.
-/// Other quantities than pressure are extrapolated likewise, along lines in N^-order.
+/// `grids` has at least 3 entries; `pressures` has one column per grid, all at the same displacements. Other
+/// quantities are extrapolated along lines in N^-order.
 Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved,
                           double order = 1.5);
 

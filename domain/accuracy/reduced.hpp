@@ -13,57 +13,59 @@ namespace rough {
 
 /// A chromosome and its place in its genome.
 struct ChromosomePlace {
-    std::size_t series;    ///< index into the genome's series
-    int n;                 ///< place in that series
-    double wave_length_mm; ///< lambda_n
-    double amplitude_mm;   ///< |R_n G_n|
+    std::size_t series;    ///< index of its series in the genome
+    int n;                 ///< Chromosome::n, its place in this series
+    double wave_length_mm; ///< wavelength lambda_n
+    double amplitude_mm;   ///< amplitude |R_n G_n| of its cosine (waves.hpp)
 };
 
-/// All of a genome's chromosomes, in order.
+/// All chromosomes of a genome, in order.
 std::vector<ChromosomePlace> places(const Genome& genome);
 
 /// The chromosomes to model, and the window (error_bounds.hpp) due to the omitted ones.
 struct Selection {
-    Genome genome;                             ///< with the modelled chromosomes only
-    std::vector<ChromosomePlace> used;         ///< modelled; places in the whole genome
-    std::vector<ChromosomePlace> dropped = {}; ///< omitted; places in the whole genome
-    Window window = {};                        ///< mm; of width 0 if none is omitted
+    Genome genome;                             ///< genome with only the modelled chromosomes
+    std::vector<ChromosomePlace> used;         ///< modelled chromosomes; places in the whole genome
+    std::vector<ChromosomePlace> dropped = {}; ///< omitted chromosomes; places in the whole genome
+    Window window = {};                        ///< window, mm; its width is 0 if none is omitted
 };
 
 /// Omits the shortest waves, which need the finest grids, as long as the window on `grid` is at most `widest`
-/// (mm) wide. `whole` is the genome's profile there.
+/// (mm) wide. `whole` is the genome's profile on `grid`.
 Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest);
 
 /// One line in place of a map: the mean of its rows or of its columns, whichever has the narrower window.
 struct LineOfMap {
-    Profile line;        ///< mm
-    bool along_x = true; ///< whether it is the mean of the rows, so that the grooves run along y
-    Window window;       ///< between the map and the map that repeats the line
+    Profile line;        ///< heights of the line, mm
+    bool along_x = true; ///< whether it is the mean of the rows; the grooves then run along y
+    Window window;       ///< window between the map and the map that repeats the line
 };
-/// The line of a map. Throws InputError on a line profile.
+/// The line that replaces a map. Throws InputError if `map` is a line.
 LineOfMap line_of_map(const Profile& map);
 
 /// A line's curve in place of a map's.
 struct ByLine {
-    LineOfMap of;      ///< the line and its direction
-    Response response; ///< at the map's displacements, or at the line's if pressures were requested
+    LineOfMap of; ///< the line and its direction
+    /// Response at the map's displacements, or at the line's if pressures were requested.
+    Response response;
     std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
-    double bound;                  ///< largest relative error of pressures and secants; may be infinite
+    double bound;                  ///< bound of the relative error of pressures and secants; may be infinite
 };
-/// Solves the contact of a periodic map's line. Returns nothing if the line cannot be pressed as far as the
-/// map. (A free map is finite, so no line replaces it.) The bound is pressure_bounds(). It needs a capacitary
-/// pressure that is nowhere negative, which is proven for the continuum, not for sampled maps.
+/// Solves the contact of the line that replaces a periodic map. Returns nothing if the line cannot be pressed
+/// as far as the map. (A free map is finite, so a line cannot replace it.) The bound follows from
+/// pressure_bounds(). It assumes that H^-1 1 is not negative on any contact set, which is proven for the
+/// continuum, not for sampled maps.
 std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
 
-/// A curve at each requested displacement: solved, or interpolated between solved load steps.
+/// A curve with a row for each requested displacement: solved, or interpolated between solved rows.
 struct LoadRows {
     std::vector<LoadStep> steps;       ///< one per displacement; zeros before the profile touches
     double error = 0;                  ///< bound of the error of interpolated rows, relative to a row's exact
                                        ///< pressure and secant
-    double area_error = 0;             ///< relative bound for the contact fraction, which never falls
-    double tangent_error = 0;          ///< relative bound for the tangent stiffness, which never falls
+    double area_error = 0;             ///< bound of the relative error of the contact fraction
+    double tangent_error = 0;          ///< bound of the relative error of the tangent stiffness
     int solved = 0;                    ///< number of solved rows
-    Solver solver = Solver::automatic; ///< the one that was used
+    Solver solver = Solver::automatic; ///< solver that was used
     std::vector<int> last_contact;     ///< nodes that touch at the last displacement
 };
 

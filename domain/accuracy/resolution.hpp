@@ -12,11 +12,11 @@ enum class Interpolation {
     spline, ///< cubic spline, on a map along x and then along y
 };
 
-/// A surface with `times` (>= 1) elements for each of its elements along each axis. An axis has times (N-1) +
-/// 1 nodes, or times N if the surface is `periodic`. The nodes of the surface keep their heights. Splines end
-/// with the slope of the parabola through the last three nodes. Across the ends of a periodic surface heights
-/// are linear, so that splines do not oscillate at a jump there. Along an axis of two nodes a spline is
-/// linear.
+/// The surface on a finer grid, with `times` (>= 1) elements for each of its elements along each axis. An
+/// axis of N nodes gets times (N-1) + 1 nodes, or times N if the surface is `periodic`. The nodes of the
+/// surface keep their heights. Splines end with the slope of the parabola through the last three nodes.
+/// Across the ends of a periodic surface heights are linear, so that splines do not oscillate at a jump
+/// there. Along an axis of two nodes a spline is linear.
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic = false);
 
 /// Whether contact is also computed on interpolated heights of a measured surface. `automatic` does so unless
@@ -25,40 +25,44 @@ enum class Resolution { automatic, on, off };
 /// In the order of Resolution: auto, on, off.
 const std::vector<std::string>& resolution_names();
 
-/// Contact spots of fewer nodes across are not resolved: their area is that of the nodes that touch.
+/// Width in nodes from which a contact spot is resolved. The contact area of narrower spots depends on the
+/// node spacing.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Usual width of the contact spots (contact/interface.hpp) in nodes; 0 without contact. Half of the
-/// contact nodes lie in spots of at most this many nodes on a line, or its square on a map.
+/// Usual width w of the contact spots (contact/interface.hpp) in nodes; 0 without contact. Half of the
+/// touching nodes are in spots of at most w nodes on a line, or of at most w^2 nodes on a map.
 Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 
-/// The responses of a scan or map with heights interpolated 4 times between its nodes, linearly and by a
-/// spline. Empty if `resolution` omits them. They have the measured response's displacements, so their
-/// pressures are nearly its pressures. Throws as solve_contact.
+/// The responses of a scan or map that is interpolated to 4 times finer grids, linearly and by a spline.
+/// Empty if `resolution` omits them. The displacements are those of the measured response, so that the
+/// pressures are nearly equal, too. Throws as solve_contact().
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 
 /// The uncertainty of a measured surface's curve from its node spacing, one entry per load step; empty if it
 /// was not computed.
 ///
-/// The band holds the curves of the heights as measured, interpolated linearly, and interpolated by a spline.
-/// All are evaluated at the measured curve's mean pressures. Pressure is force over the length of each grid,
-/// for a free map over all of its patches. The band also holds the spline's curve extrapolated to spacing 0,
-/// v + (v - measured)/3 (Richardson 1911). The reason is that the error of a node count is proportional to
-/// the spacing. At both ends it is wider by a quarter of its largest relative width at the load step and the
-/// ones next to it. It does not cover roughness below the spacing.
+/// The band contains four curves at the measured curve's mean pressures. Three are those of the heights as
+/// measured, interpolated linearly, and interpolated by a spline. The fourth is the spline's curve v
+/// extrapolated to spacing 0: v + (v - measured)/3 (Richardson 1911). The reason is that the error of a node
+/// count is proportional to the spacing. Pressure is force over the length of each grid, for a free map over
+/// all of its patches.
+///
+/// At each load step both edges then move outward by a quarter of the largest relative width at this and the
+/// adjacent load steps. Widths are relative to the measured curve. The band does not cover roughness below
+/// the spacing.
 struct ResolutionBand {
-    Eigen::VectorXd contact_fraction_low = {};   ///< lowest
-    Eigen::VectorXd contact_fraction_high = {};  ///< highest
-    Eigen::VectorXd tangent_stiffness_low = {};  ///< lowest, MPa/mm
-    Eigen::VectorXd tangent_stiffness_high = {}; ///< highest, MPa/mm
-    std::string omitted = {}; ///< why it was not computed, in words; "" if it was, or was not requested
+    Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
+    Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction
+    Eigen::VectorXd tangent_stiffness_low = {};  ///< lower edge for the tangent stiffness, MPa/mm
+    Eigen::VectorXd tangent_stiffness_high = {}; ///< upper edge for the tangent stiffness, MPa/mm
+    std::string omitted = {}; ///< why the band was not computed, in words; "" if it was, or if not requested
 
     bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is a band
 };
 
 /// The band of a scan or map that gave this response under the model. If an interpolated surface cannot be
-/// solved, `omitted` says why. Throws NotConverged if the options stop it.
+/// solved, `omitted` states the reason. Throws NotConverged if ContactOptions::stop ends the solution.
 ResolutionBand resolution_band(const Profile& scan, const Model& model, const Response& measured,
                                Resolution resolution = Resolution::automatic);
 
@@ -67,25 +71,26 @@ struct ElasticEnd {
     Index step = 0;              ///< first load step, from 0, at which a node's pressure exceeds the limit
     double largest_pressure = 0; ///< highest pressure of a node at the last load step, MPa
 
-    /// Whether these load steps include it.
+    /// Whether the response's load steps include `step`.
     bool is_reached(const Response& response) const { return step < response.steps(); }
 };
-/// The elastic end of a response, computed without a hardness; `limit` in MPa. Its step is the number of load
-/// steps if no pressure exceeds the limit. Local pressures grow with the load, so the end is bisected: 1 +
-/// log2(load steps) solutions, each of one load step. Throws as solve_contact.
+/// The elastic end of a response that was computed without a hardness; `limit` in MPa. If no pressure exceeds
+/// the limit, `step` is the number of load steps. Local pressures grow with the load, so the step is found by
+/// bisection. This takes 1 + log2(load steps) solutions, each of one load step. Throws as solve_contact().
 ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit);
 
-/// The effect of outliers: values without them divided by values with them. They are those of the load step
-/// at which the contact fractions differ most.
+/// The effect of outliers: values without them divided by values with them, at the load step at which the
+/// contact fractions differ most.
 struct OutlierCost {
-    double contact_fraction = 1; ///< factor
+    double contact_fraction = 1; ///< factor of the contact fraction
     double stiffness = 1;        ///< factor of the tangent stiffness
-    double pressure = 0;         ///< mean pressure of that load step, MPa
+    double pressure = 0;         ///< mean pressure of this load step, MPa
 
-    bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; } ///< more than 10 %
+    bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; } ///< whether it is above 10 %
 };
-/// The effect of these nodes of a scan that gave this response. Solves the scan with the nodes interpolated,
-/// at the same mean pressures as far as it can reach them. Throws NotConverged as respond().
+/// The effect of outliers of a scan that gave this response. Interpolates the heights at these nodes and
+/// solves the contact at the same mean pressures, as far as they can be reached. Throws NotConverged as
+/// respond().
 OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 

@@ -4,29 +4,29 @@
 
 namespace rough {
 
-/// A curve y(x), linear between its points and continued with its end slopes over [from, to]. It has at least
-/// two points.
+/// A curve y(x) of at least two points. It is linear between its points, and continued with the slopes of its
+/// end segments to [from, to].
 struct Curve {
-    Eigen::VectorXd x; ///< increasing
-    Eigen::VectorXd y; ///< one per x
-    double from = 0;   ///< smallest x that may be read
-    double to = 0;     ///< largest x that may be read
+    Eigen::VectorXd x; ///< x of the points, increasing
+    Eigen::VectorXd y; ///< y of the points
+    double from = 0;   ///< smallest x at which the curve is defined
+    double to = 0;     ///< largest x at which the curve is defined
 
     /// y at a position. Throws InputError outside [from, to] (with a margin of 1e-9 of its length).
     double at(double position) const;
 };
 
-/// A segment of a curve and the weight of its right point at a position.
+/// A segment of a curve, and a position on it.
 struct Segment {
-    Index left;    ///< between points left and left + 1
-    double weight; ///< outside [0, 1] if the segment is continued
+    Index left;    ///< index of the left point; the right point is the next one
+    double weight; ///< weight of the right point at the position; outside [0, 1] beyond the segment's ends
 };
 /// The segment that contains `position`, or the nearest end segment.
 Segment segment_at(const Curve& curve, double position);
 
-/// K(p) for similarities: secants K_j = (P_j - P_{j-1})/(Delta_j - Delta_{j-1}) (MPa/mm) at pi_j = (P_j +
-/// P_{j-1})/2 (MPa), over [0, P_nt]. A tangent cannot be used, because it does not depend on the heights at a
-/// fixed contact set.
+/// The stiffness curve K(p) from which similarities are computed. Its points are the secants K_j = (P_j -
+/// P_{j-1})/(Delta_j - Delta_{j-1}) (MPa/mm) at pi_j = (P_j + P_{j-1})/2 (MPa). It is defined on [0, P_nt].
+/// Tangents are not used, because they do not depend on the heights as long as the contact set is fixed.
 Curve secant_stiffness(const Response& response);
 
 /// Contact fraction against mean pressure (MPa), from (0, 0).
@@ -38,13 +38,13 @@ Curve area_against_displacement(const Response& response);
 /// Mean pressure (MPa) against displacement (mm), from (0, 0).
 Curve load_against_displacement(const Response& response);
 
-/// The curve with an additional point at `to`, for pictures.
+/// The curve with an additional point at `to`, for plots.
 Curve to_its_end(Curve curve);
 
-/// The curve with x multiplied by `factor`, in Eq. 11 by p_max / P_nt.
+/// The curve with x multiplied by `factor`. For Eq. 11 the factor is p_max/P_nt.
 Curve stretched(Curve curve, double factor);
 
-/// Derivatives of a response with respect to genes: rows of ResponseGradient pulled back.
+/// Derivatives of a response with respect to genes: those of ResponseGradient, converted by pulled_back().
 struct ResponseJacobian {
     Eigen::MatrixXd pressure;             ///< dP_j/dgene, steps x genes
     Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dgene
@@ -73,34 +73,37 @@ struct CurveJacobian {
 /// d(pi_j, K_j)/dgene of secant_stiffness(response).
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
 
-/// Interface stiffness K_i of the tangent at each load step, MPa/mm; infinite at full contact. 1/K_i = 1/K -
-/// 1/K_full (Barber 2003) removes the half-plane in series with the contact. In plane strain K_i does not
-/// depend on the datum, because another datum adds the same constant to 1/K for every contact set. This holds
-/// for secants too. On a periodic half-plane K_i = K.
+/// The interface stiffness K_i at each load step, MPa/mm, from the tangent K; infinite at full contact. 1/K_i
+/// = 1/K - 1/K_full (Barber 2003) removes the compliance of full contact, which is in series with that of
+/// the contact. In plane strain K_i does not depend on the datum, because another datum adds the same
+/// constant to 1/K for every contact set. This holds for secants too. On a periodic half-plane K_i = K.
 Eigen::VectorXd interface_stiffness(const Response& response);
 
-/// K_i of one stiffness K, both MPa/mm. If K is within a relative 1e-12 of K_full, K_i is 1e12 K.
+/// The interface stiffness K_i for a stiffness K, both in MPa/mm. If K is within a relative 1e-12 of K_full,
+/// K_i is 1e12 K.
 double interface_of(double stiffness, double full_stiffness);
 /// The derivatives of K_i from those of `stiffness`; zero if K_i is 1e12 K.
 CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness, double full_stiffness);
 
-/// K_i against mean pressure for similarities: of the secants of secant_stiffness().
+/// The curve of K_i against mean pressure from which similarities are computed. Its points follow from the
+/// secants of secant_stiffness().
 Curve interface_secants(const Response& response);
 
 /// Partial slip (Ciavarella 1998, Jaeger 1998). Under a constant normal load P and a growing tangential load
 /// Q, nodes slip from the edges of contact inwards. The nodes that stick are those that touch under a smaller
-/// normal load P*.
+/// normal load P*, at the displacement Delta*. f is the coefficient of friction.
 ///
 ///     Q = f [P - P*],   tangential displacement = f [Delta - Delta*]
 ///
-/// So the curve follows from the normal curve, exactly at its load steps. Assumptions: plane strain, Coulomb
-/// friction with one coefficient f, elastic contact. The bodies do not couple: they are equal, or Dundurs'
-/// beta is 0 (a rigid profile: nu = 0.5). Displacements have the datum of the normal ones.
+/// So the tangential curve follows from the normal curve, exactly at its load steps. Assumptions are plane
+/// strain, Coulomb friction with one coefficient f, and elastic contact. Normal and tangential loads do not
+/// couple: the bodies are equal, or Dundurs' beta is 0 (for a rigid profile: nu = 0.5). Tangential
+/// displacements have the datum of the normal ones.
 
 /// A tangential load-displacement curve, from stick (Q = 0) to full slip (Q = f P). It has one row more than
 /// the load steps; row k has P* = P_(n-k), the last row P* = 0.
 struct PartialSlip {
-    Eigen::VectorXd displacement;   ///< tangential, mm
+    Eigen::VectorXd displacement;   ///< tangential displacement, mm
     Eigen::VectorXd traction;       ///< Q as a mean over the length, MPa
     Eigen::VectorXd stiffness;      ///< dQ/d displacement, MPa/mm; 0 at full slip
     Eigen::VectorXd stick_fraction; ///< share of the touching nodes that stick

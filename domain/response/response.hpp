@@ -6,19 +6,21 @@
 
 namespace rough {
 
-/// The load steps: Delta_j = (j / steps) Delta_last, j = 1..steps. Delta_last is `to_displacement`, or else
-/// the displacement at which the mean pressure is `to_pressure`, or else reach * range. The range is max Z -
-/// min Z (periodic kernel: max Z - mean Z, at which contact is full).
+/// The load steps: the displacements Delta_j = (j/steps) Delta_last, j = 1..steps. Delta_last is
+/// `to_displacement` if it is given. Otherwise it is the displacement at which the mean pressure is
+/// `to_pressure`, if that is given, and otherwise reach * range. With the heights Z the range is max Z - min
+/// Z. For the periodic kernel it is max Z - mean Z, at which contact is full.
 struct Loading {
-    int steps = 20;             ///< n_t >= 2
-    double reach = 0;           ///< (0, 1], below 1 for the periodic kernel; 0: 1, periodic 0.95
-    double to_pressure = 0;     ///< MPa; 0: not used
-    double to_displacement = 0; ///< mm; 0: not used
-    /// Instead of all these: one load step per mean pressure, MPa, > 0 and increasing.
+    int steps = 20;             ///< number of load steps n_t, >= 2
+    double reach = 0;           ///< in (0, 1], below 1 for the periodic kernel; 0: 1, periodic 0.95
+    double to_pressure = 0;     ///< mean pressure at the last load step, MPa; 0: not given
+    double to_displacement = 0; ///< displacement at the last load step, mm; 0: not given
+    /// Mean pressures of the load steps, MPa, > 0 and increasing. If they are given, they replace all members
+    /// above.
     std::vector<double> pressures = {};
 };
 
-/// The load steps with the default reach if it is 0.
+/// The load steps with the default value of `reach` if it is 0.
 Loading completed(Loading loading, Kernel kernel);
 
 /// Throws InputError if completed load steps are fewer than 2 or their reach is outside its range.
@@ -26,15 +28,15 @@ void validate(const Loading& loading, Kernel kernel);
 
 /// The response of a profile to load steps. The unloaded state (0, 0) is not a row.
 struct Response {
-    double range = 0;                  ///< mm
-    Eigen::VectorXd displacement;      ///< Delta_j, mm
-    Eigen::VectorXd pressure;          ///< P_j, MPa
-    Eigen::VectorXd contact_fraction;  ///< contact nodes / N
-    Eigen::VectorXd tangent_stiffness; ///< MPa/mm
+    double range = 0;                  ///< range of the heights (Loading), mm
+    Eigen::VectorXd displacement;      ///< displacements Delta_j, mm
+    Eigen::VectorXd pressure;          ///< mean pressures P_j, MPa
+    Eigen::VectorXd contact_fraction;  ///< shares of the nodes that touch
+    Eigen::VectorXd tangent_stiffness; ///< dP/dDelta at each step's contact set, MPa/mm
     Eigen::VectorXd kkt_residual;      ///< certificate of each step, dimensionless
     Solver solver = Solver::automatic; ///< solver that was used
-    /// K_full, stiffness with all nodes in contact (full_contact_stiffness), MPa/mm. It is infinite on a
-    /// periodic half-plane and NaN if unknown.
+    /// Stiffness K_full with all nodes in contact (full_contact_stiffness), MPa/mm. It is infinite on a
+    /// periodic half-plane and NaN if it is not known.
     double full_stiffness = std::numeric_limits<double>::quiet_NaN();
     Index held_nodes = 0; ///< nodes at the hardness at the last load step
 
@@ -45,14 +47,14 @@ struct Response {
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range,
                      double full_stiffness = std::numeric_limits<double>::quiet_NaN());
 
-/// Derivatives of a response with respect to the heights, by the adjoint (without another solve).
+/// Derivatives of a response with respect to the heights Z_i, by the adjoint (without another solution).
 struct ResponseGradient {
     Eigen::MatrixXd pressure;             ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero
     Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dZ_i, N; those of other steps are fractions of it
 };
 
-/// The range of a profile: max Z - min Z, periodic kernel: max Z - mean Z. Throws InputError if it is zero or
-/// a height is not finite.
+/// The range of a profile's heights Z: max Z - min Z, for the periodic kernel max Z - mean Z. Throws
+/// InputError if it is zero or a height is not finite.
 double displacement_range(const Profile& profile, Kernel kernel);
 
 /// The displacements of load steps whose end follows from `reach`, mm. Throws InputError on steps < 2 or a
@@ -74,9 +76,9 @@ ContactCurve press(const Profile& profile, const Body& body, const Loading& load
 Response respond(const Profile& profile, const Body& body = {}, const Loading& loading = {},
                  const ContactOptions& options = {});
 
-/// A smooth contact fraction (contact/interface.hpp) and its derivatives, for targets of contact area.
+/// The smooth contact fraction (contact/interface.hpp) and its derivatives, for targets of contact area.
 struct AreaGradient {
-    Eigen::VectorXd fraction; ///< one per load step; empty if not requested
+    Eigen::VectorXd fraction; ///< one value per load step; empty if not requested
     Eigen::MatrixXd
         by_heights; ///< d fraction_j/dZ_i, steps x N, 1/mm, including the change of the displacements
 };
@@ -88,13 +90,14 @@ struct ResponseWithGradient {
     AreaGradient area;         ///< empty if not requested
 };
 /// respond() with derivatives. They need only the solutions of respond(). Derivatives of the contact fraction
-/// need one more solve per load step. Also throws InputError if the load steps are at given pressures, and on
-/// the contact fraction's derivatives for a body with a hardness.
+/// need one more linear solution per load step. Also throws InputError if the load steps are at given
+/// pressures, and on derivatives of the contact fraction for a body with a hardness.
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options = {}, bool with_area = false);
 
-/// The response of the profile times `factor` (> 0): displacements and pressures scale, stiffness and contact
-/// area do not. Throws InputError if they exceed double precision or nodes are at a hardness.
+/// The response of a profile whose heights are multiplied by `factor` (> 0). Displacements and pressures are
+/// multiplied; stiffness and contact fraction do not change. Throws InputError if the result exceeds double
+/// precision or nodes are at a hardness.
 Response scaled(Response response, double factor);
 
 /// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.
@@ -108,8 +111,8 @@ struct Model {
     double accuracy = 0;
 };
 
-/// The model with default values for the members at 0: the body's for the grid's length, the reach for the
-/// kernel. The grid becomes periodic if the kernel is, and only then.
+/// The model with default values in place of zeros: those of the body for the grid's length, and the reach
+/// for the kernel. The grid becomes periodic if the kernel is periodic, and only then.
 inline Model completed(Model model) {
     model.grid.periodic = model.body.kernel == Kernel::periodic;
     model.body = completed(model.body, model.grid.length);
@@ -123,7 +126,7 @@ inline void validate(const Model& model) {
     validate(model.loading, model.body.kernel);
 }
 
-/// The response of a profile under the model. Members of the body at 0 get their default for the grid's
+/// The response of a profile under the model. Zeros of the body get their default values for the grid's
 /// length.
 inline Response respond(const Profile& profile, const Model& model) {
     return respond(profile, completed(model.body, model.grid.length), model.loading, model.contact);

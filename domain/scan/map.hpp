@@ -10,20 +10,20 @@ namespace rough {
 
 /// Unit and spacings of a map whose file does not state them.
 struct MapLayout {
-    std::string unit = {};  ///< for heights and spacings, e.g. "um"; empty: mm, or the file's unit
-    double spacing = 0;     ///< delta_x, > 0; 0: from the file
-    double row_spacing = 0; ///< delta_y, > 0; 0: from the file
+    std::string unit = {};  ///< unit of heights and spacings, e.g. "um"; empty: mm, or the file's unit
+    double spacing = 0;     ///< spacing along x, delta_x, > 0; 0: from the file
+    double row_spacing = 0; ///< spacing along y, delta_y, > 0; 0: from the file
 };
 
-/// A map's heights, and what its file states about them.
+/// A map's heights, and the statements of its file about them.
 struct Map {
-    Profile heights;     ///< mm
+    Profile heights;     ///< heights and spacings, mm
     std::string account; ///< format and unit, in a few words
 };
 
-/// Reads a map's heights, without changing them. The lines of a text matrix are rows along x, y grows from
-/// line to line. Without a spacing, three columns are x, y and height of a whole grid in any order. X3P, SDF,
-/// SUR, GSF and other formats have units and spacings.
+/// Reads a map's heights without changing them. Each line of a text matrix is a row along x; y grows from
+/// line to line. If no spacing is given, a table of three columns has x, y and height at all nodes of a grid,
+/// in any order. X3P, SDF, SUR, GSF and other formats have units and spacings.
 ///
 /// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
 /// rows of different lengths, a missing height, or a spacing or unit that contradicts the file's.
@@ -37,8 +37,8 @@ std::string x3p(const Profile& surface);
 /// bits, to 5e-10 of the highest |height|. Throws InputError on over 2^31 - 1 heights.
 std::string sur(const Profile& surface);
 
-/// A map as a legacy VTK file's bytes (version 3.0, binary): a structured grid of points (x, y, z) in mm. Its
-/// scalar `height_mm` shows as a relief in viewers.
+/// A map as the bytes of a legacy VTK file (version 3.0, binary). It is a structured grid of points (x, y, z)
+/// in mm with the scalar `height_mm`. Viewers show it as a relief.
 std::string vtk(const Profile& map);
 
 /// Heights at evenly spaced points, from a file whose format has units and spacings. Rows are along x, and y

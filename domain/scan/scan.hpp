@@ -9,44 +9,50 @@ namespace rough {
 
 /// Options for reading a scan.
 struct ScanOptions {
-    /// unit of columns whose header does not name one, e.g. "um", or one for x and one for heights, "mm,um";
-    /// empty: not given, so mm is assumed
+    /// Unit of columns whose header does not name one, e.g. "um". "mm,um" is mm for x and um for heights.
+    /// Empty: not given, so mm is assumed.
     std::string unit = {};
-    double spacing = 0; ///< distance of a one-column file's points, in x's `unit` (else mm); 0: not given
+    /// Distance between the points of a file with one column, in the unit of x that `unit` gives, otherwise
+    /// in mm. 0: not given.
+    double spacing = 0;
     Detrend detrend = Detrend::line; ///< form to remove from the heights
-    bool fill = false; ///< replace missing heights by linear interpolation instead of refusing them
-    Index row = 0;     ///< row of an areal map to take, from 1; 0: the file has a profile
-    Index nodes = 0;   ///< number of even nodes to resample to, >= 2; 0: as many as the file has points
-    bool remove_outliers = false; ///< replace outliers by linear interpolation
-    /// cut-off of the Gaussian filter that removes shorter wavelengths, after the form, mm; 0: none
+    bool fill = false;               ///< whether missing heights are interpolated linearly instead of refused
+    Index row = 0;                   ///< row of an areal map to take, from 1; 0: the file has a profile
+    /// Number of evenly spaced nodes to which heights are resampled, >= 2; 0: as many as the file has points.
+    Index nodes = 0;
+    bool remove_outliers = false; ///< whether outliers are replaced by linear interpolation
+    /// Cut-off wavelength of a Gaussian filter, mm; 0: no filter. It is applied after the form is removed,
+    /// and removes shorter wavelengths.
     double lambda_s = 0;
-    double lambda_c = 0; ///< cut-off of the filter that removes longer wavelengths, mm; 0: none
+    double lambda_c =
+        0; ///< cut-off wavelength of a Gaussian filter that removes longer ones, mm; 0: no filter
 };
 
 /// A measured profile, ready for contact.
 struct Scan {
-    Profile profile; ///< mm, even spacing, x growing, detrended
+    Profile profile; ///< heights in mm at evenly spaced nodes, x growing, without the form
     std::string
         account; ///< one line: points, length, height range, rms, units, resampling, filling, detrending
     std::vector<Index> outliers; ///< outliers that were kept
 };
 
-/// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or x and
-/// height. A running index before them and a validity column (0 or 1) after them are optional. From an
-/// instrument's format it takes a profile or a row of a map. Throws InputError with one line that names the
-/// file, the line and the fault.
+/// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or two
+/// columns of x and height. A running index before them and a validity column (0 or 1) after them are
+/// optional. From an instrument's file it takes a profile, or one row of a map. Throws InputError with one
+/// line that names the file, the line and the fault.
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
 /// A line profile from a file: a genome, which has a height at every x, or a measured scan. Lengths in mm.
 struct Source {
     std::string name;                 ///< path of the file
-    std::optional<Genome> genome;     ///< nothing for a scan
-    double length = standard_length;  ///< L of a genome; not used for a scan
-    Profile measured = {};            ///< a scan at evenly spaced nodes; empty for a genome
-    std::string account = {};         ///< one line on how a scan was read and changed
+    std::optional<Genome> genome;     ///< the genome; nothing for a scan
+    double length = standard_length;  ///< length L of a genome's profile; not used for a scan
+    Profile measured = {};            ///< heights of a scan at evenly spaced nodes; empty for a genome
+    std::string account = {};         ///< how a scan was read and changed, in one line
     std::vector<Index> outliers = {}; ///< outliers of a scan that were kept
 
-    /// The file's grid: a scan's points, 512 nodes for a genome. `periodic` for the periodic kernel.
+    /// The grid of the file: the nodes of a scan, or 512 nodes for a genome. `periodic` is for the periodic
+    /// kernel.
     Grid grid(bool periodic = false) const;
 
     /// Heights on a grid: a genome's waves, or a scan's points, stretched to the grid's length if it differs.

@@ -14,10 +14,10 @@ enum class Quantity {
     area_at_pressure,     ///< contact fraction against mean pressure (MPa)
     area_at_displacement, ///< contact fraction against displacement (mm)
     load_at_displacement, ///< mean pressure (MPa) against displacement (mm)
-    interface_stiffness,  ///< K_i (MPa/mm; response/curve.hpp) against mean pressure (MPa)
+    interface_stiffness,  ///< interface stiffness K_i (MPa/mm; curve.hpp) against mean pressure (MPa)
 };
 
-/// In the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.
+/// The names in the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.
 const std::vector<std::string>& quantity_names();
 /// The name of a quantity.
 const std::string& name_of(Quantity quantity);
@@ -35,14 +35,15 @@ inline bool against_pressure(Quantity quantity) {
 
 /// A curve that a design must match, with its weight. A band contains the values that count as a match.
 struct Target {
-    Quantity quantity = Quantity::stiffness;     ///< y and x of the curve
-    std::string name;                            ///< its file or another origin
-    Eigen::VectorXd x;                           ///< points in the quantity's units, > 0 and increasing
-    Eigen::VectorXd y;                           ///< one value at each x, > 0
-    Eigen::VectorXd lower;                       ///< lower end of the band at each x, or empty
-    Eigen::VectorXd upper;                       ///< upper end of the band at each x, or empty
-    double weight = 1;                           ///< (0, 1]: factor on each misfit
-    std::map<std::string, std::string> recorded; ///< the model in the file: "kernel", "datum_mm", ...
+    Quantity quantity = Quantity::stiffness; ///< y and x of the curve
+    std::string name;                        ///< path of the file, or another origin
+    Eigen::VectorXd x;                       ///< x of the points in the quantity's units, > 0, increasing
+    Eigen::VectorXd y;                       ///< y of the points, > 0
+    Eigen::VectorXd lower;                   ///< lower end of the band at each x, or empty
+    Eigen::VectorXd upper;                   ///< upper end of the band at each x, or empty
+    double weight = 1;                       ///< factor on each misfit, in (0, 1]
+    std::map<std::string, std::string>
+        recorded; ///< the model that the file states: "kernel", "datum_mm", ...
 
     Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
@@ -51,7 +52,7 @@ struct Target {
     bool has_band() const { return lower.size() > 0; } ///< whether a band is given
 };
 
-/// The columns of a quantity's file, e.g. "pressure_MPa" and "stiffness_MPa_per_mm".
+/// The columns of a target file, e.g. "pressure_MPa" and "stiffness_MPa_per_mm".
 struct Columns {
     const char* x; ///< name of the column of x
     const char* y; ///< name of the column of y
@@ -69,7 +70,7 @@ struct TargetTable {
     std::vector<std::string> header;             ///< names of the columns, trimmed
     std::vector<std::vector<double>> rows;       ///< as wide as the header, finite
 
-    /// The column's place in the header, or -1.
+    /// The index of a column in the header, from 0, or -1 if it does not exist.
     int place_of(const std::string& name) const;
 };
 /// Reads a target file: comments, a header and rows of numbers. The header determines the separator: comma,
@@ -79,9 +80,10 @@ TargetTable read_target_table(const std::filesystem::path& file);
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
     double nominal_area = 0; ///< mm^2; 0 for a line: columns of loads or contact areas are refused
-    double conductance_to_stiffness =
-        0;                     ///< E* (rho_1 + rho_2)/2, rho the resistivities (Barber 2003); 0: none
-    double shear_strength = 0; ///< sigma of friction = sigma A, MPa; 0: none
+    /// E* (rho_1 + rho_2)/2, with the resistivities rho of the bodies (Barber 2003); 0: not given.
+    double conductance_to_stiffness = 0;
+    double shear_strength =
+        0; ///< shear strength sigma, MPa: friction = sigma A, A contact area; 0: not given
 };
 
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
@@ -95,23 +97,23 @@ struct TargetScales {
 /// rho_2)/2. Lines "# key: value" record the model. Throws InputError that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
-/// The target as a file: the recorded lines, the header, and one row per point with 17 digits.
+/// The text of a target's file: the recorded lines, the header, and one row per point with 17 digits.
 std::string to_csv(const Target& target);
 
 /// The curve of `response` that is compared with a target of this quantity.
 Curve curve_of(Quantity quantity, const Response& response);
 
-/// The misfit of a value y at the target's point k, times the weight. It is y/y_k - 1, or with a band the
-/// distance to the band divided by y_k.
+/// The misfit of a value y at the target's point k, times the weight. The misfit is y/y_k - 1. If the target
+/// has a band, it is the distance to the band, divided by y_k.
 inline double misfit(const Target& target, Index k, double y) {
     const double wanted =
         target.has_band() ? std::clamp(y, target.lower[k], target.upper[k]) / target.y[k] : 1;
     return target.weight * (y / target.y[k] - wanted);
 }
-/// Misfits of a curve at the target's points. Throws InputError if one is outside the curve's range.
+/// The misfits of a curve at the target's points. Throws InputError if a point is outside the curve's range.
 Eigen::VectorXd misfit(const Target& target, const Curve& curve);
 
-/// d misfit/dgene, points x genes; zero within the band. `misfits` are the curve's.
+/// The derivatives d misfit/dgene, points x genes; zero within the band. `misfits` are those of the curve.
 Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const CurveJacobian& jacobian,
                                 const Eigen::VectorXd& misfits);
 
@@ -121,28 +123,28 @@ inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cw
 /// Similarity of a curve to the target.
 double similarity(const Target& target, const Curve& curve);
 
-/// Similarity of two curves. The first curve is the target. The second is stretched in x to the end of the
-/// first. Used to compare a profile of fewer waves or nodes with the complete profile.
+/// Similarity of two curves, of which the first is the target. The second one is stretched in x to the end
+/// of the first. The function compares a profile of fewer waves or nodes with the complete profile.
 double similarity(const Curve& reference, const Curve& curve);
 
-/// The model's values on which the curve depends. Keys are names with units.
+/// The model's values on which a target's curve depends. Keys are names with units.
 std::map<std::string, std::string> recorded_model(const Model& model);
 
-/// A recorded value that differs from the model's.
+/// A value in a target's file that differs from the model's.
 struct RecordedDifference {
     std::string key;      ///< "kernel", "datum_mm", ...
-    std::string recorded; ///< the target's value
-    std::string here;     ///< the model's value; "" if it has none
+    std::string recorded; ///< value in the target's file
+    std::string here;     ///< value of the model; "" if it has none
 };
 
-/// The differences that the target's curve depends on, in the order kernel, length, width, modulus, datum,
-/// strip width, layers. Numbers may differ by 1e-9, relative. Throws InputError if a recorded number cannot
-/// be read.
+/// The differences between target and model on which the target's curve depends. The order is kernel, length,
+/// width, modulus, datum, strip width, layers. Numbers may differ by 1e-9 (relative). Throws InputError if a
+/// recorded number cannot be read.
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
-/// Differences that hardly affect the curve: datum and length, for an interface stiffness. Its definition
-/// removes the compliance of full contact, so it does not depend on the datum. At light loads it depends only
-/// weakly on the length. Other quantities have no such differences.
+/// The differences that hardly affect the target's curve. They exist only for an interface stiffness: datum
+/// and length. Its definition removes the compliance of full contact, so it does not depend on the datum. At
+/// light loads it depends only weakly on the length.
 std::vector<RecordedDifference> carried_over(const Target& target, const Model& model);
 
 /// The differences in words: "kernel strip (here free), length_mm 0.004 (here 0.84942)".
@@ -151,14 +153,14 @@ std::string in_words(const std::vector<RecordedDifference>& differences);
 /// Throws InputError that names all recorded_differences, if there are any.
 void expect_recorded(const Target& target, const Model& model);
 
-/// A target with y(x) at `points` evenly spaced x up to `last`, in the quantity's units.
+/// A target with the values y(x) at `points` evenly spaced x up to `last`, in the quantity's units.
 Target even_target(Quantity quantity, const std::string& name, Index points, double last,
                    const std::function<double(double)>& y);
 
-/// A profile's response as a target, with its recorded model, at even points up to `last` (MPa or mm). If
-/// `last` is 0 or beyond the end of the load steps, their end is used. Points before the curve's first secant
-/// are omitted if its linear continuation is 0 or less there. Unless `resolution` omits it, the band spans
-/// the curves of the given heights and of both interpolations (accuracy/resolution.hpp). Throws
+/// A profile's response as a target, with its recorded model, at evenly spaced points up to `last` (MPa or
+/// mm). If `last` is 0 or beyond the last load step, the last load step is used. Points before the curve's
+/// first secant are omitted if its linear continuation is 0 or less there. Unless `resolution` omits it, the
+/// band contains the curves of the given heights and of both interpolations (accuracy/resolution.hpp). Throws
 /// InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,
