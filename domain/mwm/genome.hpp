@@ -10,10 +10,10 @@
 
 namespace rough {
 
-/// One length scale of a series: M ridges of the same wavelength, each with its phase (rad).
+/// One length scale of a series: M ridges of the same wavelength, each with a phase.
 struct Chromosome {
-    int n = 1;                  ///< place in the series, >= 1; wavelength lambda gamma^(1-n)
-    std::vector<double> phases; ///< phi_{m,n}, rad, M >= 1 of them
+    int n = 1;                  ///< place in the series, >= 1; the wavelength is lambda gamma^(1-n)
+    std::vector<double> phases; ///< phases phi_{m,n} of the ridges m = 1..M, M >= 1, rad
 };
 
 /// One multivariate Weierstrass-Mandelbrot (MWM) series (paper, Eq. 1-3). Lengths in mm.
@@ -23,7 +23,7 @@ struct Series {
     double H = 0.5;                      ///< Hurst exponent, dimensionless
     double gamma = 1.5;                  ///< ratio of neighbouring wavenumbers, > 1
     double lambda = 1;                   ///< longest wavelength, mm
-    std::vector<Chromosome> chromosomes; ///< at least one, each n once
+    std::vector<Chromosome> chromosomes; ///< at least one; no two have the same n
 };
 
 /// A rough surface: `scale` times the sum of its series. The paper's GCO and CCO add the parents' series
@@ -33,13 +33,13 @@ struct Series {
 /// scales pressures and displacements, and leaves stiffness and contact sets as they are. So Eq. 11 changes
 /// only `scale`.
 struct Genome {
-    double scale = 1;           ///< != 0
-    std::vector<Series> series; ///< at least one
+    double scale = 1;           ///< factor on all heights, not 0
+    std::vector<Series> series; ///< at least one series
 };
 
-/// Checks every number. Throws InputError, with `where` in front, on an empty genome or series, a chromosome
-/// without phases, or an n twice in a series. It also refuses scale = 0, A = 0, gamma <= 1, lambda <= 0,
-/// n < 1, and numbers that are not finite.
+/// Checks every number. Throws InputError that begins with `where` on an empty genome or series, a chromosome
+/// without phases, or an n that a series has twice. Also throws it on scale = 0, A = 0, gamma <= 1, lambda <=
+/// 0, n < 1, and numbers that are not finite.
 void validate(const Genome& genome, const std::string& where);
 
 /// The genome of this surface with scale 1; the amplitudes A are multiplied by the scale.
@@ -50,18 +50,18 @@ Genome folded(Genome genome);
 /// bit.
 Genome sum(const Genome& left, const Genome& right);
 
-/// The bits of all numbers except the scale. The responses of genomes with equal keys and scales of equal
-/// sign differ only by the scale.
+/// A key of a genome's shape: the bits of all numbers except the scale. The responses of genomes with equal
+/// keys and scales of equal sign differ only by the scale.
 std::string shape_key(const Genome& genome);
 
 /// Kind and place of a gene.
 struct GenePlace {
-    /// Amplitude, Hurst exponent, frequency ratio, longest wave (mm), ridge phase (rad).
+    /// Amplitude, Hurst exponent, frequency ratio, longest wavelength (mm), phase of a ridge (rad).
     enum class Kind { A, H, gamma, lambda, phase };
-    Kind kind;                  ///< which gene
-    std::size_t series = 0;     ///< index into the genome's list
-    std::size_t chromosome = 0; ///< index into the series' list (phases only)
-    std::size_t ridge = 0;      ///< index into the chromosome's phases (phases only)
+    Kind kind;                  ///< kind of the gene
+    std::size_t series = 0;     ///< index of the series in the genome
+    std::size_t chromosome = 0; ///< index of the chromosome in the series (only for phases)
+    std::size_t ridge = 0;      ///< index of the phase in the chromosome (only for phases)
 };
 
 /// All genes in order: for each series A, H, gamma, lambda, then the phases chromosome by chromosome.
@@ -83,22 +83,21 @@ void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
 /// probability 1/2. Scales and series change as in cross_points.
 void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 
-/// {"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]}, lengths
-/// in mm; the scale is folded into the amplitudes.
+/// A genome as JSON, lengths in mm; the amplitudes A are multiplied by the scale. An example is
+/// {"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]}.
 nlohmann::json genome_to_json(const Genome& genome);
 
-/// The inverse, validated. Throws InputError that begins with `where` on a missing or unknown key or a bad
+/// The genome in such JSON. Throws InputError that begins with `where` on a missing or unknown key or a bad
 /// value.
 Genome genome_from_json(const nlohmann::json& json, const std::string& where);
 
 /// The default length of a profile, mm (the paper's).
 constexpr double standard_length = 0.84942;
 
-/// A genome file: the genome as above, and "length_mm" next to "series", the length of the profile that it
-/// was made for.
+/// The content of a genome file. The file has the JSON of genome_to_json(), and "length_mm" next to "series".
 struct GenomeFile {
-    Genome genome;                   ///< validated
-    double length = standard_length; ///< mm, > 0
+    Genome genome;                   ///< genome of valid numbers
+    double length = standard_length; ///< length of the profile that the genome was made for, mm, > 0
 };
 
 /// Reads and validates a genome file of at most 16 MB. Throws InputError that begins with the file's name.
@@ -106,7 +105,7 @@ GenomeFile read_genome_file(const std::filesystem::path& file);
 /// Reads only the genome.
 Genome read_genome(const std::filesystem::path& file);
 
-/// A genome file's text; a standard length is omitted.
+/// The text of a genome file. If `length` is standard_length, "length_mm" is omitted.
 std::string genome_file_text(const Genome& genome, double length);
 
 } // namespace rough

@@ -8,7 +8,7 @@
 /// Surfaces for tests, benchmarks, and the experiments that compare solvers.
 namespace rough {
 
-/// Draws a number from [from, to), e.g. ga::Stream's.
+/// A function that draws a number from [from, to), e.g. by ga::Stream::uniform.
 using Uniform = std::function<double(double from, double to)>;
 
 /// Ranges of a random series' amplitude and Hurst exponent; nothing is drawn if both ends are equal.
@@ -19,8 +19,8 @@ struct SeriesRanges {
     double H_to = 1.5;   ///< highest Hurst exponent
 };
 
-/// A random genome. Each series has every wave from `length` down to `shortest` (mm), with gamma from 1.4 to
-/// 2. Each wave has `ridges` phases from the whole turn.
+/// A random genome. Each series has every wavelength from `length` down to `shortest` (mm), with gamma from
+/// 1.4 to 2. Each chromosome has `ridges` phases from 0 to 2 pi.
 Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, double length, double shortest,
                      const SeriesRanges& ranges = {});
 
@@ -50,14 +50,14 @@ Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_
 
 /// The waves of a profile with wavelengths from `shortest` (exclusive) to `longest` (inclusive).
 struct Band {
-    double longest;          ///< wavelength, mm
-    double shortest;         ///< wavelength, mm, less than `longest`
-    Eigen::VectorXd heights; ///< mm, mean 0
+    double longest;          ///< longest wavelength, mm
+    double shortest;         ///< shortest wavelength, mm, less than `longest`
+    Eigen::VectorXd heights; ///< heights, mm, with mean 0
 };
 
-/// A profile as a sum of octave bands, coarsest first: its cosine components with wavelengths 2L/2^b to
-/// 2L/2^(b+1). They are those of its even continuation, which has no jump at the ends. Their sum is the
-/// profile minus its mean.
+/// A profile as a sum of octave bands, the longest wavelengths first. Band b has the cosine components with
+/// wavelengths from 2L/2^b down to 2L/2^(b+1). The components are those of the profile's even continuation,
+/// which has no jump at the ends. The sum of the bands is the profile minus its mean.
 std::vector<Band> octave_bands(const Profile& profile);
 
 } // namespace rough

@@ -6,25 +6,25 @@ namespace rough {
 
 /// One cosine of a profile: offset - amplitude cos(wave_number x + phase).
 struct Wave {
-    double amplitude;   ///< G_n R_n, mm, of the sign of A
+    double amplitude;   ///< G_n R_n, mm; its sign is that of A
     double wave_number; ///< k_n, 1/mm
     double phase;       ///< theta, rad
     double offset;      ///< G_n g1, mm
 };
 
 /// M ridges of one wavenumber as one cosine: sum_m [cos phi_m - cos(k x + phi_m)] = g1 - R cos(k x + theta).
-/// Paper, Eq. 5-10; theta by atan2, as Eq. 8's arccos loses the sign of g2.
+/// Source: Eq. 5-10 of the paper. theta is computed by atan2, because arccos in Eq. 8 loses the sign of g2.
 struct Ridge {
-    double g1;    ///< sum of cos phi
-    double R;     ///< hypot(g1, g2), g2 = sum of sin phi
+    double g1;    ///< sum of cos phi_m
+    double R;     ///< hypot(g1, g2), where g2 is the sum of sin phi_m
     double theta; ///< atan2(g2, g1), rad
 };
-/// Collapses one chromosome's phases (rad).
+/// The cosine of one chromosome's ridges from their phases (rad).
 Ridge collapsed(const std::vector<double>& phases);
 
-double wave_length(const Series& series, int n); ///< lambda_n = lambda gamma^(1-n), mm
-double wave_number(const Series& series, int n); ///< k_n = (2 pi/lambda) gamma^(n-1), 1/mm (Eq. 3)
-/// G_n = A sqrt(log10(gamma)/M) (2 pi/lambda)^(-H) gamma^(-(n-1)H), mm (Eq. 2)
+double wave_length(const Series& series, int n); ///< wavelength lambda_n = lambda gamma^(1-n), mm
+double wave_number(const Series& series, int n); ///< wavenumber k_n = (2 pi/lambda) gamma^(n-1), 1/mm (Eq. 3)
+/// Amplitude G_n = A sqrt(log10(gamma)/M) (2 pi/lambda)^(-H) gamma^(-(n-1)H), mm (Eq. 2); M is `ridges`.
 double amplitude(const Series& series, int n, std::size_t ridges);
 
 /// The wave of one chromosome of the series, without the genome's scale.
@@ -36,13 +36,13 @@ std::vector<Wave> waves(const Genome& genome);
 /// The shortest wavelength of a genome, mm.
 double shortest_wave(const Genome& genome);
 
-/// n_f of Eq. 4: the largest n whose wavelength is at least `shortest` (mm); 0 if even the first is
-/// shorter. A guard of 1e-12 keeps the last chromosome of an exact power. Throws InputError on `shortest`
-/// of 0 and gamma of 1, which have no last one.
+/// The number n_f of Eq. 4: the largest n whose wavelength is at least `shortest` (mm). It is 0 if even the
+/// first wavelength is shorter. A margin of 1e-12 keeps the last chromosome if its wavelength equals
+/// `shortest`. Throws InputError if all n fulfil the condition: on `shortest` of 0 and on gamma of 1.
 int last_chromosome(double lambda, double gamma, double shortest);
 
-/// The genome with only the chromosomes that are kept; empty series are removed.
-/// `keep` is called with the index of the series and that of the chromosome.
+/// The genome with only the chromosomes for which `keep` is true; empty series are removed. `keep` is called
+/// with the index of the series and that of the chromosome.
 template <class Keep>
 Genome filtered(const Genome& genome, Keep keep) {
     Genome result{genome.scale, {}};
@@ -60,11 +60,12 @@ Genome filtered(const Genome& genome, Keep keep) {
 
 /// Chromosomes of one wavenumber, of any series: one length scale of the profile.
 struct LengthScale {
-    double wave_number;                                       ///< rad/mm
-    std::vector<std::pair<std::size_t, std::size_t>> members; ///< series, chromosome
+    double wave_number; ///< wavenumber, rad/mm
+    /// Indices of the series and of the chromosome in it, for each chromosome.
+    std::vector<std::pair<std::size_t, std::size_t>> members;
 };
 
-/// All length scales of a genome, each once.
+/// All length scales of a genome, without duplicates.
 std::vector<LengthScale> length_scales(const Genome& genome);
 
 /// The genome with only this length scale.
@@ -72,13 +73,13 @@ Genome only(const Genome& genome, const LengthScale& scale);
 
 /// One cosine of a profile, as power: half its squared amplitude.
 struct SpectralLine {
-    double wave_number; ///< k, rad/mm
-    double power;       ///< a^2/2, mm^2
+    double wave_number; ///< wavenumber k, rad/mm
+    double power;       ///< a^2/2 for the amplitude a, mm^2
 };
 
-/// The discrete power spectrum of a cosine series, exact: one line for each wavenumber, in increasing
-/// order. Waves of equal wavenumber (from several series) are added with their phases. The sum of the
-/// powers is the mean square height over a length that all wavelengths divide.
+/// The discrete power spectrum of a genome's profile, exact: one line for each wavenumber, in increasing
+/// order. Waves of equal wavenumber (from several series) are added with their phases. Over a length that all
+/// wavelengths divide, the mean square height is the sum of the powers.
 std::vector<SpectralLine> discrete_spectrum(const Genome& genome);
 
 } // namespace rough

@@ -9,8 +9,8 @@ namespace rough {
 
 /// A random surface as theories of contact describe it: its mean square height, spread over wavenumbers.
 struct RandomSurface {
-    Spectrum spectrum;   ///< `power` at each wavenumber; densities are not read
-    bool is_area = true; ///< isotropic; false: a profile, constant in the second direction
+    Spectrum spectrum;   ///< spectrum; only `wave_number` and `power` are read
+    bool is_area = true; ///< true: an isotropic map; false: a profile, constant in the second direction
 };
 
 /// The surface with the spectrum of a profile or map, `periodic` if it repeats. Throws InputError as
@@ -22,84 +22,86 @@ RandomSurface random_surface(const Profile& surface, bool periodic = false);
 struct SelfAffine {
     double hurst = 0.8;      ///< H, between 0 and 1
     double longest = 0;      ///< wavelength at the long cut-off, mm
-    double shortest = 0;     ///< at the short one, mm, less than `longest`
+    double shortest = 0;     ///< wavelength at the short cut-off, mm, less than `longest`
     double rms_slope = 0;    ///< h', > 0: root mean square slope of a profile, gradient of a map
-    bool is_area = true;     ///< waves of every direction alike
+    bool is_area = true;     ///< true: an isotropic map; false: a profile
     Index wave_numbers = 96; ///< number of parts of the spectrum, even in log q, each with its exact power
 };
-/// The surface of these parameters. Throws InputError on one out of its range.
+/// The surface with these parameters. Throws InputError on a parameter out of range.
 RandomSurface random_surface(const SelfAffine& parameters);
 
-/// Mean squares of the height (m0, mm^2), slope (m2) and second derivative (m4, 1/mm^2) of a profile. Those
-/// of a map are means over its sections in all directions. They are m0, 1/2 of the mean square gradient and
-/// 3/8 of the mean square Laplacian. 1/2 and 3/8 are the means of cos^2 and cos^4 (Nayak 1971).
+/// The spectral moments of a profile: mean squares of height, slope and second derivative. Those of a map are
+/// means over its sections in all directions. They are the mean square height, 1/2 of the mean square
+/// gradient and 3/8 of the mean square Laplacian. 1/2 and 3/8 are the means of cos^2 and cos^4 (Nayak 1971).
 struct SpectralMoments {
-    double m0 = 0; ///< mm^2
+    double m0 = 0; ///< mean square height, mm^2
     double m2 = 0; ///< mean square slope
-    double m4 = 0; ///< 1/mm^2
+    double m4 = 0; ///< mean square second derivative, 1/mm^2
 
     double bandwidth() const { return m0 * m4 / (m2 * m2); } ///< Nayak's alpha, at least 1
 };
-/// The integrals of q^n over the spectrum.
+/// The spectral moments of a surface: integrals of q^0, q^2 and q^4 over its spectrum.
 SpectralMoments spectral_moments(const RandomSurface& surface);
 
-/// h': root mean square slope of a profile, gradient of a map.
+/// The root mean square slope h' of a profile, or gradient of a map.
 double rms_slope(const RandomSurface& surface);
 
 /// A surface of these parameters on a periodic grid; a line if `parameters` are a profile's. It is the sum of
 /// one cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between the cut-offs. Amplitudes follow
-/// the spectrum and phases are random, so that the power is exactly the spectrum's. The same seed gives the
-/// same surface on every grid. Waves that a grid does not resolve are sampled, as by an instrument. Throws
-/// InputError for parameters out of range, and if no wave fits between the cut-offs.
+/// the spectrum and phases are random, so that the power is exactly that of the spectrum. The same seed gives
+/// the same surface on every grid. Waves that a grid does not resolve are sampled, as by an instrument.
+/// Throws InputError for parameters out of range, and if no wave fits between the cut-offs.
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed);
 
-/// Theories of the contact of a rigid, random, Gaussian surface with an elastic half-space, repeated without
-/// end, as `periodic` solves it. They need no sampled surface and no contact solution.
+/// Theories of the contact of a rigid, random, Gaussian surface with an elastic half-space. As on a
+/// `periodic` body, the surface repeats. Theories need no sampled surface and no contact solution.
 enum class Theory { greenwood_williamson, bush_gibson_thomas, persson };
 
-/// greenwood-williamson, bush-gibson-thomas and persson, in the order of Theory.
+/// The names greenwood-williamson, bush-gibson-thomas and persson, in the order of Theory.
 const std::vector<std::string>& theory_names();
-const std::string& name_of(Theory theory); ///< one of them
+const std::string& name_of(Theory theory); ///< the name of a theory
 
-/// The prediction of a theory at some mean pressures; NaN if it has none.
+/// The prediction of a theory at some mean pressures. Values are NaN at pressures for which it has none.
 struct TheoryCurve {
-    Eigen::VectorXd pressure;         ///< P, MPa
-    Eigen::VectorXd contact_fraction; ///< A/A0
-    Eigen::VectorXd stiffness;        ///< K = -dP/du, MPa/mm; periodic, so K = K_i
-    Eigen::VectorXd separation;       ///< u, mm, between the mean planes of the surface and the body
+    Eigen::VectorXd pressure;         ///< mean pressure P, MPa
+    Eigen::VectorXd contact_fraction; ///< real over nominal contact area, A/A0
+    Eigen::VectorXd stiffness;        ///< K = -dP/du, MPa/mm; the surface repeats, so K = K_i
+    Eigen::VectorXd separation;       ///< distance u of the mean planes of surface and body, mm
 };
 
-/// Whether a theory applies: to maps always, to profiles only Persson's. Asperity theories are for maps,
-/// because a profile touches along lines.
+/// Whether a theory applies to maps (`is_area`) or profiles. All apply to maps, only Persson's to profiles.
+/// The other theories treat summits as spots, but a profile touches along lines.
 bool holds_for(Theory theory, bool is_area);
 
 /// The curve of a theory. `effective_modulus` is E*, MPa; pressures are > 0, in any order, MPa. Throws
-/// InputError for moments that no Gaussian surface has and for a profile with a theory for maps only.
+/// InputError for moments that no Gaussian surface has, and for a profile if the theory is only for maps.
 TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                             const Eigen::VectorXd& pressures);
 
-/// Summits as Greenwood & Williamson (1966, Proc. R. Soc. A 295, 300) take them: spheres of one radius,
-/// heights normal. Their parameters from a surface's moments after McCool (1986, Wear 107, 37).
+/// The summits that Greenwood & Williamson (1966, Proc. R. Soc. A 295, 300) assume: spheres of one radius
+/// with normally distributed heights. Their parameters follow from the spectral moments (McCool 1986, Wear
+/// 107, 37). alpha is SpectralMoments::bandwidth().
 struct Summits {
-    double density;   ///< eta, 1/mm^2: (m4/m2)/(6 pi sqrt 3)
-    double radius;    ///< R, mm: 3 sqrt(pi)/(8 sqrt m4)
-    double deviation; ///< sigma_s, mm, of their heights: sigma_s^2 = (1 - 0.8968/alpha) m0
-    double mean;      ///< mean of their heights above the mean plane, mm: 4 sqrt(m0/(pi alpha))
+    double density;   ///< number of summits per area eta = (m4/m2)/(6 pi sqrt 3), 1/mm^2
+    double radius;    ///< radius R = 3 sqrt(pi)/(8 sqrt m4), mm
+    double deviation; ///< standard deviation sigma_s of the heights, mm: sigma_s^2 = (1 - 0.8968/alpha) m0
+    double mean;      ///< mean height above the mean plane, mm: 4 sqrt(m0/(pi alpha))
 };
-/// Throws InputError if a moment is not above 0, or alpha is below 1.5, the lowest of an isotropic Gaussian
-/// surface (Nayak 1971).
+/// The summits of a surface with these moments. Throws InputError if a moment is not above 0, or if alpha is
+/// below 1.5, the lowest value of an isotropic Gaussian surface (Nayak 1971).
 Summits summits(const SpectralMoments& moments);
 
 /// Greenwood & Williamson's curve: each summit is a Hertz contact that does not influence another. A/A0 = pi
-/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi. Holds at light load, a few
-/// percent in contact; NaN beyond the plane of the mean summit (d < 0).
+/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi. s is the height of a summit above
+/// the mean summit, and phi its density. d is the height of the body above the mean summit. Holds at light
+/// load, for contact fractions of a few percent; NaN if d < 0.
 TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
                                  const Eigen::VectorXd& pressures);
 
 /// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit is an elliptic paraboloid, a Hertz contact that
 /// does not influence another. Curvatures and heights have the joint distribution of the summits of an
 /// isotropic Gaussian surface (Longuet-Higgins 1957, Nayak 1971). At light load A/A0 -> sqrt(2 pi) P/(E* h').
-/// Holds at light load; NaN beyond the mean plane (u < 0).
+/// Holds at light load; NaN if the separation u is below 0.
 TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
                                const Eigen::VectorXd& pressures);
 
@@ -113,8 +115,8 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_
 /// softer at light ones.
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures);
 
-/// u0 of P ~ exp(-u/u0), K = P/u0 as P -> 0, mm: gamma/sqrt(2 pi) int q/h'(q) dm0, about half the root mean
-/// square height.
+/// The length u0 (mm) of Persson's theory at light load: P ~ exp(-u/u0) and K = P/u0 as P -> 0. It is
+/// gamma/sqrt(2 pi) int q/h'(q) dm0, about half the root mean square height.
 double persson_length(const RandomSurface& surface);
 
 } // namespace rough
