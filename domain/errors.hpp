@@ -7,7 +7,7 @@
 
 namespace rough {
 
-/// A text stream whose numbers have a decimal point and no grouping in every locale.
+/// A text stream that writes numbers with a decimal point and without grouping in every locale.
 struct PlainStream : std::ostringstream {
     PlainStream() { imbue(std::locale::classic()); }
 };
@@ -26,7 +26,7 @@ struct NotConverged : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The parts joined to a line; numbers with this many digits.
+/// The parts joined to a line; numbers have `digits` digits.
 template <typename... Parts>
 std::string line_with_digits(int digits, const Parts&... parts) {
     PlainStream line;
@@ -35,7 +35,7 @@ std::string line_with_digits(int digits, const Parts&... parts) {
     return line.str();
 }
 
-/// The parts joined to a line; numbers with nine digits.
+/// The parts joined to a line; numbers have nine digits.
 template <typename... Parts>
 std::string line_of(const Parts&... parts) {
     return line_with_digits(9, parts...);

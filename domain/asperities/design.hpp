@@ -13,78 +13,80 @@ namespace rough {
 struct GeneRange {
     double from = 0; ///< lowest value, mm
     double to = 0;   ///< highest value, mm
-    double step = 0; ///< mm; 0: any value between
+    double step = 0; ///< distance of allowed values, mm; 0: all values between are allowed
 
     bool is_free() const { return from < to; } ///< whether there is more than one value
     double nearest(double value) const;        ///< the allowed value nearest to another
 };
 
-/// Heights of all caps, place by place, then their radii if these are genes, mm.
+/// The heights of all caps in the order of their positions, then their radii if these are genes, mm.
 using CapGenome = std::vector<double>;
 
 /// The task of a design with caps.
 struct CapSetup {
-    CapArray array = {};                    ///< places of the caps
+    CapArray array = {};                    ///< positions of the caps
     double effective_modulus = 1;           ///< E*, MPa
-    GeneRange heights = {0, 0.12, 0.001};   ///< heights of the summits
-    GeneRange radii = {0.526, 0.526, 0};    ///< one radius if it is not free
-    CapModel model = CapModel::interacting; ///< model of the search
-    std::vector<Target> targets = {};       ///< at least one
-    double required_similarity = 0.98;      ///< from which an answer is called found
-    double nodes = 1 << 20;                 ///< nodes of the map of the verification
-    bool positions = false;                 ///< the usual pipeline ends by exchanging caps
+    GeneRange heights = {0, 0.12, 0.001};   ///< allowed heights of the summits
+    GeneRange radii = {0.526, 0.526, 0};    ///< allowed radii; a single value is the radius of all caps
+    CapModel model = CapModel::interacting; ///< contact model of the search
+    std::vector<Target> targets = {};       ///< at least one target
+    double required_similarity = 0.98;      ///< similarity from which an answer is reported as found
+    double nodes = 1 << 20;                 ///< number of nodes of the map in the verification
+    bool positions = false;                 ///< whether the usual pipeline ends by exchanging caps
 };
 
 /// The caps of a genome.
 Caps caps_of(const CapSetup& setup, const CapGenome& genome);
 
-/// The value of a target's quantity (MPa, mm) of caps under a load (N) with an area (mm^2) and a stiffness
-/// (N/mm).
+/// The value of a target's quantity, in the target's unit, for caps under a load (N) with an area (mm^2) and
+/// a stiffness (N/mm).
 double value_of(const CapSetup& setup, Quantity quantity, double load, double area, double stiffness);
 
-/// Values of a target's curve at its points, and d value/dgene.
+/// The values of the caps' curve at a target's points, and their derivatives.
 struct CapCurve {
-    Eigen::VectorXd values;    ///< in the target's unit
-    Eigen::MatrixXd by_genes;  ///< points x genes; empty unless requested
-    std::vector<double> loads; ///< F at the points, N
+    Eigen::VectorXd values;    ///< value at each point, in the target's unit
+    Eigen::MatrixXd by_genes;  ///< derivatives d value/dgene, points x genes; empty unless requested
+    std::vector<double> loads; ///< load F at each point, N
 };
-/// The curve of a target under a model. Stiffness is the tangent dP/dDelta, which for caps is a smooth
-/// function of the heights.
+/// The curve of caps that is compared with a target. Stiffness is the tangent dP/dDelta, which for caps is a
+/// smooth function of the heights.
 CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& genome, CapModel model,
                   bool with_derivatives = false);
 
 /// A genome's misfits to the targets.
 struct CapOutcome {
-    std::vector<Eigen::VectorXd> misfits; ///< weighted, one vector per target
+    std::vector<Eigen::VectorXd> misfits; ///< weighted misfits, one vector per target
 
     double similarity() const; ///< 1 - the largest |misfit| of all targets
 };
 
-/// Finds the caps that match all targets. Objectives: `similarity`, the lowest over all targets; `goal1`,
-/// `goal2`, ...: on one target.
+/// The problem of finding the caps that match all targets. Its objectives are `similarity`, the lowest
+/// similarity over all targets, and `goal1`, `goal2`, ..., the similarity to one target.
 class CapProblem {
   public:
     using Genome = CapGenome;   ///< heights, and radii if they are genes
     using Outcome = CapOutcome; ///< misfits to the targets
 
-    /// Throws InputError as validate() does.
+    /// The problem of a set-up. Throws InputError as validate() does.
     explicit CapProblem(CapSetup setup);
 
-    /// The misfits. Throws NotConverged if the contact cannot be solved.
+    /// The misfits of a genome. Throws NotConverged if the contact cannot be solved.
     Outcome evaluate(const Genome& genome) const;
-    /// `similarity`, then one per target.
+    /// The objectives: `similarity`, then one per target.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
     /// The ranges of heights and radii.
     const std::vector<ga::Variable>& bounds(const Genome&) const { return bounds_; }
-    /// Random caps with values on the steps. The depths below the highest cap are powers of uniform draws
-    /// within a random share of the range. Otherwise there is a group of high caps and a group of low ones.
+    /// Random caps whose values are on the steps of their ranges. Half of the samples have a group of high
+    /// caps and a group of low caps. In the other half, depths below the top of the range are powers of
+    /// uniform draws, within a random share of the range.
     Genome sample(ga::Stream& random) const;
-    /// Moves each gene with probability `rate`: by one or more steps, or by a normal step without them.
+    /// Moves each gene with probability `rate`, by one or more steps of its range. If the range has no steps,
+    /// the distance is normally distributed.
     bool mutate(Genome& genome, double rate, ga::Stream& random) const;
     /// Misfits at the objective's points, with exact derivatives.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
-    const CapSetup& setup() const { return setup_; } ///< as given
+    const CapSetup& setup() const { return setup_; } ///< the set-up that was given
     /// The range of a gene.
     const GeneRange& range(std::size_t gene) const;
 
@@ -106,20 +108,20 @@ ga::Variants cap_variants(const CapSetup& setup);
 
 /// The solution by boundary elements, and the largest errors of the model.
 struct CapVerification {
-    std::vector<MeshedCaps> meshed;   ///< at three points of the first target: first, middle, last
-    std::vector<PressedCaps> pressed; ///< result of the model under the same loads
-    double similarity = std::numeric_limits<double>::quiet_NaN(); ///< at these points
-    double area_error = 0;  ///< relative error of the total area by the model
-    double force_error = 0; ///< error of a force by the model, over the largest force
+    std::vector<MeshedCaps> meshed;   ///< solutions at the first, middle and last point of the first target
+    std::vector<PressedCaps> pressed; ///< results of the model under the same loads
+    double similarity = std::numeric_limits<double>::quiet_NaN(); ///< similarity at these points
+    double area_error = 0;  ///< largest relative error of the model in the total area
+    double force_error = 0; ///< largest error of the model in a cap's force, over the largest force
     double seconds = 0;     ///< wall time
 };
 
 /// A design with caps, and its similarities.
 struct CapAnswer {
-    CapGenome genome;                  ///< on the steps of its ranges
+    CapGenome genome;                  ///< genome whose values are on the steps of their ranges
     double similarity = 0;             ///< similarity by the model
-    double difference = 1;             ///< smallest difference from the answers before it
-    CapVerification verification = {}; ///< empty for alternatives
+    double difference = 1;             ///< smallest difference from the answers before it in a list
+    CapVerification verification = {}; ///< verification; empty for alternatives
 
     /// The lowest similarity; NaN if boundary elements have not verified it.
     double lowest() const;
@@ -127,15 +129,16 @@ struct CapAnswer {
 
 /// The result of a search and its cost.
 struct CapSearch {
-    CapAnswer best;                                               ///< verified
-    std::vector<CapAnswer> alternatives;                          ///< the best first
-    std::vector<std::pair<CapGenome, std::vector<double>>> front; ///< with similarities to each target
-    ga::Counters counters;                                        ///< of the pipeline
-    std::vector<std::string> notes;                               ///< remarks of stages
-    std::string stopped;  ///< why a stop or a budget ended the pipeline early
-    std::string name;     ///< of the variant, or "pipeline"
-    std::string pipeline; ///< its text
-    double seconds = 0;   ///< wall time without verification
+    CapAnswer best;                      ///< the best answer, verified
+    std::vector<CapAnswer> alternatives; ///< different answers, the best first
+    /// Genomes on the Pareto front, each with its similarity to each target.
+    std::vector<std::pair<CapGenome, std::vector<double>>> front;
+    ga::Counters counters;          ///< evaluations of the pipeline
+    std::vector<std::string> notes; ///< remarks of stages
+    std::string stopped;            ///< why a stop or a budget ended the pipeline early, or empty
+    std::string name;               ///< name of the variant, or "pipeline"
+    std::string pipeline;           ///< text of the pipeline
+    double seconds = 0;             ///< wall time without verification
 };
 
 /// Runs a pipeline on a design with caps, and verifies its best answer within the ranges by boundary
@@ -144,24 +147,27 @@ struct CapSearch {
 CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options = {},
                  std::vector<ga::Observer<CapGenome>> observers = {});
 
-/// The area (mm^2) that caps of the set-up can have under a force (N), if each has the area of its force.
+/// The smallest and largest contact area that caps of a set-up can have under a force.
 struct AreaLimits {
-    double min; ///< mm^2
-    double max; ///< mm^2
+    double min; ///< smallest area, mm^2
+    double max; ///< largest area, mm^2
 };
-/// The limits: one cap of the smallest radius, and all caps alike with the largest radius. The lower limit of
-/// independent caps also counts the range of heights, because every cap is within it of the highest one.
+/// The limits of the area under a force (N), if the area of each cap follows from its force (hertz_area). The
+/// smallest is that of one cap of the smallest radius, the largest that of equal caps with the largest
+/// radius. For independent caps the lower limit also uses the range of heights: no cap is farther below the
+/// highest.
 AreaLimits area_limits(const CapSetup& setup, double force);
 
-/// Why no caps of the set-up can meet a target A(F), and a bound on the similarity.
+/// The reasons why no caps of the set-up can match a target A(F), each with a bound on the similarity.
 std::vector<OutOfReach> out_of_reach(const CapSetup& setup);
 
-/// The rms of independent normal errors of all heights at which 95 % of draws keep the error of the curve.
+/// The standard deviation of independent normal errors of all heights under which 95 % of draws keep a
+/// largest misfit.
 struct HeightTolerance {
-    double error = 0; ///< largest relative misfit that is kept: 0.02, 0.05, 0.1
-    double rms = 0;   ///< mm; 0 if the design itself has a larger misfit
+    double error = 0; ///< largest relative misfit that is kept: 0.02, 0.05 or 0.1
+    double rms = 0;   ///< standard deviation, mm; 0 if the misfit is larger even without errors
 };
-/// The tolerance of a design under its model, from `draws` common draws.
+/// The tolerances of a design under its model. All levels use the same `draws` draws.
 std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGenome& genome,
                                               std::uint64_t seed = 1, int draws = 100, int threads = 0);
 

@@ -6,16 +6,18 @@
 
 namespace rough {
 
-/// The genomes that a build requests, and what it does with their responses.
+/// The genomes that a build requests, and the functions that receive their responses. One thread at a time
+/// may call any of these functions.
 struct Orders {
-    std::uint64_t count = 0;                            ///< how many genomes are missing
-    std::function<std::optional<std::uint64_t>()> next; ///< a genome's number; nothing after the last one
-    /// Accepts a genome's response, in any order. One thread at a time may call any of these functions.
+    std::uint64_t count = 0;                            ///< number of genomes that are missing
+    std::function<std::optional<std::uint64_t>()> next; ///< next genome's number; nothing after the last one
+    /// Accepts the response of a genome; the order does not matter.
     std::function<void(std::uint64_t genome, Response response)> take;
-    std::function<bool()> ended; ///< no more responses are wanted
+    std::function<bool()> ended; ///< whether the build accepts no more responses
 };
 
-/// Computes the responses of a set-up's genomes by response_for, here or on other machines.
+/// A function that computes the responses of a set-up's genomes by response_for(), in this process or on
+/// other machines.
 using Computing = std::function<void(const DatabaseSetup& setup, const Orders& orders)>;
 
 /// Computes on `threads` threads (0: all).
@@ -23,14 +25,14 @@ Computing on_threads(int threads);
 
 /// Options of a build.
 struct BuildOptions {
-    std::uint64_t genomes = 100'000; ///< number of genomes to hold
-    std::uint64_t first = 0;         ///< number of the first one, for a part of a distribution's genomes
-    std::uint64_t batch = 250;       ///< genomes stored together; a kill loses at most these
-    int threads = 0;                 ///< 0: all
-    Computing computing = {};        ///< in place of on_threads(threads)
-    /// Called after every batch with the number of stored genomes. The build ends when it returns false.
+    std::uint64_t genomes = 100'000; ///< number of genomes to store
+    std::uint64_t first = 0;         ///< number of the first genome, for a part of a distribution
+    std::uint64_t batch = 250;       ///< number of genomes stored together; a kill loses at most one batch
+    int threads = 0;                 ///< number of threads; 0: all
+    Computing computing = {};        ///< computes the responses; empty: on_threads(threads)
+    /// Called after every batch with the number of stored genomes. The build ends if it returns false.
     std::function<bool(std::uint64_t stored)> go_on = [](std::uint64_t) { return true; };
-    /// When it becomes true, the build ends and drops unfinished batches.
+    /// If it becomes true, the build ends and drops unfinished batches.
     const std::atomic<bool>* stop = nullptr;
 };
 
@@ -43,9 +45,9 @@ Response response_for(const DatabaseSetup& setup, std::uint64_t genome);
 void build(GenomeStore& store, const BuildOptions& options);
 
 /// Puts the genomes of several databases of one set-up, distribution and version into a new file. The file
-/// gets its name when it is complete, and replaces an older file. If several databases contain the genome,
-/// the first copy is taken. Returns the number of genomes. Throws InputError on databases that differ, on
-/// genomes that are not those of their distribution, and on altered numbers.
+/// gets its name when it is complete, and replaces an older file. If several databases have the same
+/// genome, the first copy is used. Returns the number of genomes. Throws InputError on databases that differ,
+/// on genomes that are not those of their distribution, and on altered numbers.
 std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out);
 
 } // namespace rough

@@ -14,29 +14,31 @@ struct Match {
 
 /// Options of screen().
 struct ScreenOptions {
-    double max_pressure = 0; ///< MPa: every genome is rescaled to it by Eq. 11; 0: amplitude is free
+    double max_pressure = 0; ///< pressure to which Eq. 11 rescales every genome, MPa; 0: amplitude is free
     std::size_t best = 10;   ///< number of matches to return
-    int threads = 0;         ///< 0: all
+    int threads = 0;         ///< number of threads; 0: all
 };
 
 /// Whether targets need the stored contact fractions.
 bool need_fractions(const std::vector<Target>& targets);
 
-/// The stored genomes nearest to the targets, best first; equal similarities by index. Genomes whose curves
-/// end before a target are omitted. If amplitude is free, 33 amplitudes of each genome are compared. The
-/// lowest one makes the curves reach 2 % beyond the targets, and the highest is 16 times that. The best
-/// amplitudes are then refined between their neighbours. Throws InputError if a target reaches beyond
-/// max_pressure, or nothing is stored.
+/// The stored genomes nearest to the targets, best first. Equal similarities are ordered by index. Genomes
+/// whose curves end before a target are omitted. Throws InputError if a target extends beyond max_pressure,
+/// or if nothing is stored.
+///
+/// If amplitude is free, 33 amplitudes of each genome are compared. At the lowest one the curves extend 2 %
+/// beyond the targets, and the highest is 16 times the lowest. The best amplitudes are then refined between
+/// their neighbours.
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
 
 /// Factors that convert a database's responses to a model of another length and modulus, exactly. A profile
-/// is stretched to `length` times its length and keeps its heights; the body's datum or strip width is
-/// stretched alike. On the same nodes it then carries E*'/E* / `length` times the pressure at every
-/// displacement.
+/// is stretched to `length` times its length and keeps its heights. The body's datum or strip width is
+/// stretched by the same factor. At every displacement the mean pressure is then multiplied by `pressure`:
+/// the ratio of the moduli E* divided by `length`.
 struct DatabaseScale {
-    double length = 1;   ///< wanted over stored
-    double pressure = 1; ///< wanted over stored; the factor of stiffness, too
+    double length = 1;   ///< length of the model over that of the database
+    double pressure = 1; ///< pressure of the model over that of the database; also the factor of stiffness
 };
 /// The scale between a database and a model. Throws InputError naming the first difference if they differ in
 /// more than length and modulus.
@@ -46,9 +48,9 @@ Target unscaled(Target target, const DatabaseScale& scale);
 /// A genome stretched to `factor` times its wavelengths, with its heights kept.
 Genome drawn_out(Genome genome, double factor);
 
-/// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to its
-/// length and have the amplitude that meets the targets. They are starts for refinement if an answer is
-/// needed at once. Throws InputError as scale_to does.
+/// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to the
+/// design's length and have the best amplitude. They are starts for refinement if an answer is needed at
+/// once. Throws InputError as scale_to() does.
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads = 0);
 
@@ -56,7 +58,7 @@ std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& s
 struct StoredAnswer {
     std::uint64_t index = 0; ///< the genome's number in its database, from 0
     double scale = 1;        ///< factor on the stored amplitude, from the stored curve
-    Answer answer;           ///< stretched, with that amplitude, verified as a design is (verified_answer)
+    Answer answer;           ///< the stretched genome with this amplitude, verified (verified_answer)
 };
 
 /// The stored genomes whose stored curves are nearest to a design's targets. Unlike `stored_starts`, they are

@@ -8,19 +8,20 @@
 
 namespace rough {
 
-/// How the genomes of a database are drawn: as a sum of `series` series. Each has H and gamma uniform in
-/// their ranges, chromosomes n = 1 .. n_f (Eq. 4, waves down to `shortest`) and phases uniform in [0, 2 pi).
-/// The first series has A = 1; A of all further series is uniform in (0, 1].
+/// The distribution of the genomes of a database. Each genome is a sum of `series` series. H and gamma of a
+/// series are uniform in their ranges, and phases are uniform in [0, 2 pi). Chromosomes are n = 1 .. n_f (Eq.
+/// 4, wavelengths down to `shortest`). The first series has A = 1. A of all further series is uniform in (0,
+/// 1].
 struct GenomeDistribution {
-    int series = 1;           ///< >= 1
-    int ridges = 1;           ///< M >= 1
+    int series = 1;           ///< number of series, >= 1
+    int ridges = 1;           ///< number of ridges M of each chromosome, >= 1
     double H_from = 0.5;      ///< lowest Hurst exponent
     double H_to = 1.5;        ///< highest Hurst exponent
     double gamma_from = 1.4;  ///< lowest ratio of neighbouring wavenumbers, > 1
     double gamma_to = 2.0;    ///< highest ratio of neighbouring wavenumbers
     double lambda = 0.84942;  ///< longest wavelength, mm
     double shortest = 0.0133; ///< shortest wavelength, mm
-    std::uint64_t seed = 1;   ///< genome i depends only on it and on i
+    std::uint64_t seed = 1;   ///< seed; genome i depends only on the distribution and on i
 };
 
 /// Throws InputError on ranges in the wrong order, gamma <= 1, no wave between shortest and lambda, or
@@ -30,13 +31,13 @@ void validate(const GenomeDistribution& law);
 /// The largest number of phases that a genome of the distribution can have.
 double most_phases(const GenomeDistribution& law);
 
-/// Genome number `index` of a distribution. It depends on nothing else.
+/// Genome number `index` of a distribution. It does not depend on other genomes.
 Genome drawn(const GenomeDistribution& law, std::uint64_t index);
 
 /// The set-up of all genomes and responses of a database.
 struct DatabaseSetup {
     Model model;            ///< grid, body, load steps and contact options of every response
-    GenomeDistribution law; ///< how the genomes are drawn
+    GenomeDistribution law; ///< distribution of the genomes
 };
 
 /// A set-up as names with units and values, the model first.
@@ -44,18 +45,18 @@ Fields fields(const DatabaseSetup& setup);
 /// The inverse of fields(). Throws InputError that begins with `where` on a missing or unreadable field.
 DatabaseSetup setup_from(const Fields& fields, const std::string& where);
 
-/// The first difference as "nodes is 512, not 256"; empty if `there` has all of `wanted`.
+/// The first difference in words, e.g. "nodes is 512, not 256"; empty if `there` has all fields of `wanted`.
 std::string difference(const Fields& there, const Fields& wanted);
 
 class Sqlite;
 
-/// Genomes first .. first + count - 1 of a distribution.
+/// The genomes first .. first + count - 1 of a distribution.
 struct Span {
-    std::uint64_t first = 0; ///< index, from 0
+    std::uint64_t first = 0; ///< index of the first genome, from 0
     std::uint64_t count = 0; ///< number of genomes
 };
 
-/// The numbers of all stored responses that scoring needs, one genome after another.
+/// The values of all stored responses from which similarities are computed, one genome after another.
 struct StoredCurves {
     std::vector<std::uint64_t> index; ///< the genomes' numbers
     std::vector<double> range;        ///< height range (periodic: to full contact), mm; NaN: no response
@@ -67,8 +68,8 @@ struct StoredCurves {
 std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 
 /// A genome database: an SQLite file with the genomes of a distribution and their responses, in batches. A
-/// batch is written completely or not at all, whatever ends the program. Several programs may read and build
-/// one file at the same time.
+/// batch is written completely or not at all, even if the program is killed. Several programs may read and
+/// build one file at the same time.
 class GenomeStore {
   public:
     /// Opens an existing database, or makes a new one. Throws InputError on a file of another set-up, naming
@@ -86,15 +87,15 @@ class GenomeStore {
     /// Whether the file exists and holds anything. A program killed while it makes a file leaves it empty.
     static bool begun(const std::filesystem::path& file);
 
-    const DatabaseSetup& setup() const { return setup_; }   ///< as the file states it
-    const std::string& version() const { return version_; } ///< the program's version when it made the file
+    const DatabaseSetup& setup() const { return setup_; }   ///< the set-up in the file
+    const std::string& version() const { return version_; } ///< version of the program that made the file
     std::uint64_t stored() const;                           ///< number of stored genomes
     const std::filesystem::path& file() const;              ///< the database's path
 
-    /// The next genomes of `wanted` to compute, at most `batch`. Genomes that no builder has taken come
-    /// first. Then come those taken and never delivered, except batches for which `is_own` is true. Nothing
-    /// if all are stored. Stored genomes are removed from the beginning of `wanted`, so the next call starts
-    /// after them.
+    /// Reserves the next genomes of `wanted` to compute, at most `batch`. Genomes that no builder has
+    /// reserved come first. Then come genomes that were reserved and not yet stored, except batches for which
+    /// `is_own` is true. Returns nothing if all are stored. Stored genomes are removed from the beginning of
+    /// `wanted`, so that the next call starts after them.
     std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
     /// The spans of these genomes that are not stored, in order.
@@ -103,9 +104,9 @@ class GenomeStore {
     /// them before. That copy is then kept.
     bool add(const Span& span, const std::vector<Response>& responses);
 
-    std::vector<Span> batches() const; ///< as they are stored, in order
-    /// Ranges, pressures, contact fractions and tangents of one of batches(). Throws InputError if it was
-    /// altered or its genomes are not those of the distribution.
+    std::vector<Span> batches() const; ///< all stored batches, in order
+    /// Ranges, pressures, contact fractions and tangents of a batch from batches(). Throws InputError if the
+    /// batch was altered or its genomes are not those of the distribution.
     std::vector<Response> responses(const Span& span) const;
     /// The curves of all stored genomes, with contact fractions if requested.
     StoredCurves curves(bool with_fractions = false) const;

@@ -16,29 +16,29 @@ struct Extent {
     bool operator==(const Extent&) const = default; ///< whether both numbers are equal
 };
 
-/// The nodes at which a surface is sampled. A line: x_i = from + i * spacing, i = 0..nodes-1. A map: `rows`
-/// such lines, y_j = j * row_spacing.
+/// The nodes at which a surface is sampled. A line has nodes at x_i = from + i * spacing(), i = 0..nodes-1. A
+/// map has `rows` such lines at y_j = j * row_spacing().
 struct Grid {
-    Index nodes = 512;       ///< N >= 2; for a map, N_x
-    double length = 0.84942; ///< L, mm; for a map, L_x
-    bool periodic = false;   ///< periodic: spacing L/N in place of L/(N-1)
+    Index nodes = 512;       ///< number of nodes N >= 2; for a map, N_x
+    double length = 0.84942; ///< length L, mm; for a map, L_x
+    bool periodic = false;   ///< whether the spacing is L/N instead of L/(N-1)
     double from = 0;         ///< x of the first node, mm
-    Index rows = 1;          ///< N_y
-    double width = 0;        ///< L_y, mm; 0: a line
+    Index rows = 1;          ///< number of rows N_y
+    double width = 0;        ///< width L_y, mm; 0: a line
 
-    bool is_2d() const { return width > 0; }       ///< two dimensions
-    Extent shape() const { return {nodes, rows}; } ///< N_x, N_y
-    /// delta, mm
+    bool is_2d() const { return width > 0; }       ///< whether it is the grid of a map
+    Extent shape() const { return {nodes, rows}; } ///< N_x and N_y
+    /// Node spacing delta along x, mm.
     double spacing() const { return length / static_cast<double>(periodic ? nodes : nodes - 1); }
-    /// delta_y, mm, 0 for a line; a single row is as wide as the map
+    /// Node spacing delta_y along y, mm; 0 for a line. A single row is as wide as the map.
     double row_spacing() const {
         return width / static_cast<double>(periodic || rows == 1 ? rows : rows - 1);
     }
-    /// mm^2, the patches of all nodes; 0 for a line
+    /// Area of the patches of all nodes, mm^2; 0 for a line.
     double nominal_area() const {
         return spacing() * row_spacing() * static_cast<double>(nodes) * static_cast<double>(rows);
     }
-    /// mm, the larger of the two spacings: shorter waves are not resolved along both axes
+    /// The larger of the two spacings, mm: shorter waves are not resolved along both axes.
     double widest_spacing() const { return spacing() > row_spacing() ? spacing() : row_spacing(); }
 };
 

@@ -7,11 +7,12 @@
 
 namespace rough {
 
-/// How Algorithm 1 compares curves. The paper does not say; our choice is `same_pressure`.
+/// Readings of Algorithm 1: points at which it compares the stiffness curve of a part with that of the whole.
+/// The paper does not state them; our choice is `same_pressure`.
 enum class DominanceReading {
-    same_pressure, ///< at the whole's pressures; each part's curve is constant beyond its end points
-    same_step,     ///< at equal load steps, each part over its range
-    raw,           ///< the solver's tangents at equal load steps
+    same_pressure, ///< secants at the whole's pressures; the part's curve is constant beyond its ends
+    same_step,     ///< secants at equal numbers of the load step; each part is loaded over its range
+    raw,           ///< the solver's tangents at equal numbers of the load step
 };
 
 /// The correlation above which a part is dominant (the paper).
@@ -19,37 +20,37 @@ constexpr double dominance_threshold = 0.95;
 
 /// The parts of a profile that dominate its curve (paper, Algorithm 1).
 struct DominantParts {
-    std::vector<double> correlation; ///< Pearson's, of each part's values with the whole's; NaN: undefined
-    std::vector<char> dominant;      ///< one per part; at least one is set
-    bool only_best = false;          ///< no part exceeds the threshold; the best correlated one is kept
+    std::vector<double> correlation; ///< Pearson's correlation of each part with the whole; NaN: undefined
+    std::vector<char> dominant;      ///< whether each part is dominant; at least one is
+    bool only_best = false;          ///< whether no part exceeds the threshold, so that only the best is kept
 };
-/// Algorithm 1 for curves of any kind. `parts` are the curves of each part alone, empty if the part is flat
-/// or has no response. If no correlation is defined, all parts are dominant.
+/// Algorithm 1 for curves of any kind. `parts` are the curves of each part alone. An entry is empty if the
+/// part is flat or has no response. If no correlation is defined, all parts are dominant.
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
                              double threshold = dominance_threshold,
                              DominanceReading reading = DominanceReading::same_pressure);
 
-/// The curve of a response that is compared under a reading.
+/// The curve of a response that Algorithm 1 compares under a reading.
 Curve compared_curve(const Response& response, DominanceReading reading);
 
 /// The chromosomes that dominate a genome's stiffness curve.
 struct Dominance {
-    /// correlation[s][c]: of the K of chromosome c of series s alone with the genome's K. NaN if the
-    /// chromosome is flat or its K does not vary.
+    /// Entry [s][c] is the correlation of the stiffness K of chromosome c of series s alone with K of the
+    /// genome. NaN if the chromosome is flat or its K does not vary.
     std::vector<std::vector<double>> correlation;
-    std::vector<std::vector<char>> dominant; ///< indices as for correlation; at least one is set
-    bool only_best = false;                  ///< no chromosome exceeds the threshold; the best is kept
+    std::vector<std::vector<char>> dominant; ///< whether chromosome [s][c] is dominant; at least one is
+    bool only_best = false; ///< whether no chromosome exceeds the threshold, so that only the best is kept
 
     /// Whether a chromosome is dominant, by its index in its series.
     bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
 };
 
 /// Algorithm 1 on genomes. It stores the responses of each genome and of each of its length scales alone, for
-/// every reading. Safe to call from several threads.
+/// every reading. Several threads may call it.
 class DominanceRule {
   public:
-    /// The model's accuracy applies to whole genomes only. A map's grid is halved while a side has more
-    /// than 64 nodes, because curves are only correlated here.
+    /// The rule for a model, whose accuracy applies only to whole genomes. A map's grid is halved while a
+    /// side has more than 64 nodes, because curves are only correlated here.
     explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
                            double threshold = dominance_threshold);
 
@@ -76,9 +77,9 @@ class DominanceRule {
 Genome reduced(const Genome& genome, const Dominance& dominance);
 
 /// The genome with only the length scales whose curve alone follows a target (Cinat, Paggi and Gnecco 2019).
-/// Their correlation (Pearson) with the target at its points is above the threshold, in the genome's
-/// amplitude and loaded as far as the target. Otherwise the best correlated is kept, or all if none has a
-/// response.
+/// Their correlation (Pearson) with the target at its points is above the threshold. Each length scale keeps
+/// the genome's amplitude and is loaded as far as the target. If no correlation is above the threshold, the
+/// best correlated length scale is kept, or all if none has a response.
 Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
                          double threshold = dominance_threshold);
 

@@ -5,11 +5,11 @@
 
 namespace rough {
 
-/// Parameters of the operators that roughness adds to the engine.
+/// Parameters of the operators that the domain of roughness adds to the engine.
 struct Vocabulary {
     std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1, for dominant phases and `reduce dominant`
     PhaseReach reach = {};                     ///< range of every refined phase
-    /// Sets the amplitude of a sum if Eq. 11 does not; empty: it is kept.
+    /// Sets the amplitude of a sum of genomes if Eq. 11 does not. Empty: the amplitude is kept.
     std::function<Genome(const Genome&)> fitted = {};
 };
 
@@ -19,18 +19,18 @@ struct Vocabulary {
 DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold,
                         PhaseReach reach = {});
 
-/// The objective that is refined.
+/// The form of the objective that is refined. s is the similarity.
 enum class Form {
-    paper,   ///< maximise s|s|: one point of the target at a time
-    minimax, ///< minimise t with +-(y(xi_k)/y_k - 1) <= t: all points at once
+    paper,   ///< maximise s|s|, which depends on one point of the target at a time
+    minimax, ///< minimise t subject to +-(y(xi_k)/y_k - 1) <= t for all points (xi_k, y_k) of the target
 };
 
-// The paper's Algorithms 3-5. Figure 7 of the paper counts stages: GCMMA (0) before the first `refine`, (1)
-// after it, (2) after the second. CCO has only one.
+// The paper's Algorithms 3-5. Figure 7 of the paper numbers the states: (0) before the first `refine`, (1)
+// after it, (2) after the second `refine`. CCO has only one `refine`.
 
 /// Similarity-optimised genomes: the three best of the database, refined.
 Pipeline sog(const Vocabulary& words, Form form = Form::paper);
-/// Genome cross-over: sums of genomes that are good at low pressure and genomes that are good at high
+/// Genome cross-over: sums of two genomes, one that is good at low pressure and one that is good at high
 /// pressure, refined.
 Pipeline gco(const Vocabulary& words, Form form = Form::paper);
 /// Chromosome cross-over: GCO with each parent reduced to its dominant chromosomes.

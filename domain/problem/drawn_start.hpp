@@ -4,28 +4,32 @@
 
 namespace rough {
 
-/// Appends every chromosome down to the shortest wave (mm), with `ridges` phases uniform in [0, 2 pi).
+/// Appends every chromosome down to the wavelength `shortest` (mm), with `ridges` phases uniform in [0, 2
+/// pi).
 void add_chromosomes(Series& series, double shortest, int ridges, ga::Stream& random);
 
 /// Series of amplitude 1 without chromosomes, with one H: lambda = L/k for every odd k, gamma = 2. Together
 /// they have each harmonic L/k of a length L (mm) once, down to `shortest` (mm) or k = 32.
 std::vector<Series> harmonic_series(double length, double shortest, double H);
 
-/// The genome with every wave moved to the nearest harmonic L/k, k >= 1, of the length L (mm). It then
-/// repeats without a jump. Amplitudes and phases are kept, and series that consist of harmonics.
+/// The genome with every wavelength moved to the nearest harmonic L/k, k >= 1, of the length L (mm). Its
+/// profile then repeats without a jump. Amplitudes and phases do not change, and neither do series that
+/// consist of harmonics.
 Genome in_harmonics(const Genome& genome, double length);
 
-/// A series of amplitude 1 without chromosomes; its genes are moved into the set-up's bounds. lambda in mm.
+/// A series of amplitude 1 without chromosomes, with these genes moved into the set-up's bounds; lambda in
+/// mm.
 Series drawn_series(const DesignSetup& setup, double H, double gamma, double lambda);
 
 /// A random genome of two series: H in 0.5-1.5, gamma in 1.4-2, lambda near L, all within the set-up's
-/// bounds. Phases and relative amplitude are random; ridges are the set-up's. On a periodic line it has the
-/// harmonics of its length with one H. (A map moves wave vectors to its lattice.)
+/// bounds. Phases and the ratio of the amplitudes are random. The set-up gives the number of ridges. On a
+/// periodic line the genome has the harmonics of its length with one H. (A periodic map moves wave vectors
+/// instead, see plane_waves.)
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
-/// The genome with the amplitude at which its curve meets the first target best. The best of 33 amplitudes
-/// over 16 octaves is refined. The lowest of them carries the target's load within the full approach. Under
-/// Eq. 11 the genome is returned unchanged.
+/// The genome with the amplitude at which its curve is the most similar to the first target. The best of 33
+/// amplitudes over 16 octaves is refined. At the lowest amplitude the target's last load is just reached at
+/// full approach. Under Eq. 11 the genome is returned unchanged.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
 
 } // namespace rough

@@ -15,10 +15,11 @@ struct GeneBounds {
     double lambda_to = 0;     ///< highest value of a series' longest wavelength, mm; 0: 4 L
 };
 
-/// Half the range in which refinement may move a phase, centred at the phase before the first refinement.
+/// The largest distance by which refinement may move a phase from its value before the first refinement: the
+/// sum of two parts.
 struct PhaseReach {
-    double relative = 0.1; ///< share of the phase's value: the paper's +-10 %, which freezes phases near 0
-    double absolute = 0;   ///< rad, added to it
+    double relative = 0.1; ///< share of the phase's value; the paper's 10 % hardly moves phases near 0
+    double absolute = 0;   ///< constant part, rad
 };
 
 /// Chooses chromosomes by the indices of the series and of the chromosome in it.
@@ -28,50 +29,53 @@ using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chr
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
                                           const ChosenChromosomes& chosen = {});
 
-/// The phases of waves whose wavelength (mm) is at least `from` and below `to`.
+/// A variable for each phase of the waves whose wavelength (mm) is at least `from` and below `to`.
 std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to,
                                           PhaseReach reach = {});
 
 /// Limits of manufacturing. 0: no limit.
 struct MakingLimits {
-    double shortest_wave = 0; ///< mm
-    double max_slope = 0;     ///< |dZ/dx| of the profile, or the gradient of a map
-    double max_height = 0;    ///< max Z - min Z, mm
-    double min_radius = 0;    ///< radius of curvature 1/|d2Z/dx2|, in any direction of a map, mm
+    double shortest_wave = 0; ///< shortest wavelength, mm
+    double max_slope = 0;     ///< largest |dZ/dx| of a profile, or gradient of a map
+    double max_height = 0;    ///< largest height range max Z - min Z, mm
+    double min_radius = 0;    ///< smallest radius of curvature 1/|d2Z/dx2|, in any direction of a map, mm
 
-    /// Whether the sampled shape is limited, not only the wavelengths.
+    /// Whether slope, height or radius is limited, not only the wavelengths.
     bool any_shape() const { return max_slope > 0 || max_height > 0 || min_radius > 0; }
 };
 
 /// A limit and the genome's value.
 struct Margin {
     std::string name; ///< "shortest_wave_mm", "slope", "height_mm", "radius_mm"
-    double limit;     ///< 0: none was set
-    double value;     ///< the genome's value, on the safe side
+    double limit;     ///< the limit; 0: not set
+    double value;     ///< the genome's value, or a bound of it that errs on the safe side
     bool is_least;    ///< whether the limit is a lower one
     /// Whether the value keeps the limit.
     bool holds() const { return limit == 0 || (is_least ? value >= limit : value <= limit); }
-    /// The distance inside the limit, over the limit: negative outside, 1 without a limit.
+    /// The relative distance from the limit: 1 - value/limit, for a lower limit 1 - limit/value. It is
+    /// negative beyond the limit, and 1 without a limit.
     double margin() const { return limit == 0 ? 1 : (is_least ? 1 - limit / value : 1 - value / limit); }
 };
 
-/// A genome's shortest wave, largest slope, height and smallest radius of curvature over [0, length]. They
-/// are found by the derivatives of its cosines on a grid eight times finer than `grid` (a map: four times). A
-/// bound for points between the nodes is added: h^2/8 times the sum of G R k^(order + 2). So no finer grid
-/// shows a larger value.
+/// A genome's shortest wavelength, largest slope, height range and smallest radius of curvature over [0,
+/// length]. They are found from the derivatives of its cosines on a grid eight times finer than `grid` (a
+/// map: four times). A bound for points between the nodes is added: h^2/8 times the sum of G R k^(order + 2).
+/// h is the node spacing, G R the amplitude and k the wavenumber of a cosine. So a finer grid never shows a
+/// larger value.
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// The sum by which slope, height and curvature exceed their limits, relative to each limit; 0 within them.
+/// The sum by which slope, height and curvature exceed their limits, relative to each limit; 0 within the
+/// limits.
 double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// One row per limit on shape.
+/// Residuals of the limits on shape, one row per limit.
 struct LimitRows {
     Eigen::VectorXd residuals; ///< max(0, value/limit - (1 - guard)); 0 if the limit is kept
-    Eigen::MatrixXd jacobian;  ///< rows x genes: derivatives in every gene
+    Eigen::MatrixXd jacobian;  ///< derivatives with respect to every gene, rows x genes
 };
-/// The rows of a genome on a grid, each limit tightened by the share `guard`. Derivatives are central
-/// differences of the profile at the place of the extreme. `d_scale` has the derivatives of the genome's
-/// scale if that depends on the genes; else it is empty.
+/// The rows of a genome on a grid. Each limit is tightened by the share `guard`. Derivatives are central
+/// differences of the profile at the position of the extreme. If the genome's scale depends on the genes,
+/// `d_scale` has its derivatives; otherwise it is empty.
 LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
                      const Eigen::RowVectorXd& d_scale = {});
 

@@ -8,7 +8,7 @@ namespace rough {
 /// A pipeline on a design's problem, e.g. the paper's.
 using Pipeline = ga::Stage<DesignProblem>;
 
-/// The engine's words for text pipelines on it.
+/// The engine's operators for text pipelines on this problem.
 ga::Registry<DesignProblem> engine_words();
 
 } // namespace rough

@@ -9,7 +9,7 @@
 
 namespace rough {
 
-/// A surface as a solid that can be printed or meshed.
+/// Sizes of the solid that is made from a surface, to be printed or meshed.
 struct Extrusion {
     double width = 0; ///< size of a profile's solid in the second direction, mm; 0: a quarter of its length
     double base = 0;  ///< thickness below the lowest node, mm; 0: the larger of the height range and a tenth
@@ -18,12 +18,12 @@ struct Extrusion {
     double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
 };
 
-/// Width of the solid in the second direction, mm.
+/// The width of the solid in the second direction, mm.
 double width_of(const Profile& surface, const Extrusion& extrusion);
 
 /// A closed surface of triangles.
 struct Mesh {
-    std::vector<Eigen::Vector3f> vertices;            ///< mm
+    std::vector<Eigen::Vector3f> vertices;            ///< positions of the corners, mm
     std::vector<std::array<std::uint32_t, 3>> facets; ///< indices of the corners, anticlockwise from outside
 };
 
@@ -35,11 +35,10 @@ struct Mesh {
 /// heights beyond single precision.
 Mesh solid(const Profile& surface, const Extrusion& extrusion = {});
 
-/// The solid as a binary STL file's bytes, which have no unit; throws as solid().
+/// The solid as the bytes of a binary STL file, which has no unit. Throws as solid().
 std::string binary_stl(const Profile& surface, const Extrusion& extrusion = {});
 
-/// The solid as a 3MF file's bytes (3MF Core 1.3), which say that lengths are millimetres; throws as
-/// solid().
+/// The solid as the bytes of a 3MF file (3MF Core 1.3), whose unit is the millimetre. Throws as solid().
 std::string three_mf(const Profile& surface, const Extrusion& extrusion = {});
 
 /// The heights of a surface as a picture, e.g. for a printer.
@@ -48,11 +47,13 @@ struct HeightImage {
     std::vector<std::pair<std::string, double>> scale; ///< text chunks of the file: name and value
 };
 
-/// The heights of a map, or of a profile extended in the second direction by width_of(), without
-/// magnification. x is to the right and y upwards, as seen from above. A height (mm) is lowest_height_mm +
-/// grey height_per_grey_mm, to half a grey level. Black (0) is the lowest node and white (65535) the highest.
-/// The scale also has spacing_mm and row_spacing_mm. Throws InputError on over 25 million pixels, or a
-/// million along a side.
+/// The picture of a map, or of a profile extended in the second direction by width_of(). Heights are not
+/// magnified. x is to the right and y upwards, as seen from above. The height (mm) of a pixel is
+/// lowest_height_mm + grey * height_per_grey_mm, to half a grey level. Black (grey 0) is the lowest node and
+/// white (65535) the highest.
+///
+/// The text chunks have these two numbers, and spacing_mm and row_spacing_mm. Throws InputError on over 25
+/// million pixels, or over a million along a side.
 HeightImage height_image(const Profile& surface, const Extrusion& extrusion = {});
 
 } // namespace rough
