@@ -10,10 +10,10 @@ namespace ga {
 
 /// Limits of a run. If one is reached, the run stops and returns what it has found so far.
 struct Budget {
-    long evaluations = std::numeric_limits<long>::max(); ///< requested evaluations, including those answered
-                                                         ///< from memory; never exceeded
-    double seconds = std::numeric_limits<double>::infinity(); ///< wall time, checked between evaluations
-    const std::atomic<bool>* stop = nullptr;                  ///< becomes true to stop the run; may be null
+    /// Maximum number of requested evaluations, including those answered from memory. It is never exceeded.
+    long evaluations = std::numeric_limits<long>::max();
+    double seconds = std::numeric_limits<double>::infinity(); ///< wall time, s, checked between evaluations
+    const std::atomic<bool>* stop = nullptr;                  ///< true stops the run; may be null
 };
 
 /// The expenses of a run so far. Only `evaluations` and `remembered` depend on the size of the memory.
@@ -25,16 +25,16 @@ struct Counters {
     long failures = 0;    ///< individuals marked as failed
 };
 
-/// Reports when the time is over or a stop was requested.
+/// Reports whether the time is over or a stop was requested.
 class Watch {
   public:
     /// Starts the clock. `budget.stop` must outlive it.
     explicit Watch(const Budget& budget) : budget_(budget) {}
 
-    double seconds() const { return clock_.seconds(); } ///< time since it was made
-    /// Safe to call from any thread.
+    double seconds() const { return clock_.seconds(); } ///< time since the object was made, s
+    /// Whether the run has to stop. Any thread may call it.
     bool expired() const { return requested() || late(); }
-    /// Why it has expired, in words.
+    /// Why the run has to stop, in words.
     std::string reason() const { return requested() ? "stop requested" : "time budget spent"; }
 
   private:

@@ -12,7 +12,7 @@ struct UsageError : std::invalid_argument {
 
 /// An error in a text, with the text's name ("pipeline", "variant 'sog'") and the column, from 1.
 struct TextError : UsageError {
-    /// "where, column N: message".
+    /// An error with the message "where, column N: message".
     TextError(const std::string& where, std::size_t column, const std::string& message)
         : UsageError(where + ", column " + std::to_string(column) + ": " + message) {}
 };
@@ -23,12 +23,12 @@ inline void expect_fit(bool fits) {
         throw UsageError("the checkpoint does not fit its pipeline; use one that this pipeline has written");
 }
 
-/// A selection is empty, or every evaluation failed, so that the run cannot continue.
+/// Thrown if the run cannot continue, because a selection is empty or every evaluation failed.
 struct NothingLeft : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Thrown through the stages when a budget is spent or a stop was requested; `run` catches it.
+/// Thrown through the stages if a budget is spent or a stop was requested; `run` catches it.
 struct Stopped {
     std::string reason; ///< "time budget spent", "stop requested", ...
 };

@@ -14,8 +14,8 @@
 
 namespace ga {
 
-/// Throws std::system_error, once, if the system does not give that many threads: OpenMP would end the
-/// program.
+/// Throws std::system_error if the system cannot start this number of threads, because OpenMP would end the
+/// program. A number that was started before is not tested again.
 inline void expect_threads(int threads) {
     static std::mutex guard;
     static int given = 1;
@@ -35,7 +35,7 @@ inline void expect_threads(int threads) {
 }
 
 /// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. An exception does not stop the
-/// other jobs; that of the smallest i is thrown again at the end.
+/// other jobs. The exception of the smallest i is thrown again at the end.
 template <class Job>
 void parallel_for(std::size_t n, int threads, Job job) {
     std::exception_ptr error;
@@ -64,7 +64,7 @@ void parallel_for(std::size_t n, int threads, Job job) {
         std::rethrow_exception(error);
 }
 
-/// The requested number of threads, or OpenMP's default for 0. Throws UsageError if it exceeds 1024.
+/// The requested number of threads, or OpenMP's default for 0. Throws UsageError if the number exceeds 1024.
 inline int thread_count(int asked) {
     constexpr int most = 1024;
     if (asked > most)

@@ -20,7 +20,7 @@ constexpr std::uint64_t mix(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// 2^64 over the golden ratio, made odd: splitmix64's step (Steele, Lea and Flood 2014).
+/// The step of splitmix64 (Steele, Lea and Flood 2014): 2^64 over the golden ratio, made odd.
 constexpr std::uint64_t golden_step = 0x9e3779b97f4a7c15u;
 
 /// Combines a key with one more word; the order of words matters.
@@ -41,7 +41,7 @@ constexpr std::uint64_t fold(std::uint64_t key, std::string_view text) {
 /// Boost.Random, but the most frequent ones avoid branches on random bits.
 class Stream {
   public:
-    ///@{ A generator of random bits as the standard requires, 64 per call.
+    ///@{ Members that the C++ standard requires of a generator of random bits, 64 per call.
     using result_type = std::uint64_t;
     static constexpr result_type min() { return 0; }
     static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
@@ -51,7 +51,7 @@ class Stream {
     constexpr result_type operator()() { return mix(state_ += golden_step); }
     ///@}
 
-    /// Uniform in [0, 1).
+    /// A random number, uniform in [0, 1).
     double uniform() {
         double number;
         do
@@ -59,15 +59,15 @@ class Stream {
         while (number == 1); // rounded up
         return number;
     }
-    /// Uniform in [lower, upper).
+    /// A random number, uniform in [lower, upper).
     double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
-    /// Normal with mean 0 and standard deviation 1.
+    /// A random number, normal with mean 0 and standard deviation 1.
     double normal() { return boost::random::normal_distribution<double>()(*this); }
     /// True with the given probability.
     bool chance(double probability) {
         return probability != 0 && as_double((*this)()) <= probability * 0x1p64;
     }
-    /// Uniform over 0 .. n-1; n >= 1.
+    /// A random whole number, uniform over 0 .. n-1; n >= 1.
     std::size_t below(std::size_t n);
 
   private:
@@ -80,7 +80,7 @@ class Stream {
     std::uint64_t state_;
 };
 
-/// Uniform over 0 .. n-1; n >= 1. Faster than Stream::below for many draws.
+/// Draws whole numbers that are uniform over 0 .. n-1; n >= 1. Faster than Stream::below for many draws.
 class Below {
   public:
     /// Prepares draws from n numbers.
@@ -131,7 +131,7 @@ class Chance {
         }
     }
 
-    double probability() const { return probability_; } ///< as it was given
+    double probability() const { return probability_; } ///< probability that was given
 
     /// Calls pick(i) for the picked positions of 0 .. n-1.
     template <class Pick>

@@ -4,10 +4,10 @@
 
 namespace ga {
 
-/// Wall time since it was made.
+/// Measures the wall time since it was made.
 class Stopwatch {
   public:
-    /// in seconds
+    /// Wall time since the object was made, s.
     double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }

@@ -12,19 +12,19 @@ namespace ga {
 ///             search.tell(id, outcome_of(genome));
 ///     search.result().best->genome;
 ///
-/// The pipeline runs on a separate thread, which waits while questions are open; observers are called on it.
-/// The same outcomes give the same bits as `run`. The problem's `evaluate` is never called, but its
-/// derivatives are. Safe to use from several threads.
+/// The pipeline runs on a separate thread, which waits while questions are open. Observers are called on this
+/// thread. Equal outcomes give the same bits as `run`. The problem's `evaluate` is never called, but its
+/// members for derivatives are. Several threads may use an object.
 template <Problem P>
 class AskTell : Evaluator<P> {
   public:
-    using Genome = typename P::Genome;   ///< the problem's
-    using Outcome = typename P::Outcome; ///< the caller's answers
+    using Genome = typename P::Genome;   ///< genome of the problem
+    using Outcome = typename P::Outcome; ///< type of the caller's answers
 
     /// A genome to evaluate.
     struct Question {
         std::size_t id; ///< number of the question in the run, from 0
-        Genome genome;  ///< to be evaluated
+        Genome genome;  ///< genome to evaluate
     };
 
     /// Starts the run; the parameters are those of `run_by`. Throws UsageError if the pipeline cannot work.
@@ -53,7 +53,7 @@ class AskTell : Evaluator<P> {
         thread_.join();
     }
 
-    /// The open questions; waits for the next batch if all are answered. Empty when the run has ended. Throws
+    /// The open questions. If all are answered, waits for the next batch. Empty if the run has ended. Throws
     /// the exception that ended the run, if any.
     std::vector<Question> ask() {
         std::unique_lock lock(guard_);

@@ -8,16 +8,17 @@
 
 namespace ga {
 
-/// Facts about a population at one point of a pipeline, known before the pipeline runs. Each stage checks its
-/// needs against them and updates them. A pipeline that cannot work throws a UsageError here.
+/// Properties of a population at one point of a pipeline that are known before the pipeline runs. Each stage
+/// checks whether it can work on such a population, and updates the properties. If a pipeline cannot work, a
+/// UsageError is thrown here. A policy is one objective, or several (`pareto`).
 struct CheckState {
-    std::vector<std::string> objectives;     ///< the problem's; the first is the default
-    std::optional<std::string> scored;       ///< the policy under which every individual is scored
-    bool in_generation = false;              ///< inside a repeat or until
-    std::optional<std::string> start_scored; ///< the policy under which the generation's start is scored
-    bool nobody = false;                     ///< the population is still empty
-    bool on_islands = false;                 ///< inside islands
-    /// Whether it is scored by pareto.
+    std::vector<std::string> objectives;     ///< names of the problem's objectives; the first is the default
+    std::optional<std::string> scored;       ///< policy under which every individual is scored
+    bool in_generation = false;              ///< whether the point is inside a `repeat` or `until`
+    std::optional<std::string> start_scored; ///< policy under which the generation's start is scored
+    bool nobody = false;                     ///< whether the population is still empty
+    bool on_islands = false;                 ///< whether the point is inside `islands`
+    /// Whether the population is scored under several objectives.
     bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
 
     /// Throws UsageError, with the stage's name, if individuals may be unscored.
@@ -33,7 +34,7 @@ struct CheckState {
                              "' needs one objective's fitness, the population is ranked by '" + *scored +
                              "'; put score before it");
     }
-    /// Throws UsageError, with the stage's name and purpose, if it is not in a block of generations.
+    /// Throws UsageError, with the stage's name and purpose, if the stage is not in a block of generations.
     [[gnu::cold]] void need_generation(const std::string& stage,
                                        const std::string& does = "reads the start of a generation") const {
         if (!in_generation)
@@ -43,8 +44,8 @@ struct CheckState {
     [[gnu::cold]] void need_repetition(const std::string& stage) const {
         need_generation(stage, "learns from one generation to the next");
     }
-    /// Throws UsageError, with the stage's name, if it is not in a block of generations. It also throws if
-    /// the start and the population were scored by different policies.
+    /// Throws UsageError, with the stage's name, if the stage is not in a block of generations. Also throws
+    /// it if the generation's start and the population are scored under different policies.
     [[gnu::cold]] void need_comparable_start(const std::string& stage) const {
         need_generation(stage);
         need_score(stage);
@@ -54,7 +55,8 @@ struct CheckState {
                              (start_scored ? "scored by '" + *start_scored + "'" : "unscored") +
                              "; score both by the same objective");
     }
-    /// The name of an objective; an empty one is the problem's first. Throws UsageError if it is unknown.
+    /// The name of an objective; an empty name stands for the problem's first. Throws UsageError if the name
+    /// is unknown.
     [[gnu::cold]] std::string objective(const std::string& stage, const std::string& name) const {
         if (name.empty())
             return objectives.front();

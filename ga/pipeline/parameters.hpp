@@ -23,14 +23,14 @@ struct Parameter {
 
     static constexpr double most = 1e9; ///< largest whole number
 
-    std::string name;                    ///< as in KEY=VALUE
+    std::string name;                    ///< name, the KEY in KEY=VALUE
     Kind kind;                           ///< kind of value
-    std::optional<std::string> standard; ///< default; none if it must be given, empty for "not at all"
-    double lower = -no_limit;            ///< smallest number, included
-    double upper = no_limit;             ///< largest number, included
-    std::string meaning = {};            ///< one line for the listing
-    bool is_keyed = false;               ///< written as KEY=VALUE in a stage's text
-    bool is_quiet = false;               ///< not written if it has its default
+    std::optional<std::string> standard; ///< default; none if a value must be given, "" for an absent value
+    double lower = -no_limit;            ///< smallest allowed number
+    double upper = no_limit;             ///< largest allowed number
+    std::string meaning = {};            ///< meaning in one line, for the listing
+    bool is_keyed = false;               ///< whether it is written as KEY=VALUE in a stage's text
+    bool is_quiet = false;               ///< whether it is omitted from the text if it has its default
 
     /// A copy that is written as KEY=VALUE.
     Parameter keyed() const { return with(&Parameter::is_keyed, true); }
@@ -46,8 +46,8 @@ struct Parameter {
         return copy;
     }
 
-    bool is_text() const { return kind == Kind::word || kind == Kind::words; } ///< not a number
-    /// Whether a number is in the range, and whole if it must be.
+    bool is_text() const { return kind == Kind::word || kind == Kind::words; } ///< whether it takes words
+    /// Whether a number is in the range, and a whole number if the kind is `whole`.
     bool allows(double value) const {
         return std::isfinite(value) && value >= lower && value <= upper &&
                (kind == Kind::number || value == std::floor(value));
@@ -90,9 +90,9 @@ struct Parameter {
 
 /// An operator's name and purpose, for text and listing.
 struct Words {
-    std::string name;    ///< one word, or two: "cross sbx" is a member of the family "cross"
+    std::string name;    ///< name of one word, or of two: "cross sbx" is a member of the family "cross"
     std::string group;   ///< heading in the listing
-    std::string meaning; ///< one line
+    std::string meaning; ///< meaning in one line
 };
 
 /// An operator describes its parameters once:
@@ -100,7 +100,7 @@ struct Words {
 ///     static Words words();
 ///     static void describe(auto& self, auto visit) { visit(self.k, whole("k", "2", 1, "how many")); ... }
 /// @endcode
-/// The engine derives its text form, parser, value checks and listing entry from this description.
+/// The engine derives the operator's text, parser, value checks and listing entry from this description.
 template <class T>
 concept Described = requires {
     { T::words() } -> std::same_as<Words>;
@@ -108,7 +108,7 @@ concept Described = requires {
 
 /// Base of operators, rules and methods: by default they have no parameters.
 struct NoParameters {
-    static void describe(auto&, auto) {} ///< visits none
+    static void describe(auto&, auto) {} ///< visits no parameter
 };
 
 /// One parameter and a pointer to its value in an operator.
@@ -116,8 +116,8 @@ struct Field {
     /// Pointer to the value.
     using Place = std::variant<double*, std::size_t*, long*, int*, std::string*, std::vector<std::string>*>;
 
-    Parameter parameter; ///< describes the value
-    Place value;         ///< points to it
+    Parameter parameter; ///< name, kind and range of the value
+    Place value;         ///< pointer to the value
 
     /// The value as text; may be empty.
     [[gnu::cold]] std::string in_words() const {
@@ -161,7 +161,7 @@ template <class T>
     });
     return fields;
 }
-/// The values of these parameters, as they follow the name in a pipeline's text.
+/// The values of these parameters, as they are written after the name in a pipeline's text.
 [[gnu::cold]] inline std::string values_in_words(const std::vector<Field>& fields) {
     std::string text;
     for (const Field& field : fields) {
@@ -173,7 +173,7 @@ template <class T>
     }
     return text;
 }
-/// An object that describes itself, as a pipeline writes it: "tournament 2 size=5".
+/// The text of an object that describes itself, as in a pipeline: "tournament 2 size=5".
 template <Described T>
 [[gnu::cold]] std::string text_of(T described) {
     const std::string values = values_in_words(fields_of(described));

@@ -6,8 +6,8 @@ namespace ga {
 
 /// Options of a run.
 struct RunOptions {
-    std::string variant = "pipeline"; ///< first word of every path; does not affect random numbers
-    std::uint64_t seed = 1;           ///< keys every random stream
+    std::string variant = "pipeline"; ///< first word of every stage's path; does not affect random numbers
+    std::uint64_t seed = 1;           ///< seed of every random stream
     int threads = 0; ///< threads of `run`, 0 for OpenMP's default; `run_by` uses those of its evaluator
     std::size_t memory_bytes = std::size_t{1} << 30; ///< memory for known outcomes; does not affect a result
     Budget budget = {};                              ///< limits at which the run stops early
@@ -18,8 +18,8 @@ struct RunOptions {
 /// The result of a run.
 template <class G>
 struct Result {
-    /// The last population. If the run was stopped: scored individuals of its last population and of the
-    /// generation's start, best first. They all have the most frequent policy.
+    /// The last population. A stopped run returns scored individuals of its last population and of the
+    /// generation's start, best first: those under the most frequent policy.
     Population<G> population;
     std::optional<Individual<G>> best; ///< the best of the whole run under the problem's first objective
     Counters counters;                 ///< evaluations and derivatives of the run
@@ -29,7 +29,7 @@ struct Result {
     Population<G> front = {};          ///< individuals of `population` that no other one dominates
 };
 
-/// The facts that are known of an unscored population. Throws UsageError if the problem has no objective.
+/// The properties of an unscored population. Throws UsageError if the problem has no objective.
 template <Problem P>
 [[gnu::cold]] CheckState known_of(const P& problem) {
     CheckState known;
@@ -52,7 +52,7 @@ template <Problem P>
     pipeline.check_end(known);
 }
 
-/// Identifies a run by its pipeline, seed, objectives and start.
+/// A number that identifies a run by its pipeline, seed, objectives and start population.
 template <Problem P>
 [[gnu::cold]] std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
                                             const PopulationOf<P>& population) {
@@ -80,7 +80,7 @@ template <class G>
     return best_of(strict(std::move(in_hand)), everyone);
 }
 
-/// Makes identities unique; returns the first free one.
+/// Makes the identities of a population unique; returns the first free identity.
 template <class G>
 [[gnu::cold]] Identity with_identities_unique(Population<G>& population) {
     Identity next = 0;
@@ -93,8 +93,8 @@ template <class G>
     return next;
 }
 
-/// Scores a start population again if its objective has the name of one of this problem's, because another
-/// problem may have made the values. The run then knows its best start.
+/// Scores a start population again if this problem has an objective of the same name. Another problem may
+/// have computed the values. The run then knows its best start.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))
@@ -164,11 +164,12 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
     return result;
 }
 
-/// Runs a pipeline on a population; `evaluator` makes every call of `evaluate` and every derivative. Throws
-/// UsageError before any evaluation if the pipeline cannot work. The same seed gives the same bits for any
-/// number of threads, any memory and any evaluator with the same outcomes. The result may differ only if a
-/// time limit or a stop request ends the run. A run that is resumed from its checkpoints gives the same bits,
-/// too.
+/// Runs a pipeline on a population. `evaluator` makes every call of `evaluate` and computes every derivative.
+/// Throws UsageError before any evaluation if the pipeline cannot work.
+///
+/// The same seed gives the same bits for any number of threads, any memory and any evaluator with the same
+/// outcomes. The result may differ only if a time limit or a stop request ends the run. A run that is resumed
+/// from its checkpoints gives the same bits, too.
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
@@ -181,7 +182,7 @@ requires(std::convertible_to<Pipeline, Stage<P>>)
                      checkpointer);
 }
 
-/// Runs a pipeline with its evaluations spread over threads; see run_by.
+/// Runs a pipeline as run_by() does, with the evaluations spread over threads.
 template <Problem P, class Pipeline, class G = typename P::Genome>
 requires(std::convertible_to<Pipeline, Stage<P>>)
     [[gnu::cold]] Result<G> run(const Pipeline& pipeline, const P& problem, Population<G> population,

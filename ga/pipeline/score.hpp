@@ -7,9 +7,9 @@ namespace ga {
 /// Evaluates the individuals without a fitness under the objective. One outcome gives the values of all
 /// objectives. A stored outcome is not computed again.
 struct Score : Operator {
-    std::string objective; ///< empty: the problem's first
+    std::string objective; ///< name of the objective; empty: the problem's first
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"score", "selection", "evaluates the individuals without a fitness under the objective"};
     }
@@ -34,15 +34,16 @@ Score score(const Objective<Outcome>& objective) {
     return score(objective.name);
 }
 
-/// Gives each individual the mean fitness of n replicates of a noisy evaluation, in place of `score`. An
-/// individual that comes back in a later generation gets n more, until it has `limit`. So an individual does
-/// not stay the best only because of lucky draws. Known replicates are not evaluated again.
+/// Gives each individual the mean fitness of n replicates of a noisy evaluation. It is used instead of
+/// `score`. If an individual is still in the population when the stage runs again, n more replicates are
+/// added, until there are `limit`. So an individual does not stay the best only because of lucky draws. Known
+/// replicates are not evaluated again.
 struct Average : Operator {
-    std::size_t n = 2;     ///< replicates that each pass adds
-    std::string objective; ///< empty: the problem's first
-    std::size_t limit = 0; ///< maximum replicates of one individual; 0 for n
+    std::size_t n = 2;     ///< number of replicates that the stage adds each time
+    std::string objective; ///< name of the objective; empty: the problem's first
+    std::size_t limit = 0; ///< maximum number of replicates of one individual; 0 for n
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
     }

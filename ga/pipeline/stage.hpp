@@ -8,32 +8,36 @@ namespace ga {
 
 /// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its
 /// action.
+///
+/// In a block that runs in generations, e.g. `repeat`, the *start* of a generation is the population at its
+/// beginning.
 template <Problem P>
 struct Step {
-    using Genome = typename P::Genome;      ///< the problem's
-    std::string text;                       ///< its text in pipelines
-    std::function<void(CheckState&)> check; ///< checks its needs and updates the facts
+    using Genome = typename P::Genome;      ///< genome of the problem
+    std::string text;                       ///< text of the operator in pipelines
+    std::function<void(CheckState&)> check; ///< checks whether the operator can work, updates the CheckState
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< the operator's action
-    std::size_t reads_of_start =
-        0;               ///< number of the best individuals that it reads at the generation's start
-    bool begins = false; ///< whether it needs no population
+    /// Number of the best individuals of the generation's start that the operator reads.
+    std::size_t reads_of_start = 0;
+    bool begins = false; ///< whether the operator works without a population
 };
 
 // clang-format off
 /// An operator is a small struct with these members. It derives from this tag, which gives it `|`.
 /// @code
-///     words() and describe(), or text()                       give its text (parameters.hpp)
-///     void check(CheckState&) const;                          checks its needs and updates the facts
-///     Population operator()(Population, Context<P>&) const;   a template over the problem P, constrained by
-///                                                         the members of P that it uses
+///     words() and describe(), or text()                       give the operator's text (parameters.hpp)
+///     void check(CheckState&) const;                          checks whether the operator can work on the
+///                                                         population, and updates the CheckState (check.hpp)
+///     Population operator()(Population, Context<P>&) const;   does the work; a template over the problem P,
+///                                                         constrained by the members of P that it uses
 /// @endcode
 /// It may also have
 /// @code
 ///     struct State;                           state from one generation to the next; to_json and from_json
 ///                                             write and read it; the call takes a State& as last parameter
-///     std::size_t reads_of_start() const;     how many of the best individuals it reads from the
-///                                             generation's start, or `everyone`
-///     static constexpr bool begins = true;    if it needs no population
+///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
+///                                             the operator reads, or `everyone`
+///     static constexpr bool begins = true;    if the operator works without a population
 ///     template <Problem P> void check_problem() const;   checks needs that concepts cannot express
 /// @endcode
 // clang-format on
@@ -50,7 +54,8 @@ requires std::derived_from<Op, Operator>
     return op;
 }
 
-/// An operator that contains pipelines has `template <Problem P> Step<P> step() const` in place of the call.
+/// An operator that contains pipelines. Instead of `operator()` it has `template <Problem P> Step<P> step()
+/// const`.
 template <class Op, class P>
 concept Block = requires(const Op& op) {
     op.template step<P>();
@@ -68,8 +73,8 @@ std::string stage_text(const Op& op) {
 /// a | b for any problem.
 template <class A, class B>
 struct Then : Operator {
-    A first;  ///< runs first
-    B second; ///< runs on the result
+    A first;  ///< operator that runs first
+    B second; ///< operator that runs on the result of the first
     /// a | b.
     Then(A a, B b) : first(std::move(a)), second(std::move(b)) {}
 };
@@ -79,7 +84,7 @@ struct Then : Operator {
 template <Problem P>
 class Stage {
   public:
-    using Genome = typename P::Genome; ///< the problem's
+    using Genome = typename P::Genome; ///< genome of the problem
 
     Stage() = default;
     /// A pipeline of one operator, or of operators joined by `|`. The compiler checks those
@@ -99,14 +104,14 @@ class Stage {
             places_.back().written = place.written;
         }
     }
-    /// Sets text and column for error messages, in stages that have none.
+    /// Sets the text and the column that error messages name, in stages that have none.
     void locate(const std::string& text, std::size_t column) {
         for (auto& place : places_)
             if (!place.written)
                 place.written = {text, column};
     }
 
-    /// Throws UsageError if the pipeline cannot work on a population with the facts in `known`.
+    /// Throws UsageError if the pipeline cannot work on a population with the properties in `known`.
     void check(CheckState& known) const {
         for (const auto& place : places_)
             place.located([&] {
@@ -152,10 +157,10 @@ class Stage {
             text += (text.empty() ? "" : " | ") + place.step.text;
         return text;
     }
-    bool empty() const { return places_.empty(); } ///< no stages
-    /// Whether it needs no population.
+    bool empty() const { return places_.empty(); } ///< whether the pipeline has no stage
+    /// Whether the pipeline works without a population.
     bool begins() const { return !places_.empty() && places_.front().step.begins; }
-    /// How many of the best individuals its stages read from a generation's start.
+    /// Number of the best individuals of a generation's start that the stages read.
     std::size_t reads_of_start() const {
         std::size_t most = 0;
         for (const auto& place : places_)
@@ -291,7 +296,7 @@ class Stage {
 };
 
 /// Checks a body that runs in generations: each must accept the population that the previous one returns.
-/// `more` checks the facts after the first generation.
+/// `more` checks the CheckState after the first generation.
 template <Problem P, class More>
 [[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
                                     More more) {

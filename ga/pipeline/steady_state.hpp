@@ -14,29 +14,30 @@ namespace ga {
 ///     search.result();
 ///
 /// The order of questions and answers affects the result, so it is logged. Replaying the log with the same
-/// outcomes gives the same bits. Not safe to use from several threads; `run_steady` is.
+/// outcomes gives the same bits. Only one thread may use an object; run_steady() uses several threads.
 template <Problem P>
 class SteadyState {
   public:
-    using Genome = typename P::Genome;   ///< the problem's
-    using Outcome = typename P::Outcome; ///< the caller's answers
+    using Genome = typename P::Genome;   ///< genome of the problem
+    using Outcome = typename P::Outcome; ///< type of the caller's answers
 
     /// A genome to evaluate.
     struct Question {
         std::size_t id; ///< number of the question in the run, from 0
-        Genome genome;  ///< to be evaluated
+        Genome genome;  ///< genome to evaluate
     };
     /// A question or its answer, in the log.
     struct Event {
-        std::size_t id;      ///< the question's
-        bool asked = true;   ///< a question; otherwise an answer
-        Reason failure = {}; ///< why the evaluation failed
+        std::size_t id;      ///< number of the question
+        bool asked = true;   ///< whether it is a question; otherwise it is an answer
+        Reason failure = {}; ///< why the evaluation failed, if it did
     };
 
-    /// `start` makes the first population, whose size is kept. `breed` makes unscored children of the known
-    /// individuals. `replace` gets one scored child, reads the population as the generation's start and makes
-    /// the next population (`plus`, `steady`, `crowding`). The problem's first objective scores. The time
-    /// budget begins here. Throws UsageError if a stage cannot work.
+    /// Prepares a search. `start` makes the first population, whose size is kept. `breed` makes unscored
+    /// children of the known individuals. `replace` makes the next population from one scored child and the
+    /// current population, which is its generation's start (`plus`, `steady`, `crowding`). Individuals are
+    /// scored under the problem's first objective. The time budget begins here. Throws UsageError if a stage
+    /// cannot work.
     SteadyState(Stage<P> start, Stage<P> breed, Stage<P> replace, P problem, RunOptions options = {})
         : problem_(std::move(problem)), breed_(std::move(breed)), replace_(Stage<P>(score()) | replace),
           ledger_(problem_, evaluator_, options.memory_bytes, options.budget),
@@ -56,8 +57,9 @@ class SteadyState {
     }
     SteadyState(const SteadyState&) = delete;
 
-    /// The next question; a child with a known outcome is used at once. None if no individual is known yet,
-    /// or if the open questions use up the budget. Throws NothingLeft if breeding does not make a new genome.
+    /// The next question. A child with a known outcome is used at once and not asked. Nothing if no
+    /// individual is known yet, or if the open questions use up the budget. Throws NothingLeft if `breed`
+    /// does not make a new genome.
     std::optional<Question> ask() {
         for (int known = 0;;) {
             if (ledger_.watch().expired() || ledger_.spent(static_cast<long>(open_.size())) || !breed())
@@ -172,7 +174,7 @@ class SteadyState {
     std::vector<Event> log_;
 };
 
-/// Runs the search on threads until the budget is spent. Each thread asks, evaluates and tells.
+/// Runs the search on several threads until the budget is spent. Each thread asks, evaluates and tells.
 template <Problem P>
 void run_steady(SteadyState<P>& search, const P& problem, int threads = 0) {
     std::mutex guard;

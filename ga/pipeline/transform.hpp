@@ -9,13 +9,13 @@ namespace ga {
 /// objective that scored it or the problem's first.
 template <class Function>
 struct Transform : Operator {
-    std::string name;  ///< the stage's name
-    Function function; ///< genome -> genome; called from several threads
+    std::string name;  ///< name of the stage
+    Function function; ///< function from a genome to a genome; called from several threads
 
-    /// A stage of that name.
+    /// The stage of this name with this function.
     Transform(std::string name_, Function function_)
         : name(std::move(name_)), function(std::move(function_)) {}
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     std::string text() const { return name; }
     void check(CheckState& known) const { known.scored.reset(); }
 
@@ -41,7 +41,8 @@ struct Transform : Operator {
     ///@}
 };
 
-/// @param name  as in a text pipeline; more words may follow the first ("reduce dominant")
+/// The stage that applies a function to every genome.
+/// @param name  name in text pipelines; more words may follow the first ("reduce dominant")
 template <class Function>
 Transform<Function> transform(std::string name, Function function) {
     return {std::move(name), std::move(function)};

@@ -10,8 +10,8 @@ namespace ga {
 /// A number of individuals that stands for all.
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
-/// Ranks by Deb's rules (2000): feasible before infeasible, less violation before more, then the greater
-/// merit. Failed ones are last. The first class is -1, the next -2 and so on. Ties share a class.
+/// Classes by Deb's rules (2000): feasible before infeasible, less violation before more, then the greater
+/// merit. Failed individuals are last. The first class is -1, the next -2 and so on. Ties share a class.
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     const auto key = [&](std::size_t i) {
         const Fitness& f = *all[i];
@@ -62,9 +62,10 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
     return merits;
 }
 
-/// The merit of each among all of these, by the policy that scored them: higher is better, minus infinity for
-/// failed ones. It is the fitness under one objective, the class by Deb's rules under constraints, and rank
-/// with crowding under several objectives. Throws UsageError if policies differ or one is unscored.
+/// The merit of each individual among these, by the policy that scored them. Higher is better; failed
+/// individuals have minus infinity. Under one objective the merit is the fitness, and under constraints the
+/// class by Deb's rules. Under several objectives it is rank with crowding. Throws UsageError if policies
+/// differ or an individual is unscored.
 inline std::vector<double> merits(std::span<const Fitness* const> all) {
     bool several = false, ruled = false;
     std::vector<double> merits(all.size());
@@ -79,7 +80,7 @@ inline std::vector<double> merits(std::span<const Fitness* const> all) {
     }
     return several ? crowded_merits(all) : ruled ? classes_by_rules(all) : merits;
 }
-/// The merits of a population, followed by those of others.
+/// The merits of a population, followed by those of `others`.
 template <class G>
 std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
     std::vector<const Fitness*> all(population.size() + others.size());
@@ -107,7 +108,7 @@ std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n 
     return ranking(merits(population), n);
 }
 
-/// The n best, best first, failed ones last; all if there are fewer.
+/// The n best individuals, best first, failed ones last; all if there are fewer.
 template <class G>
 Population<G> best_of(const Population<G>& population, std::size_t n) {
     Population<G> chosen;
@@ -117,13 +118,13 @@ Population<G> best_of(const Population<G>& population, std::size_t n) {
     return chosen;
 }
 
-/// The part of a generation's start that a block stores: the best, as many as its stages read.
+/// The part of a generation's start that a block stores: as many of the best individuals as its stages read.
 template <class G>
 Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
     return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
-/// Removes the levels of `epsilon`: constraints hold only without violation.
+/// Removes the levels of the stage `epsilon`, so that constraints hold only without violation.
 template <class G>
 Population<G> strict(Population<G> population) {
     for (auto& individual : population)
@@ -132,7 +133,7 @@ Population<G> strict(Population<G> population) {
     return population;
 }
 
-/// The identities, in ascending order.
+/// The identities of a population, in ascending order.
 template <class G>
 std::vector<Identity> identities_of(const Population<G>& population) {
     std::vector<Identity> all;
@@ -164,8 +165,8 @@ inline bool better_by_rules(const Fitness& a, const Fitness& b) {
                          "'; score both by one objective first");
     return dominates(a.values(), b.values());
 }
-/// Whether a is better than b, independent of others: by Deb's rules, under several objectives by dominance.
-/// Throws UsageError if their policies differ.
+/// Whether a is better than b: by Deb's rules, under several objectives by dominance. Other individuals do
+/// not matter. Throws UsageError if the policies of a and b differ.
 inline bool better(const Fitness& a, const Fitness& b) {
     const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
     if (!rules && a.known() && b.known(a.objective_name())) // the most frequent case
@@ -173,7 +174,7 @@ inline bool better(const Fitness& a, const Fitness& b) {
     return better_by_rules(a, b);
 }
 
-/// Whether all are scored under one policy.
+/// Whether all individuals are scored under one policy.
 template <class G>
 bool comparable(const Population<G>& population) {
     return std::all_of(population.begin(), population.end(), [&](const auto& each) {
@@ -181,8 +182,8 @@ bool comparable(const Population<G>& population) {
     });
 }
 
-/// The individuals that no other one dominates: under several objectives the front, under one the best and
-/// its ties. Unscored and failed ones are left out.
+/// The individuals that no other one dominates: under several objectives the Pareto front, under one
+/// objective the best and its ties. Unscored and failed individuals are left out.
 template <class G>
 Population<G> front_of(const Population<G>& population) {
     Population<G> scored;

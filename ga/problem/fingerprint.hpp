@@ -14,12 +14,12 @@ namespace ga {
 struct Fingerprint {
     std::uint64_t high = 0; ///< first lane
     std::uint64_t low = 0;  ///< second lane
-    /// Equal in all bits.
+    /// Whether all bits are equal.
     bool operator==(const Fingerprint&) const = default;
 };
 
-/// Two independent lanes of folded 64 x 64 -> 128 bit products over the bytes (the scheme of wyhash, Wang Yi
-/// 2019).
+/// The fingerprint of some bytes: two independent lanes of folded 64 x 64 -> 128 bit products (the scheme of
+/// wyhash, Wang Yi 2019).
 inline Fingerprint fingerprint(const void* data, std::size_t size) {
     __extension__ using Wide = unsigned __int128;
     const auto folded = [](std::uint64_t a, std::uint64_t b) {

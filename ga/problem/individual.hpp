@@ -17,7 +17,7 @@ namespace ga {
 class Name {
   public:
     Name() = default;
-    /// Adds the name if it is new. Safe to call from any thread.
+    /// The name of this text. Stores the text if it is new. Any thread may call it.
     Name(const std::string& text) {
         static std::mutex guard;
         static std::set<std::string> names;
@@ -25,14 +25,14 @@ class Name {
         text_ = &*names.insert(text).first;
     }
     const std::string& text() const { return *text_; } ///< the text; not for an empty name
-    /// One pointer against another.
+    /// Whether both names are equal.
     bool operator==(const Name&) const = default;
 
   private:
     const std::string* text_ = nullptr;
 };
 
-/// Why an evaluation failed; shared by all individuals with that genome.
+/// The reason why an evaluation failed; shared by all individuals with that genome.
 using Reason = std::shared_ptr<const std::string>;
 /// Makes a reason from a text.
 inline Reason reason(std::string words) { return std::make_shared<const std::string>(std::move(words)); }
@@ -97,24 +97,26 @@ class Fitness {
         return fitness;
     }
 
-    bool known() const { return policy_ != Name(); } ///< whether it was scored at all
-    /// Whether it was scored under this policy.
+    bool known() const { return policy_ != Name(); } ///< whether the individual was scored under any policy
+    /// Whether the individual was scored under this policy.
     bool known(Name policy) const { return policy_ == policy; }
-    bool has_failed() const { return detail_ && detail_->failure; }      ///< whether the evaluation failed
-    bool several() const { return detail_ && !detail_->values.empty(); } ///< under several objectives
-    bool feasible() const { return !(violation_ > 0); }                  ///< no constraint is violated
+    bool has_failed() const { return detail_ && detail_->failure; } ///< whether the evaluation failed
+    bool several() const {
+        return detail_ && !detail_->values.empty();
+    }                                                   ///< whether it has several objectives
+    bool feasible() const { return !(violation_ > 0); } ///< whether all constraints hold
     /// The sum of violations beyond the constraints' levels, 0 or more.
     double violation() const { return violation_; }
-    /// The violation of each constraint, 0 or more, without regard to levels; empty if all hold.
+    /// The violation of each constraint, 0 or more, without regard to levels; empty if all constraints hold.
     const std::vector<double>& violations() const {
         static const std::vector<double> none;
         return detail_ ? detail_->violations : none;
     }
-    bool minimises() const { return minimise_; }           ///< whether less is better
+    bool minimises() const { return minimise_; }           ///< whether a lower value is better
     std::size_t replicates() const { return replicates_; } ///< number of replicates in the mean, 1 or more
 
-    /// The value under one objective; minus infinity if the evaluation failed. Throws UsageError if it is
-    /// unscored or has several objectives.
+    /// The value under one objective; minus infinity if the evaluation failed. Throws UsageError if the
+    /// individual is unscored or scored under several objectives.
     double value() const {
         need(true);
         return value_;
@@ -131,9 +133,9 @@ class Fitness {
         need(false);
         return detail_ ? detail_->values : none;
     }
-    /// The policy's name. Throws UsageError if it is unscored.
+    /// The name of the policy. Throws UsageError if the individual is unscored.
     const std::string& objective() const { return need(false), policy_.text(); }
-    Name objective_name() const { return policy_; } ///< empty when unscored
+    Name objective_name() const { return policy_; } ///< name of the policy; empty if unscored
     /// Why the evaluation failed; empty if it did not.
     const std::string& reason() const {
         static const std::string none;
@@ -175,10 +177,10 @@ class Parents {
     explicit Parents(Identity only) : identities_{only, 0}, count_(1) {}
     /// The parents of a cross-over.
     Parents(Identity first, Identity second) : identities_{first, second}, count_(2) {}
-    const Identity* begin() const { return identities_.data(); } ///< the first
-    const Identity* end() const { return begin() + count_; }     ///< past the last
-    std::size_t size() const { return count_; }                  ///< 0, 1 or 2
-    /// Equal in the same order.
+    const Identity* begin() const { return identities_.data(); } ///< the first parent
+    const Identity* end() const { return begin() + count_; }     ///< past the last parent
+    std::size_t size() const { return count_; }                  ///< number of parents: 0, 1 or 2
+    /// Whether the parents are equal, in the same order.
     bool operator==(const Parents&) const = default;
 
   private:
@@ -191,16 +193,16 @@ class Parents {
 template <class G>
 struct Individual {
     G genome{};                      ///< the genome
-    Identity identity = 0;           ///< unique in the run
-    Parents parents;                 ///< identities of its parents
+    Identity identity = 0;           ///< number of the individual, unique in the run
+    Parents parents;                 ///< identities of the parents
     Fitness fitness;                 ///< empty until a stage scores it
     std::shared_ptr<const G> origin; ///< the genome before the first refinement, or null
 
-    /// The fitness under one objective. Throws UsageError if it is unscored.
+    /// The fitness under one objective. Throws UsageError if the individual is unscored.
     double value() const { return fitness.value(); }
 };
 
-/// Individuals; stages may rely on their order.
+/// A list of individuals; stages may rely on their order.
 template <class G>
 using Population = std::vector<Individual<G>>;
 

@@ -14,10 +14,10 @@ struct Permutation {
 
     auto begin() const { return order.begin(); }      ///< the first number
     auto end() const { return order.end(); }          ///< past the last number
-    std::size_t size() const { return order.size(); } ///< n
-    /// Equal in the same order.
+    std::size_t size() const { return order.size(); } ///< length n
+    /// Whether both permutations are equal.
     bool operator==(const Permutation&) const = default;
-    /// Whether it contains each of 0 .. n-1 once.
+    /// Whether `order` contains each of 0 .. n-1 once.
     bool is_valid() const {
         std::vector<char> seen(order.size(), 0);
         return std::all_of(begin(), end(), [&](std::uint32_t number) {

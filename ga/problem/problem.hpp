@@ -13,14 +13,14 @@ namespace ga {
 /// as failed.
 template <class Outcome>
 struct Objective {
-    std::string name;                              ///< its name in pipelines
-    std::function<double(const Outcome&)> fitness; ///< the value for an outcome
+    std::string name;                              ///< name of the objective in pipelines
+    std::function<double(const Outcome&)> fitness; ///< function that returns the value for an outcome
     bool minimise = false;                         ///< whether lower is better
 };
 
-/// All that ga knows of a domain: a genome, the expensive call `evaluate`, and objectives of its outcome.
-/// `evaluate` is pure: it is called from several threads, and its outcomes are stored. It may throw. There is
-/// at least one objective; `score()` uses the first.
+/// The interface of ga to a domain: a type of genome, the expensive call `evaluate`, and objectives of the
+/// outcome. `evaluate` must be pure, because several threads call it and its outcomes are stored. It may
+/// throw. There is at least one objective; `score()` uses the first.
 template <class P>
 concept Problem = requires(const P& problem, const typename P::Genome& genome) {
     requires std::copyable<typename P::Genome>;
@@ -93,7 +93,7 @@ typename P::Genome with_genes(const P& problem, const typename P::Genome& genome
         return genes;
 }
 
-/// Residuals and their derivatives; defined in ga/refinement/sensitivity.hpp.
+/// Residuals and their derivatives, defined in ga/refinement/sensitivity.hpp.
 struct Sensitivity;
 
 /// Optional: residuals and Jacobian, used by `lm`, `mma`, `minimax`, `emit` and methods of the domain.
@@ -137,15 +137,15 @@ concept Weighed = requires(const P& problem, const typename P::Outcome& outcome)
 /// A gene that may move, between its bounds.
 struct Variable {
     std::size_t gene; ///< index of the gene
-    double lower;     ///< in the gene's unit
-    double upper;     ///< no less than `lower`
+    double lower;     ///< lower bound, in the gene's unit
+    double upper;     ///< upper bound, at least `lower`
 };
 
 /// A named choice of genes for refinement: which genes may move, and how far.
 template <class G>
 struct Variables {
-    std::string name;                                  ///< its name in pipelines: "genes=NAME"
-    std::function<std::vector<Variable>(const G&)> of; ///< for a genome
+    std::string name;                                  ///< name in pipelines, as in "genes=NAME"
+    std::function<std::vector<Variable>(const G&)> of; ///< function that returns the genes for a genome
 };
 
 /// Optional: the genes that operators may move, with their bounds, in ascending order; also refinement's
@@ -201,15 +201,15 @@ concept Measured = requires(const P& problem, const typename P::Genome& genome) 
     { problem.distance(genome, genome) } -> std::convertible_to<double>;
 };
 
-/// A feature of a genome, much cheaper than an evaluation, in which solutions of equal fitness may differ. A
-/// pure function; called from several threads.
+/// A feature of a genome, in which solutions of equal fitness may differ. It must be much cheaper than an
+/// evaluation, and pure, because several threads call it.
 template <class G>
 struct Descriptor {
-    std::string name;                   ///< its name in pipelines
-    std::function<double(const G&)> of; ///< for a genome
+    std::string name;                   ///< name of the feature in pipelines
+    std::function<double(const G&)> of; ///< function that returns the value for a genome
     double lower;                       ///< lower end of the range that is divided into cells
     double upper;                       ///< upper end of that range, above `lower`
-    /// Its derivatives with respect to all genes; if empty, finite differences are used.
+    /// Derivatives of the value with respect to all genes; if empty, finite differences are used.
     std::function<std::vector<double>(const G&)> gradient = {};
 };
 
@@ -274,7 +274,7 @@ bool is_valid(const P& problem, const typename P::Genome& genome) {
         return true;
 }
 
-/// The fingerprint under which the genome's outcome is stored.
+/// The fingerprint under which a genome's outcome is stored.
 template <Problem P>
 Fingerprint identify(const P& problem, const typename P::Genome& genome) {
     if constexpr (Keyed<P>)

@@ -9,8 +9,8 @@
 
 namespace ga {
 
-/// Positions 0 to n-1 in the order of `before(a, b)`; ties in ascending order. The comparison's type is
-/// erased, so that sorting is compiled once.
+/// The positions 0 to n-1 in the order of `before(a, b)`; ties in ascending order. The type of `before` is
+/// erased, so that sorting is compiled only once.
 inline std::vector<std::size_t> in_order(std::size_t n,
                                          const std::function<bool(std::size_t, std::size_t)>& before) {
     std::vector<std::size_t> order(n);
@@ -34,9 +34,9 @@ inline bool dominates(const Point& a, const Point& b) {
     return better;
 }
 
-/// The front of each point, from 0 (Deb, Pratap, Agarwal and Meyarivan 2002). No point dominates those of
-/// front r after fronts 0 to r-1 are removed. Points are sorted so that no later point dominates an earlier
-/// one; each is compared only with earlier points (Zhang, Tian, Cheng and Jin 2015).
+/// The number of the front of each point, from 0 (Deb, Pratap, Agarwal and Meyarivan 2002). After fronts 0 to
+/// r-1 are removed, no point dominates a point of front r. Points are sorted so that no later point dominates
+/// an earlier one. Each point is compared only with earlier points (Zhang, Tian, Cheng and Jin 2015).
 inline std::vector<std::size_t> pareto_ranks(const std::vector<Point>& points) {
     const std::vector<std::size_t> order =
         in_order(points.size(), [&](std::size_t a, std::size_t b) { return points[a] > points[b]; });

@@ -12,13 +12,13 @@ namespace ga {
 template <Problem P>
 class Context {
   public:
-    using Genome = typename P::Genome;                      ///< the problem's
+    using Genome = typename P::Genome;                      ///< genome of the problem
     using Outcome = typename P::Outcome;                    ///< the outcome of its evaluations
     using Scope = typename StagePosition<Genome>::Scope;    ///< see StagePosition
     using Round = typename StagePosition<Genome>::Round;    ///< see StagePosition
     using OpenFrame = typename RunState<Genome>::OpenFrame; ///< see RunState
 
-    /// The root of a run. One population may take `population_bytes`. Checkpoints are written only with a
+    /// The context of a run. One population may take `population_bytes`. Checkpoints are written only with a
     /// checkpointer.
     [[gnu::cold]] Context(Ledger<P>& ledger, StagePosition<Genome> place, Identity next_identity,
                           std::size_t population_bytes, std::vector<Observer<Genome>> observers = {},
@@ -57,15 +57,15 @@ class Context {
     }
     Context(const Context&) = delete;
 
-    StagePosition<Genome> position; ///< path, random streams and generation
-    RunState<Genome> state;         ///< frames, identities, best, notes
+    StagePosition<Genome> position; ///< path, random streams and generation of the current stage
+    RunState<Genome> state;         ///< frames of open blocks, identities, best individual, notes
 
     const P& problem() const { return ledger_.problem(); } ///< the problem that is solved
     Ledger<P>& ledger() { return ledger_; }                ///< memory, budget and counts
-    EvaluationQueue<P>& door() { return door_; }           ///< makes evaluations
-    const Watch& watch() const { return ledger_.watch(); } ///< the time in this process
-    Counters& counters() { return ledger_.counters; }      ///< spent so far
-    /// Threads for work other than evaluations. Does not affect a result. One on an island.
+    EvaluationQueue<P>& door() { return door_; }           ///< queue that makes evaluations
+    const Watch& watch() const { return ledger_.watch(); } ///< watch of the time in this process
+    Counters& counters() { return ledger_.counters; }      ///< evaluations spent so far
+    /// Number of threads for work other than evaluations; 1 on an island. It does not affect a result.
     int threads() const { return this == &root_ ? ledger_.evaluator().threads() : 1; }
 
     Stream stream(std::size_t index) const { return position.stream(index); } ///< see StagePosition
@@ -93,7 +93,7 @@ class Context {
         return population;
     }
 
-    /// Position of an objective in the problem's list; an empty name is the first.
+    /// Position of an objective in the problem's list; an empty name stands for the first.
     std::size_t objective_index(const std::string& name) const {
         const auto& objectives = problem().objectives();
         for (std::size_t i = 0; i < objectives.size(); ++i)
@@ -147,8 +147,8 @@ class Context {
     }
 
     /// Adds n replicates of a noisy evaluation to each individual that has not failed, up to max(n, limit) in
-    /// all. Sets its fitness to the mean of all its replicates. Known replicates are not evaluated again. If
-    /// one replicate fails, so does the individual.
+    /// all. Sets the fitness to the mean of all replicates of the individual. Known replicates are not
+    /// evaluated again. If one replicate fails, the individual is marked as failed.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -192,7 +192,7 @@ class Context {
             (!best || better(individual.fitness, best->fitness)))
             best = individual;
     }
-    /// The best individual so far; none before the first score.
+    /// The best individual so far; none before the first evaluation.
     const std::optional<Individual<Genome>>& best() const { return root_.state.best; }
     /// The name of the objective at that position.
     Name objective_name(std::size_t place) const { return names_[place]; }
@@ -239,12 +239,12 @@ class Context {
             state.note(note);
     }
 
-    /// Keeps the memory within its bound, except on islands.
+    /// Removes old evaluations so that the memory stays within its bound, except on islands.
     void forget_old() {
         if (this == &root_)
             ledger_.forget_old();
     }
-    /// Called between two stages: the run may write a checkpoint here, or end.
+    /// Called between two stages. The run may write a checkpoint or end here.
     void pause() {
         forget_old();
         if (checkpointer_ && checkpointer_->due(seconds()))
@@ -256,7 +256,7 @@ class Context {
         throw Stopped{watch().reason()};
     }
     bool is_kept() const { return checkpointer_ != nullptr; } ///< whether the run writes checkpoints
-    /// Writes an earlier snapshot as a checkpoint, if it is time to.
+    /// Writes an earlier snapshot as a checkpoint if a checkpoint is due.
     void keep_as(const Snapshot<Genome>& before) {
         if (checkpointer_ && checkpointer_->due(seconds()))
             checkpointer_->write(before, ledger_);

@@ -9,11 +9,11 @@
 
 namespace ga {
 
-/// One call of `evaluate`: a genome, and the place for its outcome or the reason of its failure.
+/// One call of `evaluate`: a genome, and the place for the outcome or the reason of a failure.
 template <Problem P>
 struct Call {
-    const typename P::Genome* genome;        ///< to be evaluated
-    Evaluation<typename P::Outcome>* answer; ///< left unchanged if the run must end first
+    const typename P::Genome* genome;        ///< genome to evaluate
+    Evaluation<typename P::Outcome>* answer; ///< place for the result; unchanged if the run must end first
     std::uint64_t replicate = 0;             ///< number of the replicate of a noisy evaluation
 };
 
@@ -21,16 +21,16 @@ struct Call {
 /// `gradient`). The answer is one of the last three members.
 template <Problem P>
 struct Slope {
-    typename P::Genome genome;                      ///< the point
+    typename P::Genome genome;                      ///< genome at which the derivative is computed
     Name objective;                                 ///< name of the objective
-    bool of_residuals = true;                       ///< otherwise of the fitness
+    bool of_residuals = true;                       ///< true: of the residuals; false: of the fitness
     std::shared_ptr<const Sensitivity> sensitivity; ///< residuals and their derivatives
     std::vector<double> gradient;                   ///< derivative of the fitness, one per gene
     Reason failure;                                 ///< why the derivative is missing
 };
 
-/// The outcome of `evaluate`, or the reason of its failure. Pending if the problem itself stopped it, by
-/// throwing Stopped.
+/// The outcome of `evaluate`, or the reason of its failure. It is pending if the problem itself stopped the
+/// evaluation by throwing Stopped.
 template <Problem P>
 Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome,
                                           std::uint64_t replicate = 0) {
@@ -69,9 +69,9 @@ void differentiate(const P& problem, Slope<P>& slope) {
     }
 }
 
-/// Makes the calls that are not answered from memory. Derive from it to evaluate in other processes, on other
-/// machines or with a surrogate. The engine manages memory, counts and budget before it calls this class. It
-/// is called from one thread at a time. Its answers must not depend on the order of its calls.
+/// Makes the calls that are not answered from memory. Derive from this class to evaluate in other processes,
+/// on other machines or with a surrogate. The engine manages memory, counts and budget before it calls this
+/// class, from one thread at a time. Answers must not depend on the order of the calls.
 template <Problem P>
 class Evaluator {
   public:
@@ -88,7 +88,7 @@ class Evaluator {
         for (std::size_t i = 0; i < n; ++i)
             job(i);
     }
-    virtual int threads() const { return 1; } ///< used by `each`
+    virtual int threads() const { return 1; } ///< number of threads that `each` uses
 };
 
 /// Makes one call after the other, on the calling thread.
@@ -102,8 +102,8 @@ class Serial : public Evaluator<P> {
     }
 };
 
-/// Distributes the calls over threads. Each thread takes the next call, so that all are busy even if costs
-/// differ.
+/// Distributes the calls over threads. Each thread takes the next call, so that all threads are busy even if
+/// costs differ.
 template <Problem P>
 class OnThreads : public Evaluator<P> {
   public:
@@ -135,9 +135,9 @@ class Recording : public Evaluator<P> {
     /// Records the calls to `by`, which must outlive it.
     explicit Recording(Evaluator<P>& by) : by_(by) {}
 
-    std::vector<typename P::Genome> evaluated;      ///< in the order of the calls
-    std::vector<typename P::Genome> differentiated; ///< in the order of the requests
-    std::vector<std::size_t> batches;               ///< calls per batch
+    std::vector<typename P::Genome> evaluated;      ///< evaluated genomes in the order of the calls
+    std::vector<typename P::Genome> differentiated; ///< genomes of derivatives in the order of the requests
+    std::vector<std::size_t> batches;               ///< number of calls in each batch
 
     void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
         batches.push_back(calls.size());

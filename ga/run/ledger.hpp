@@ -14,30 +14,30 @@ enum class Patience { none, finish };
 /// Questions that are answered together: outcomes of genomes and derivatives.
 template <Problem P>
 struct EvaluationRequest {
-    using Genome = typename P::Genome;   ///< the problem's
-    using Outcome = typename P::Outcome; ///< the problem's
+    using Genome = typename P::Genome;   ///< genome of the problem
+    using Outcome = typename P::Outcome; ///< outcome of an evaluation
 
     /// One genome's outcome.
     struct Question {
-        const Genome* genome;        ///< must outlive the answer
-        bool counts = true;          ///< whether it counts against the budget
+        const Genome* genome;        ///< genome to evaluate; must outlive the answer
+        bool counts = true;          ///< whether the question counts against the budget
         std::uint64_t replicate = 0; ///< number of the replicate of a noisy evaluation
-        Fingerprint print = {};      ///< set by the queue
+        Fingerprint print = {};      ///< fingerprint of the genome, set by the queue
         const Evaluation<Outcome>* answer =
             nullptr; ///< set by the queue; null or pending if the run had to end
     };
 
-    std::vector<Question> questions;    ///< counted in this order
-    std::vector<Slope<P>*> slopes;      ///< derivatives
-    Patience patience = Patience::none; ///< see Patience
+    std::vector<Question> questions;    ///< questions, which are counted in this order
+    std::vector<Slope<P>*> slopes;      ///< requests for derivatives
+    Patience patience = Patience::none; ///< whether a stop request waits for the answers
     std::function<void()> use =
         {};             ///< reads the answers, which are valid until it returns; called on the queue's thread
     bool spent = false; ///< set by the queue: the budget was too small for all questions
     std::exception_ptr error = {}; ///< set by the queue: Stopped, NothingLeft, or the exception of `use`
 };
 
-/// Takes all requests for evaluations. The ledger is such a queue. A block that runs several threads puts
-/// another one before it.
+/// Receives all requests for evaluations. The ledger is such a queue. A block that runs several threads puts
+/// another queue before the ledger.
 template <Problem P>
 class EvaluationQueue {
   public:
@@ -59,12 +59,12 @@ class EvaluationQueue {
 template <Problem P>
 class Ledger : public EvaluationQueue<P> {
   public:
-    using Genome = typename P::Genome;   ///< the problem's
+    using Genome = typename P::Genome;   ///< genome of the problem
     using Outcome = typename P::Outcome; ///< the outcome of its evaluations
     using EvaluationQueue<P>::serve;
 
-    /// The problem, the evaluator and the budget must outlive it. `memory_bytes` limits the memory and does
-    /// not affect a result.
+    /// The ledger of a run. The problem, the evaluator and the budget must outlive it. `memory_bytes` limits
+    /// the memory and does not affect a result.
     Ledger(const P& problem, Evaluator<P>& evaluator, std::size_t memory_bytes, const Budget& budget)
         : memory(memory_bytes), problem_(problem), evaluator_(evaluator), budget_(budget), watch_(budget) {}
 
@@ -92,8 +92,8 @@ class Ledger : public EvaluationQueue<P> {
     /// The budget for a ledger that continues with this one's counters.
     Budget left() const { return {budget_.evaluations, budget_.seconds - watch_.seconds(), budget_.stop}; }
 
-    Counters counters;      ///< spent by the run so far
-    Memory<Outcome> memory; ///< the known evaluations
+    Counters counters;      ///< evaluations that the run has spent so far
+    Memory<Outcome> memory; ///< known evaluations
 
     /// Restores two values of an earlier ledger: whether an evaluation succeeded, and the size of the largest
     /// outcome.

@@ -9,8 +9,8 @@ namespace ga {
 
 /// An evaluation that was requested and has not been made.
 struct Pending {
-    bool queued = false; ///< whether it is among the calls to be made
-    Reason why = {};     ///< why the problem itself stopped it, if it did
+    bool queued = false; ///< whether the evaluation is among the calls to be made
+    Reason why = {};     ///< why the problem itself stopped the evaluation, if it did
 };
 
 /// An evaluation: pending, its outcome, or the reason of its failure.
@@ -23,7 +23,7 @@ using Evaluation = std::variant<Pending, Outcome, Reason>;
 template <class Value>
 class Table {
   public:
-    /// Null if it is not in the table.
+    /// The value of a fingerprint, or null if it is not in the table.
     Value* find(const Fingerprint& print) {
         const std::size_t slot = marks_.empty() ? 0 : slot_of(print);
         return marks_.empty() || marks_[slot] == 0 ? nullptr : &entry(numbers_[slot]).value;
@@ -54,10 +54,10 @@ class Table {
 
     /// A fingerprint and its value.
     struct Entry {
-        Fingerprint print; ///< the genome's
-        Value value;       ///< anything
+        Fingerprint print; ///< fingerprint of a genome
+        Value value;       ///< value of the fingerprint
     };
-    /// The i-th that was added.
+    /// The i-th entry that was added.
     const Entry& entry(std::size_t i) const { return blocks_[i / per_block][i % per_block]; }
 
   private:
@@ -99,16 +99,17 @@ class Table {
 template <class Outcome>
 class Memory {
   public:
-    /// @param bytes  the bound, which only the current batch may exceed
+    /// An empty memory.
+    /// @param bytes  bound on the size, which only the current batch may exceed
     explicit Memory(std::size_t bytes) : half_(bytes / 2) {}
-    std::size_t bytes() const { return 2 * half_; } ///< as given, or one less
+    std::size_t bytes() const { return 2 * half_; } ///< bound that was given, or one byte less
 
     /// One of the two halves.
     using Half = Table<Evaluation<Outcome>>;
     Half young; ///< the half that grows
     Half old;   ///< the half that is forgotten next
 
-    /// The place of a genome's evaluation; stays valid until `forget_old`.
+    /// The place of a genome's evaluation. It stays valid until `forget_old`.
     Evaluation<Outcome>& at(const Fingerprint& print) {
         Evaluation<Outcome>* known = old.find(print);
         if (!known || std::holds_alternative<Pending>(*known))

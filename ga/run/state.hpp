@@ -18,7 +18,8 @@ namespace ga {
 template <class G>
 class StagePosition {
   public:
-    /// The root. `variant` is the first word of every path; `seed` keys every stream.
+    /// The position before the first stage. `variant` is the first word of every path; `seed` is part of the
+    /// key of every random stream.
     StagePosition(const std::string& variant, std::uint64_t seed) {
         const std::uint64_t key = fold(0, seed);
         places_.push_back({Name(variant), 0, key, key, {}});
@@ -27,7 +28,7 @@ class StagePosition {
     /// Random numbers for the index-th task of the current stage, in this generation.
     Stream stream(std::size_t index) const { return Stream(fold(places_.back().key, index)); }
 
-    /// The enclosing blocks, then the stage's name with its ordinal among equal names.
+    /// The path of the stage: the enclosing blocks, then its name with its ordinal among stages of this name.
     std::string path() const {
         std::string path;
         for (const Place& place : places_) {
@@ -45,13 +46,13 @@ class StagePosition {
                 generations.push_back(*place.generation);
         return generations;
     }
-    /// The innermost block's generation, from 0; 0 outside any block.
+    /// The generation of the innermost block, from 0; 0 outside all blocks.
     std::size_t generation() const {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The best individuals at the start of the innermost generation, as many as its stages read. `epsilon`
-    /// may change their fitness.
+    /// The start of the innermost generation: as many of its best individuals as the stages read. The stage
+    /// `epsilon` may change their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Makes a stage of the pipeline the current one during its lifetime. Ordinal 0 is not shown.
@@ -178,21 +179,22 @@ void read_parts(const Json& j, Parts&... parts) {
 /// A stage's result, as observers see it.
 template <class G>
 struct Event {
-    const std::string& path;             ///< the stage's, e.g. "sog/refine.2"
-    std::vector<std::size_t> generation; ///< one per enclosing repeat, outermost first, from 0
-    const Population<G>& population;     ///< as the stage left it
-    const Counters& counters;            ///< spent by the run so far
-    double seconds;                      ///< time since the run began
-    bool derived = false;                ///< under a problem derived from the run's (run_derived)
+    const std::string& path;             ///< path of the stage, e.g. "sog/refine.2"
+    std::vector<std::size_t> generation; ///< generation of each enclosing `repeat`, outermost first, from 0
+    const Population<G>& population;     ///< population that the stage returned
+    const Counters& counters;            ///< evaluations that the run has spent so far
+    double seconds;                      ///< time since the run began, s
+    bool derived = false;                ///< whether the problem is derived from the run's (run_derived)
 };
 
-/// Called after every stage on the thread that runs the pipeline. For islands it is called after their round,
-/// one island after the other.
+/// A function that is called after every stage on the thread that runs the pipeline. For islands it is called
+/// after each round, for one island after the other.
 template <class G>
 using Observer = std::function<void(const Event<G>&)>;
 
-/// All that a block of stages needs to continue from its current point. The frames of the open blocks say at
-/// which point a run continues. A checkpoint contains them and the other members of Snapshot.
+/// The values that a block of stages needs to continue from its current point. The frames of all open blocks
+/// determine the point at which a run continues. A checkpoint contains them and the other members of
+/// Snapshot.
 template <class G>
 struct Frame {
     std::size_t next = 0;                     ///< index of the block's next stage or generation
@@ -205,18 +207,18 @@ struct Frame {
 /// The state of a run between two stages, from which it can continue.
 template <class G>
 struct Snapshot {
-    std::list<Frame<G>> frames;        ///< one per open block, outermost first; empty when the run is done
-    Counters counters;                 ///< spent so far
+    std::list<Frame<G>> frames;        ///< one per open block, outermost first; empty if the run is done
+    Counters counters;                 ///< evaluations spent so far
     Identity next_identity = 0;        ///< identity of the next child
-    std::optional<Individual<G>> best; ///< under the problem's first objective
+    std::optional<Individual<G>> best; ///< best individual under the problem's first objective
     std::vector<std::string> notes;    ///< remarks so far
-    double seconds = 0;                ///< spent so far, in all processes of the run
+    double seconds = 0;                ///< time spent so far in all processes of the run, s
     std::size_t remembered = 0;        ///< number of evaluations in the newer half of the memory (memory.hpp)
     std::size_t heaviest = 0;          ///< bytes of the largest outcome or failure message so far
 };
 
-/// All that a run needs to be resumed: frames of open blocks, identities, the best so far and the notes. A
-/// run that stops also leaves its population here.
+/// The values that a run needs to be resumed: frames of open blocks, identities, the best individual and the
+/// notes. A run that stops also stores its population here.
 template <class G>
 class RunState {
   public:
@@ -297,7 +299,7 @@ class RunState {
 template <Problem P>
 class Checkpointer {
   public:
-    using Genome = typename P::Genome; ///< the problem's
+    using Genome = typename P::Genome; ///< genome of the problem
     using Taken = Snapshot<Genome>;    ///< a run between two stages
 
     virtual ~Checkpointer() = default;
@@ -311,7 +313,7 @@ class Checkpointer {
     /// Writes the run. `answer` is given when the run is done.
     virtual void write(const Taken& snapshot, const Ledger<P>& ledger,
                        const Population<Genome>* answer = nullptr) = 0;
-    /// Says what could not be written. Empty if all writes succeeded.
+    /// The writes that failed, in words; empty if all writes succeeded.
     virtual std::string trouble() const { return {}; }
 };
 
