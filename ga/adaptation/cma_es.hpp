@@ -18,24 +18,24 @@ namespace ga {
 /// first run.
 struct CmaEs : Operator {
     double sigma = 0.3; ///< first standard deviation, as a fraction of the distance between bounds, > 0
-    std::size_t population = 0; ///< children of the first run; 0 for 4 + 3 ln n
+    std::size_t population = 0; ///< number of children of the first run; 0 for 4 + 3 ln n
     std::string restarts =
         "bipop"; ///< ipop, bipop, or none; with none an ended run returns its population unchanged
 
     /// The learnt state. Coordinates are genes divided by the distance between their bounds.
     struct State {
-        std::vector<Variable> moving;   ///< the genes that move
-        Eigen::VectorXd first;          ///< the first run's starting point
-        Cloud cloud;                    ///< the distribution
-        CmaRecord record;               ///< record of this run
+        std::vector<Variable> moving;   ///< genes that move
+        Eigen::VectorXd first;          ///< start point of the first run
+        Cloud cloud;                    ///< distribution of the children
+        CmaRecord record;               ///< record of the current run
         CmaPlan plan;                   ///< plan of all runs
-        CmaPlan::Run run{0, 1, 0};      ///< this run
+        CmaPlan::Run run{0, 1, 0};      ///< settings of the current run
         std::vector<Identity> children; ///< identities of the last children, ascending
         std::vector<bool> mirrored;     ///< whether each of them was reflected
         bool ended = false;             ///< whether there is no further run
     };
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"cma-es", "adaptation",
                 "children drawn from a normal distribution that adapts to earlier children (Hansen and "

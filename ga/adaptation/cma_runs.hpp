@@ -12,8 +12,8 @@ namespace ga {
 /// The constants of CMA-ES for n variables and `lambda` children (Hansen, The CMA Evolution Strategy: A
 /// Tutorial, arXiv:1604.00772, 2016; also for equation numbers).
 struct CmaConstants {
-    std::size_t lambda; ///< children per generation
-    Eigen::Index mu;    ///< parents: children whose weight is above 0
+    std::size_t lambda; ///< number of children per generation
+    Eigen::Index mu;    ///< number of parents: children whose weight is above 0
     Eigen::VectorXd
         weights;        ///< size lambda, best child first; the first mu sum to 1, later ones are 0 or less
     double mu_eff;      ///< variance-effective number of parents, Eq. 8
@@ -29,7 +29,7 @@ struct CmaConstants {
     static std::size_t usual_children(Eigen::Index n) {
         return 4 + static_cast<std::size_t>(3 * std::log(static_cast<double>(n)));
     }
-    /// n >= 1, children >= 2.
+    /// The constants for n = `variables` >= 1 and lambda = `children` >= 2.
     CmaConstants(Eigen::Index variables, std::size_t children)
         : lambda(children), mu(static_cast<Eigen::Index>(children / 2)),
           weights(static_cast<Eigen::Index>(children)) {
@@ -58,14 +58,14 @@ struct CmaConstants {
 
 /// The normal distribution of CMA-ES. Equation numbers as in CmaConstants.
 struct Cloud {
-    Eigen::VectorXd mean;       ///< n
+    Eigen::VectorXd mean;       ///< mean, n values
     double sigma = 0;           ///< step size
-    Eigen::MatrixXd covariance; ///< C, n x n
-    Eigen::VectorXd path_sigma; ///< evolution path of sigma, n
-    Eigen::VectorXd path_c;     ///< evolution path of C, n
+    Eigen::MatrixXd covariance; ///< covariance C, n x n
+    Eigen::VectorXd path_sigma; ///< evolution path of sigma, n values
+    Eigen::VectorXd path_c;     ///< evolution path of C, n values
     Eigen::MatrixXd axes;       ///< B, eigenvectors of C as it was last decomposed
-    Eigen::VectorXd scales;     ///< D, roots of its eigenvalues
-    Eigen::Index learnt = 0;    ///< generations
+    Eigen::VectorXd scales;     ///< D, square roots of the eigenvalues of C
+    Eigen::Index learnt = 0;    ///< number of generations from which it has learnt
     Eigen::Index drawn = 0;     ///< value of `learnt` when C was last decomposed
 
     Cloud() = default;
@@ -133,9 +133,9 @@ struct CmaRecord {
     std::vector<double> best;   ///< best value per generation, as far back as the rules need
     std::vector<double> median; ///< median value per generation
     std::vector<double> equal;  ///< 1 if the best and the k-th best value were equal
-    long spent = 0;             ///< children that were scored
+    long spent = 0;             ///< number of children that were scored
 
-    /// Notes a generation's values, best first.
+    /// Adds the values of a generation, best first.
     void note(const std::vector<double>& values, std::size_t lambda) {
         const auto k = static_cast<std::size_t>(1 + std::ceil(0.1 + static_cast<double>(lambda) / 4));
         best.push_back(values.front());
@@ -209,8 +209,8 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
 /// (2005) double them. In BIPOP (Hansen 2009) the large runs double, and as many evaluations are spent on
 /// additional runs with few children and small steps.
 struct CmaPlan {
-    std::size_t usual = 0;    ///< children of the first run
-    std::size_t restarts = 0; ///< large runs after the first
+    std::size_t usual = 0;    ///< number of children of the first run
+    std::size_t restarts = 0; ///< number of large runs after the first
     long large = 0;           ///< evaluations spent in large runs
     long small = 0;           ///< evaluations spent in small runs
     long last_large = 0;      ///< evaluations of the last large run
@@ -219,7 +219,7 @@ struct CmaPlan {
 
     /// Settings of a run.
     struct Run {
-        std::size_t lambda; ///< children
+        std::size_t lambda; ///< number of children
         double shrink;      ///< factor of the first sigma
         long most;          ///< maximum number of evaluations; 0 for no limit
     };

@@ -6,22 +6,25 @@
 
 namespace ga {
 
-/// The mutant is v = base + F1 (a - base) + F2 (b - c). The trial takes genes of v from among those that may
-/// move. Binomial cross-over always takes one random gene, and each other gene with probability CR (Storn and
-/// Price 1997, Eq. 2-4). Exponential cross-over takes one, and the next ones in a ring while draws are below
-/// CR (Storn and Price 1995). A gene beyond a bound is set halfway between the target and the bound (Zhang
-/// and Sanderson 2009). Genes that one of the vectors lacks are not changed.
+/// Makes trials for differential evolution. A *target* is an individual, and its *trial* is the child that
+/// may replace it. The mutant is v = base + F1 (a - base) + F2 (b - c). The trial is the target with some
+/// genes of v, among the genes that may move. Genes that one of the vectors lacks are not changed.
+///
+/// Binomial cross-over always takes one random gene of v, and each other gene with probability CR (Storn and
+/// Price 1997, Eq. 2-4). Exponential cross-over takes one gene, and the next ones in a ring while draws are
+/// below CR (Storn and Price 1995). A gene beyond a bound is set halfway between the target's gene and the
+/// bound (Zhang and Sanderson 2009).
 struct Difference {
-    const std::vector<double>& base; ///< genes
-    const std::vector<double>& a;    ///< genes
-    const std::vector<double>& b;    ///< genes
-    const std::vector<double>& c;    ///< genes
-    double f1;                       ///< factor of a - base
-    double f2;                       ///< factor of b - c
-    double cr;                       ///< cross-over rate, [0, 1]
-    bool exponential = false;        ///< cross-over; otherwise binomial
+    const std::vector<double>& base; ///< genes of base
+    const std::vector<double>& a;    ///< genes of a
+    const std::vector<double>& b;    ///< genes of b
+    const std::vector<double>& c;    ///< genes of c
+    double f1;                       ///< factor F1 of a - base
+    double f2;                       ///< factor F2 of b - c
+    double cr;                       ///< cross-over rate CR, in [0, 1]
+    bool exponential = false;        ///< whether the cross-over is exponential; otherwise it is binomial
 
-    /// The trial for a target. It is never equal to it, unless the vectors are equal.
+    /// The trial for a target. It differs from the target, unless the vectors are equal.
     template <class Moving>
     std::vector<double> trial(std::vector<double> target, const Moving& moving, Stream& stream) const {
         if (moving.empty())
@@ -54,16 +57,16 @@ std::vector<std::vector<double>> all_genes(const P& problem, const PopulationOf<
     return all;
 }
 
-/// Differential evolution (Storn and Price 1997): a trial, its child, replaces every individual. Trials are
-/// made by rand/1, best/1 or current-to-best/1 with binomial or exponential cross-over. `duel` after `score`
-/// keeps the better of the two.
+/// Differential evolution (Storn and Price 1997): every individual is replaced by its trial, which is its
+/// child. Trials are made by rand/1, best/1 or current-to-best/1 with binomial or exponential cross-over. The
+/// stage `duel` after `score` keeps the better of parent and trial.
 struct DifferentialEvolution : Operator {
-    std::string base = "rand";    ///< rand, best or current-to-best
+    std::string base = "rand";    ///< choice of base: rand, best or current-to-best
     double F = 0.5;               ///< weight of differences, above 0
-    double CR = 0.9;              ///< cross-over rate, [0, 1]
-    std::string crossing = "bin"; ///< bin or exp
+    double CR = 0.9;              ///< cross-over rate, in [0, 1]
+    std::string crossing = "bin"; ///< cross-over: bin (binomial) or exp (exponential)
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"de", "adaptation",
                 "a trial replaces each individual by differential evolution; duel follows the score"};
@@ -123,10 +126,10 @@ inline DifferentialEvolution differential_evolution(std::string base = "rand", d
     return checked(DifferentialEvolution{{}, std::move(base), f, cr, std::move(crossing)});
 }
 
-/// One-to-one replacement (Storn and Price 1997): a child's first parent, if it is in the generation's start
-/// and better, replaces the child. On a tie the child stays.
+/// One-to-one replacement (Storn and Price 1997): a child is replaced by its first parent, if the parent is
+/// in the generation's start and better. On a tie the child stays.
 struct Duel : Operator {
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }

@@ -13,15 +13,15 @@ namespace ga {
 /// The history of successful F and CR (Tanabe and Fukunaga 2014, Improving the search performance of SHADE
 /// using linear population size reduction, Algorithm 1).
 struct SuccessHistory {
-    std::vector<double> F;  ///< H means
-    std::vector<double> CR; ///< H means; a value below 0 is the terminal value
-    std::size_t next = 0;   ///< the entry that is replaced next
+    std::vector<double> F;  ///< H means of F, the weight of differences
+    std::vector<double> CR; ///< H means of CR, the cross-over rate; a value below 0 is the terminal value
+    std::size_t next = 0;   ///< index of the entry that is replaced next
 
     SuccessHistory() = default;
-    /// All means are 0.5 at first.
+    /// A history in which all means are 0.5.
     explicit SuccessHistory(std::size_t entries) : F(entries, 0.5), CR(entries, 0.5) {}
 
-    /// A successful pair history of F and CR.
+    /// A pair of F and CR that gave a better trial.
     struct Success {
         double F;    ///< weight of differences
         double CR;   ///< cross-over rate
@@ -44,7 +44,7 @@ struct SuccessHistory {
         F[next] = lehmer(&Success::F);
         next = (next + 1) % F.size();
     }
-    /// F in (0, 1] and CR in [0, 1], near a random entry (Eq. 1-2).
+    /// A random pair near a random entry: F in (0, 1] and CR in [0, 1] (Eq. 1-2).
     std::pair<double, double> draw(Stream& stream) const {
         const std::size_t entry = stream.below(F.size());
         const double cr = CR[entry] < 0 ? 0 : std::clamp(CR[entry] + 0.1 * stream.normal(), 0.0, 1.0);
@@ -56,34 +56,34 @@ struct SuccessHistory {
 };
 
 /// L-SHADE (Tanabe and Fukunaga 2014): differential evolution by current-to-pbest/1/bin with an archive of
-/// replaced parents. It learns F and CR from its successes and shrinks its population linearly to 4 over
-/// `evaluations`. A trial replaces every individual. `duel` after `score` keeps the better of the two.
-/// Without a limit of evaluations the population keeps its size, which is SHADE.
+/// replaced parents. It learns F and CR from successful trials, and shrinks its population linearly to 4 over
+/// `evaluations`. Every individual is replaced by its trial. The stage `duel` after `score` keeps the better
+/// of parent and trial. Without a limit on evaluations the population keeps its size, which is SHADE.
 struct LShade : Operator {
-    long evaluations = 0;   ///< evaluations at which the population has shrunk to 4; 0 for the run's budget
-    std::size_t memory = 6; ///< entries of the success history, H
+    long evaluations = 0;   ///< number of evaluations after which the population is 4; 0 for the run's budget
+    std::size_t memory = 6; ///< number H of entries of the success history
     double archive = 2.6;   ///< size of the archive, in populations
     double p = 0.11;        ///< share of the best in current-to-pbest
 
     /// A trial before it has a fitness.
     struct Trial {
-        Identity child;             ///< the trial's identity
-        double F;                   ///< used for the trial
-        double CR;                  ///< used for the trial
-        double violation;           ///< its parent's
-        double merit;               ///< its parent's
-        std::vector<double> parent; ///< genes of its parent
+        Identity child;             ///< identity of the trial
+        double F;                   ///< F of the trial
+        double CR;                  ///< CR of the trial
+        double violation;           ///< violation of the parent
+        double merit;               ///< merit of the parent
+        std::vector<double> parent; ///< genes of the parent
     };
     /// The learnt state.
     struct State {
         SuccessHistory history;                  ///< history of F and CR
-        std::vector<std::vector<double>> beaten; ///< the archive
-        std::vector<Trial> trials;               ///< the last trials
-        std::size_t initial = 0;                 ///< individuals at first
-        long spent = 0;                          ///< evaluations
+        std::vector<std::vector<double>> beaten; ///< archive of replaced parents
+        std::vector<Trial> trials;               ///< last trials
+        std::size_t initial = 0;                 ///< size of the first population
+        long spent = 0;                          ///< evaluations spent so far
     };
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {
             "l-shade", "adaptation",

@@ -13,14 +13,14 @@ namespace ga {
 /// New individuals start with `sigma`. A gene beyond a bound is reflected at it.
 struct SelfAdaptive : Operator {
     double sigma = 0.1; ///< first standard deviation, as a fraction of the distance between bounds, > 0
-    std::string steps = "each"; ///< a size for each gene, or one for all
+    std::string steps = "each"; ///< "each": a step size for each gene; "one": one for all genes
 
     /// The logarithms of the step sizes of all individuals that may still have children.
     struct State {
-        std::map<Identity, std::vector<double>> sizes; ///< one, or one per gene
+        std::map<Identity, std::vector<double>> sizes; ///< one logarithm, or one per gene
     };
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"self-adaptive", "adaptation",
                 "adds normal steps with sizes that are inherited and mutate too"};

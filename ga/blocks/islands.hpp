@@ -4,24 +4,25 @@
 
 namespace ga {
 
-/// How islands exchange individuals. In each round every island runs the body once, as one generation. After
-/// each round except the last, copies of its best replace the worst on the next island of the ring.
+/// The exchange of individuals between islands, which form a ring. In each round every island runs the body
+/// once, as one generation. After each round except the last, copies of the best individuals of each island
+/// replace the worst on the next island.
 struct Migration {
     std::size_t rounds = 10;  ///< number of rounds, >= 1
-    std::size_t migrants = 1; ///< individuals copied to the next island per round
+    std::size_t migrants = 1; ///< number of individuals copied to the next island per round
 };
 
-/// Splits the population into n islands (individual i to island i modulo n). Each evolves separately under
-/// the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987); then they are joined.
-/// Islands run in parallel and their evaluations are made together (`Rounds`). Checkpoints are written
-/// between two rounds; evaluations of an unfinished round are not counted twice.
+/// Splits the population into n islands (individual i goes to island i modulo n). Each island evolves
+/// separately under the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987). At the
+/// end the islands are joined. They run in parallel, and their evaluations are made together (`Rounds`).
+/// Checkpoints are written between two rounds. Evaluations of an unfinished round are not counted twice.
 template <class Body>
 struct Islands : Operator {
-    std::size_t n = 2;   ///< islands, 2 to 10,000
-    Migration migration; ///< the exchange of individuals
-    Body body;           ///< runs on each island
+    std::size_t n = 2;   ///< number of islands, 2 to 10,000
+    Migration migration; ///< exchange of individuals
+    Body body;           ///< pipeline that runs on each island
 
-    ///@{ What every block has (Block).
+    ///@{ Members that every block has (Block).
     static Words words() {
         return {
             "islands", "blocks",
@@ -170,7 +171,8 @@ struct Islands : Operator {
     }
 };
 
-/// @param n  islands, 2 to 10,000; the population must have at least as many individuals
+/// The block `islands`.
+/// @param n  number of islands, 2 to 10,000; the population must have at least as many individuals
 template <class Body>
 Islands<Body> islands(std::size_t n, Migration migration, Body body) {
     return checked(Islands<Body>{{}, n, migration, std::move(body)});

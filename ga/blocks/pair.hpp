@@ -4,24 +4,24 @@
 
 namespace ga {
 
-/// Makes a child of two individuals, or none.
+/// A function that makes a child of two individuals, or none.
 template <class G>
 struct Combine {
-    std::string name; ///< its name in text pipelines
+    std::string name; ///< name of the function in text pipelines
     std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
-        of; ///< returns a child or nothing
+        of; ///< the function; returns a child or nothing
 };
 
-/// Runs two pipelines on the same population and combines every individual of the left result with every
-/// individual of the right one. Equal children (such as those of (i,j) and (j,i)) are kept once. Children are
-/// unscored and have both parents.
+/// Runs two pipelines on the same population. Combines every individual of the left result with every
+/// individual of the right result. Of equal children, such as those of (i,j) and (j,i), one is kept. Children
+/// are unscored and name both parents.
 template <class Left, class Right, class G>
 struct Pair : Operator {
-    Left left;          ///< gives the first parents
-    Right right;        ///< gives the second parents
-    Combine<G> combine; ///< makes a child of two
+    Left left;          ///< pipeline that gives the first parents
+    Right right;        ///< pipeline that gives the second parents
+    Combine<G> combine; ///< function that makes a child of two parents
 
-    /// `pair(l, r, c)`.
+    /// The block `pair(l, r, c)`.
     Pair(Left l, Right r, Combine<G> c) : left(std::move(l)), right(std::move(r)), combine(std::move(c)) {}
 
     /// The block as one step (Block).

@@ -4,8 +4,8 @@
 
 namespace ga {
 
-/// Whether the last improvement is 10,000 generations old. With `paying`, requested evaluations count as
-/// progress too.
+/// Whether the last progress was 10,000 generations ago. Progress is an improvement and, with `paying`, also
+/// a requested evaluation.
 template <Problem P, class G = typename P::Genome>
 bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying, Context<P>& context) {
     constexpr double patience = 10000; // generations
@@ -87,14 +87,15 @@ template <Problem P, class G = typename P::Genome>
             0, stages->begins()};
 }
 
-/// Runs its body n times, each time on the previous result. Each pass is a generation: it draws different
-/// random numbers, and `elite` and `plus` read the best individuals at its start.
+/// Runs a body n times, each time on the previous result. Each time is a generation. Each generation draws
+/// different random numbers. Stages such as `elite` and `plus` read the best individuals of the generation's
+/// start, which is the population at its beginning.
 template <class Body>
 struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1
-    Body body;         ///< runs in each generation
+    Body body;         ///< pipeline that runs in each generation
 
-    ///@{ What every block has (Block).
+    ///@{ Members that every block has (Block).
     static Words words() { return {"repeat", "blocks", "n generations of the pipeline in braces"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
@@ -111,18 +112,18 @@ Repeat<Body> repeat(std::size_t n, Body body) {
     return checked(Repeat<Body>{{}, n, std::move(body)});
 }
 
-/// Runs its body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block
-/// also ends after 10,000 generations without an improvement. A block that ends on evaluations also ends
-/// after 10,000 generations without a request.
+/// Runs a body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block also
+/// ends after 10,000 generations without an improvement. A block with the rule `evaluations` also ends after
+/// 10,000 generations without a request.
 template <class Body, class Ends>
 struct Generations : Operator {
-    Body body; ///< runs in each generation
-    Ends ends; ///< when to end
+    Body body; ///< pipeline that runs in each generation
+    Ends ends; ///< rules that end the block
 
     /// The block `until ends { body }`.
     Generations(Body body_, Ends ends_) : body(std::move(body_)), ends(std::move(ends_)) {}
 
-    /// The block as one step (Block). Throws UsageError without a rule.
+    /// The block as one step (Block). Throws UsageError if it has no rule.
     template <Problem P>
     Step<P> step() const {
         const auto& rules = ends.template rules<typename P::Genome>();
@@ -152,14 +153,14 @@ requires std::derived_from<R, StoppingRule> Generations<Body, AnyOf<R>> until(R 
     return {std::move(body), any_of(std::move(rule))};
 }
 
-/// Runs its body n times on the same population, with different random numbers each time, and joins the
-/// results. If the body begins with `sample`, each time has a new population.
+/// Runs a body n times on the same population, with different random numbers each time. Joins the results. If
+/// the body begins with `sample`, each run has a new population.
 template <class Body>
 struct Restarts : Operator {
     std::size_t n = 1; ///< number of runs, >= 1
-    Body body;         ///< runs each time
+    Body body;         ///< pipeline that runs each time
 
-    ///@{ What every block has (Block).
+    ///@{ Members that every block has (Block).
     static Words words() {
         return {"restarts", "blocks",
                 "runs the pipeline n times on the same population and joins the answers"};

@@ -24,14 +24,14 @@ descriptors_of(const P& problem, const std::vector<std::string>& names, const st
 }
 
 /// MAP-Elites (Mouret and Clune 2015, Illuminating search spaces by mapping elites). The range of each
-/// descriptor is divided into `cells`. The best individual of every cell stays, from the generation's start
-/// and the population together. A descriptor beyond its range counts for the outermost cell. The population
-/// is the archive: the stages before it choose elites and vary them.
+/// descriptor is divided into `cells` cells. The best individual of every cell stays, from the generation's
+/// start and the population together. A descriptor beyond its range belongs to the outermost cell. The
+/// population is the archive: the stages before this one choose elites and vary them.
 struct MapElites : Operator {
-    std::vector<std::string> descriptors; ///< the problem's, one at least
-    std::size_t cells = 10;               ///< per descriptor, >= 1
+    std::vector<std::string> descriptors; ///< names of at least one of the problem's descriptors
+    std::size_t cells = 10;               ///< number of cells per descriptor, >= 1
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"map-elites", "niches",
                 "the best in every cell of the descriptors' ranges, the start included"};
@@ -86,16 +86,18 @@ inline MapElites map_elites(std::vector<std::string> descriptors, std::size_t ce
 }
 
 /// The gradient emitter OMG-MEGA (Fontaine and Nikolaidis 2021, Differentiable quality diversity, Algorithm
-/// 1). It makes n children of random elites: theta + |c_0| grad f + sum_j c_j grad m_j, with normal c of
-/// standard deviation sigma. Gradients have unit length. Genes are divided by the distance between their
-/// bounds, and reflected at the bounds. f is minus the sum of squared residuals, or the fitness, if the
-/// problem has its derivative. The derivative counts as an evaluation. m_j are the descriptors.
+/// 1). It makes n children of random elites. A child of an elite with the genes theta has the genes theta +
+/// |c_0| grad f + sum_j c_j grad m_j, with normal c of standard deviation sigma.
+///
+/// m_j are the descriptors. f is minus the sum of squared residuals, or the fitness if the problem only has
+/// its gradient. Gradients are scaled to unit length. Genes are divided by the distance between their bounds,
+/// and reflected at the bounds. A derivative of f counts as an evaluation.
 struct Emit : Operator {
-    std::size_t n;                        ///< children
-    std::vector<std::string> descriptors; ///< the problem's, one at least
+    std::size_t n;                        ///< number of children
+    std::vector<std::string> descriptors; ///< names of at least one of the problem's descriptors
     double sigma = 0.1;                   ///< length of a step, > 0
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
     }

@@ -39,16 +39,17 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
     }
 }
 
-/// Says what a problem without a distance needs, for the listing.
+/// The members that a problem without a distance lacks, in words, for the listing.
 inline const char* const no_distance = "real genes, discrete genes, or a distance";
 
-/// Clearing (Petrowski 1996): from the best down, an individual is removed if `capacity` better ones that
-/// stay are within `radius`. The population is left in order, best first.
+/// Clearing (Petrowski 1996). Individuals are visited from the best to the worst. One is removed if
+/// `capacity` better individuals that stay are within the distance `radius`. The result is sorted, best
+/// first.
 struct Clearing : Operator {
     double radius = 0.1;      ///< niche radius, above 0
-    std::size_t capacity = 1; ///< individuals per niche, >= 1
+    std::size_t capacity = 1; ///< number of individuals per niche, >= 1
 
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() { return {"clear", "niches", "keeps the best of every niche, best first"}; }
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
@@ -77,13 +78,13 @@ inline Clearing clear(double radius, std::size_t capacity = 1) {
     return checked(Clearing{{}, radius, capacity});
 }
 
-/// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). Two children of the
-/// same two parents are matched with these parents so that the sum of distances is smallest. A child that is
-/// better than its match replaces it in the generation's start, which is the result. A child that has one
-/// parent, or no sibling next to it, is matched with its nearest parent. Put `random | cross` before it to
-/// mate every individual once.
+/// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). The result is the
+/// generation's start, in which children replace parents that are worse. Two children of the same two parents
+/// are matched with these parents so that the sum of distances is smallest. A child that is better than its
+/// match replaces it. A child that has one parent, or no sibling next to it, is matched with its nearest
+/// parent. Put `random | cross` before this stage to mate every individual once.
 struct Crowding : Operator {
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
     }
@@ -137,15 +138,15 @@ struct Crowding : Operator {
 inline Crowding crowding() { return {}; }
 
 /// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness is divided
-/// by the crowd of its niche: the sum of sh(d) = 1 - (d/radius)^alpha over all distances d below `radius`. If
-/// a fitness is below 0, all are raised so that the worst is 0.
+/// by the size of the niche. This is the sum of sh(d) = 1 - (d/radius)^alpha over the distances d below
+/// `radius` to all individuals. If a fitness is below 0, all are raised so that the worst is 0.
 struct Sharing : ByFitness {
-    static constexpr bool one_spin = true; ///< one for all places
+    static constexpr bool one_spin = true; ///< whether one spin fills all places
 
     double radius = 0.1; ///< niche radius, above 0
     double alpha = 1;    ///< exponent of the sharing function, above 0
 
-    /// One weight per individual.
+    /// The weights, one per individual.
     template <HasDistance P>
     std::vector<double> of(const PopulationOf<P>& population, const P& problem) const {
         std::vector<double> shared = ByFitness::of(population); // 0 for individuals that do not count
@@ -169,11 +170,11 @@ struct Sharing : ByFitness {
             shared[i] /= crowd[i];
         return shared;
     }
-    /// In the listing.
+    /// The entry in the listing of operators.
     static Words words() {
         return {"share", "niches", "chooses in proportion to the fitness divided by the crowd nearby"};
     }
-    /// Its parameters.
+    /// Describes the parameters.
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
                                   "niche radius: rms of genes in widths, or share of bits that differ"));
@@ -182,6 +183,7 @@ struct Sharing : ByFitness {
     }
 };
 
+/// The stage `share radius`.
 /// @param radius  niche radius, in the problem's distance
 inline Proportional<Sharing> share(double radius, double alpha = 1) {
     return checked(Proportional<Sharing>{{}, Sharing{{}, radius, alpha}});

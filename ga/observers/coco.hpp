@@ -12,14 +12,14 @@ namespace ga {
 struct CocoRun {
     int instance = 1;                           ///< number of the instance, from 1
     std::vector<std::pair<long, double>> found; ///< evaluations, and the best f - f_opt after them, falling
-    long evaluations = 0;                       ///< all in the run
+    long evaluations = 0;                       ///< number of all evaluations in the run
 };
 
 /// All runs on a function in one dimension.
 struct CocoFunction {
     int id = 1;                ///< number in the suite, from 1
-    std::size_t dimension = 1; ///< genes
-    std::vector<CocoRun> runs; ///< one for each instance
+    std::size_t dimension = 1; ///< number of genes
+    std::vector<CocoRun> runs; ///< one run for each instance
 };
 
 /// An observer that adds every improvement to a run. `optimum` is f_opt, `run` must outlive it.

@@ -8,9 +8,9 @@ namespace ga {
 /// dominates.
 template <class G>
 struct FrontEvent {
-    const Event<G>& event; ///< the stage that left the population
-    Population<G> front;   ///< the individuals that no other one dominates
-    double hypervolume;    ///< above the reference; only feasible individuals count
+    const Event<G>& event; ///< event of the stage that returned the population
+    Population<G> front;   ///< individuals that no other one dominates
+    double hypervolume;    ///< volume above the reference; only feasible individuals count
 };
 
 /// Calls show(FrontEvent) after every stage with a path that ends in `stage`, if the population is scored

@@ -5,19 +5,19 @@
 namespace ga {
 
 /// The n best different genomes of a run under one objective, best first; of equal ones the first.
-/// `checkpoints.keep("hall", hall.members)` stores it with a run.
+/// `checkpoints.keep("hall", hall.members)` stores them with a run.
 template <Problem P>
 class HallOfFame {
   public:
-    using Genome = typename P::Genome; ///< the problem's
+    using Genome = typename P::Genome; ///< genome of the problem
 
-    /// @param objective  one of the problem's; empty for its first
+    /// @param objective  name of an objective of the problem; empty for the first
     HallOfFame(const P& problem, std::size_t n, std::string objective = {})
         : problem_(problem), n_(n),
           objective_(objective.empty() ? problem.objectives().front().name : objective) {}
     HallOfFame(const HallOfFame&) = delete;
 
-    Population<Genome> members; ///< best first
+    Population<Genome> members; ///< individuals, best first
 
     /// The observer for `run`. This hall must outlive the run.
     Observer<Genome> observer() {
@@ -27,7 +27,7 @@ class HallOfFame {
                     offer(individual);
         };
     }
-    /// Adds an individual if it has a fitness under the objective and is good enough.
+    /// Adds an individual if it has a fitness under the objective and is among the n best.
     void offer(const Individual<Genome>& individual) {
         if (!individual.fitness.known(objective_) || individual.fitness.has_failed())
             return;

@@ -9,18 +9,18 @@
 namespace ga {
 
 /// A table with one row per stage of a run: path, generation, individuals, best, median, diversity, asked,
-/// evaluations, gradients, failures, seconds. It is written to FILE.part, which `close` renames, so that FILE
-/// is always complete. If it cannot be written, the run continues. With `checkpoints.keep("log",
+/// evaluations, gradients, failures, seconds. The table is written to FILE.part, which `close` renames, so
+/// that FILE is always complete. If it cannot be written, the run continues. With `checkpoints.keep("log",
 /// log.position)` a resumed run continues after the row of the checkpoint.
 class Log {
   public:
-    /// `file` appears when the log is closed.
+    /// A log in `file`, which appears when the log is closed.
     explicit Log(std::filesystem::path file)
         : name_(std::move(file)), file_(held(name_)), part_(file_.string() + ".part") {}
     Log(const Log&) = delete;
 
     std::uint64_t position = 0; ///< bytes of the table so far
-    std::string trouble;        ///< why the table is incomplete; empty if it is not
+    std::string trouble;        ///< why the table is incomplete; empty if it is complete
 
     /// The observer for `run`. The problem and this log must outlive the run.
     template <Problem P>

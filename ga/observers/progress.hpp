@@ -20,7 +20,7 @@ std::optional<double> best_value(const Population<G>& population) {
 
 /// Four numbers that describe a population.
 struct Summary {
-    std::size_t individuals = 0;  ///< scored or not
+    std::size_t individuals = 0;  ///< number of individuals, scored or not
     std::optional<double> best;   ///< best fitness (see best_value)
     std::optional<double> median; ///< median fitness of the same individuals
     double diversity = 0;         ///< share of different genomes, in (0, 1]
@@ -49,7 +49,7 @@ Summary summary(const P& problem, const PopulationOf<P>& population) {
     return summary;
 }
 
-/// A run on one line: "mine/repeat.1/score.1 generation 12: best 0.9812, 1300 evaluations".
+/// The status of a run on one line: "mine/repeat.1/score.1 generation 12: best 0.9812, 1300 evaluations".
 template <class G>
 std::string status(const Event<G>& event) {
     std::string line = event.path;
@@ -63,7 +63,7 @@ std::string status(const Event<G>& event) {
     return line + ", " + std::to_string(event.counters.asked) + " evaluations";
 }
 
-/// Passes the status to `show`, at most once per interval (s).
+/// An observer that passes the status to `show`, at most once per interval (s).
 template <class G>
 Observer<G> progress(std::function<void(const std::string&)> show, double interval = 0.1) {
     return [show = std::move(show), interval, next = 0.0](const Event<G>& event) mutable {

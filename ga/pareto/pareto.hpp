@@ -4,9 +4,10 @@
 
 namespace ga {
 
-/// The volume above `reference` that the points dominate; higher is better in every objective (Zitzler and
-/// Thiele 1998). Only points above it in all objectives count. Slices one objective after the other (While et
-/// al. 2006), in n log n for two objectives and n times as long for each further one.
+/// The volume above the point `reference` that the points dominate (Zitzler and Thiele 1998). Higher is
+/// better in every objective. Only points above `reference` in all objectives count. The volume is sliced
+/// along one objective after the other (While et al. 2006). This takes a time of order n log n for n points
+/// and two objectives, and n times as long for each further objective.
 inline double hypervolume(std::vector<Point> points, const Point& reference) {
     const std::size_t last = reference.size() - 1;
     std::erase_if(points, [&](const Point& point) {
@@ -71,8 +72,8 @@ inline double dominated_share(const std::vector<Point>& points, const Point& ref
 ///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) |
 ///         plus()) | front()
 struct Pareto : Operator {
-    std::vector<std::string> objectives; ///< names, two at least, each once
-    /// Throws UsageError on less than two, or one twice.
+    std::vector<std::string> objectives; ///< names of at least two different objectives
+    /// Throws UsageError on fewer than two objectives, or if one is named twice.
     [[gnu::cold]] void validate() const {
         if (objectives.size() < 2)
             throw UsageError("pareto compares " + std::to_string(objectives.size()) +
@@ -81,7 +82,7 @@ struct Pareto : Operator {
             if (std::find(objectives.begin(), each, *each) != each)
                 throw UsageError("pareto is given '" + *each + "' twice; give different objectives");
     }
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
     }
@@ -136,7 +137,7 @@ inline Pareto pareto(std::vector<std::string> objectives) {
 
 /// Keeps the individuals that no other one dominates.
 struct Front : Operator {
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"front", "selection", "keeps the individuals that no other one dominates, after pareto"};
     }

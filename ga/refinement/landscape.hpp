@@ -8,9 +8,9 @@ namespace ga {
 /// The search space around one genome: a box of n variables and functions of a point x in it. Each call
 /// counts as an evaluation. `exhausted` is true when the evaluations are spent or the run must stop.
 struct Landscape {
-    Eigen::VectorXd start; ///< n, inside the box
-    Eigen::VectorXd lower; ///< n
-    Eigen::VectorXd upper; ///< n, greater than `lower`
+    Eigen::VectorXd start; ///< start point, n values inside the box
+    Eigen::VectorXd lower; ///< lower bounds, n values
+    Eigen::VectorXd upper; ///< upper bounds, n values greater than those of `lower`
 
     /// Fitness at x, with higher being better; minus infinity if the evaluation fails or a constraint is
     /// violated.
@@ -29,10 +29,10 @@ struct Landscape {
     std::uint64_t seed = 0;          ///< for methods that draw random numbers
 };
 
-/// A method of refinement: from a landscape to the best point that it found.
+/// A method of refinement. It returns the best point that it finds in a landscape.
 struct Method {
-    std::string text;                                         ///< "lm 30"
-    std::function<Eigen::VectorXd(const Landscape&)> improve; ///< gives the best point it found in the box
+    std::string text;                                         ///< text of the method, e.g. "lm 30"
+    std::function<Eigen::VectorXd(const Landscape&)> improve; ///< returns the best point found in the box
     bool needs_gradient = false; ///< whether it needs the gradient of the fitness
 };
 
@@ -57,11 +57,11 @@ auto method_of(V values) {
 
 /// The best point of a search: the smallest violation, then the greatest merit.
 struct BestPoint {
-    Eigen::VectorXd x;           ///< none before the first offer
-    double merit = -HUGE_VAL;    ///< x's merit; -HUGE_VAL before the first offer
-    double violation = HUGE_VAL; ///< x's violation, summed over the constraints
+    Eigen::VectorXd x;           ///< the point; empty before the first offer
+    double merit = -HUGE_VAL;    ///< merit of the point; -HUGE_VAL before the first offer
+    double violation = HUGE_VAL; ///< violation of the point, summed over the constraints
 
-    /// Stores the point if it is better; for ties the first.
+    /// Stores the point if it is better than the stored one.
     void offer(const Eigen::VectorXd& point, double value, double violated = 0) {
         if (value > -HUGE_VAL && std::pair(violated, -value) < std::pair(violation, -merit)) {
             x = point;

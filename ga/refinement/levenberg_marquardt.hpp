@@ -7,18 +7,18 @@
 namespace ga {
 
 /// Minimises the sum of squared residuals in the box by Levenberg-Marquardt with Marquardt's scaling (1963)
-/// and Nielsen's damping (1999). Variables at a bound towards which the descent points stay there; a step is
-/// cut at the box.
+/// and Nielsen's damping (1999). A variable at a bound stays there if the descent points beyond the bound.
+/// Steps are cut at the box.
 struct LevenbergMarquardt {
-    static constexpr bool on_residuals = true; ///< and on their derivatives
+    static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
 
-    int evaluations = 30; ///< at most, after the start; >= 1
+    int evaluations = 30; ///< maximum number of evaluations after the start point, >= 1
     /// After this many evaluations each step minimises the largest residual of the linear model instead of
     /// the squares. Lawson's iteration (1961) weights the rows, and max|r| decides whether a step is
     /// accepted. 0 for never.
     int sharpen = 0;
 
-    ///@{ What every method has (method_of).
+    ///@{ Members that every method has (method_of).
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));
@@ -127,7 +127,8 @@ struct LevenbergMarquardt {
     }
 };
 
-/// @param evaluations  at most, after the start; >= 1
+/// The method `lm evaluations`.
+/// @param evaluations  maximum number of evaluations after the start point, >= 1
 /// @param sharpen      see LevenbergMarquardt
 inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
     return method_of(LevenbergMarquardt{evaluations, sharpen});

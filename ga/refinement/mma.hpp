@@ -11,7 +11,7 @@ struct Reading {
     std::vector<std::pair<Eigen::Index, double>> slopes; ///< rows k and d value / d r_k, if it is not 0
 };
 
-/// Minus the largest |r_k|; its slope is that of the first row that attains it.
+/// Minus the largest |r_k|. Its slope is that of the first row with this value.
 inline Reading least_worst(const Eigen::VectorXd& residuals) {
     Eigen::Index worst = 0;
     const double largest = residuals.cwiseAbs().maxCoeff(&worst);
@@ -20,7 +20,7 @@ inline Reading least_worst(const Eigen::VectorXd& residuals) {
 
 /// Maximises a reading of the residuals by the globally convergent method of moving asymptotes (Svanberg
 /// 2002; NLopt's LD_MMA).
-/// @param evaluations  at most, after the start; inner iterations count
+/// @param evaluations  maximum number of evaluations after the start point; inner iterations count
 inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
                                         const std::function<Reading(const Eigen::VectorXd&)>& read) {
     NloptSearch search(nlopt::LD_MMA, land.lower, land.upper, evaluations + 1);
@@ -46,13 +46,14 @@ inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
     return best.x;
 }
 
-/// `mma n`: maximised_by_mma with `least_worst`. A domain can make a method with another reading.
+/// The method `mma n`: maximised_by_mma() with least_worst(). A domain can make a method with another
+/// reading.
 struct Mma {
-    static constexpr bool on_residuals = true; ///< and on their derivatives
+    static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
 
-    int evaluations = 1; ///< at most, after the start; >= 1
+    int evaluations = 1; ///< maximum number of evaluations after the start point, >= 1
 
-    ///@{ What every method has (method_of).
+    ///@{ Members that every method has (method_of).
     static Words words() { return {"mma", "refinement", "GCMMA on the largest |r|, one row at a time"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
     Eigen::VectorXd improve(const Landscape& land) const {
@@ -61,18 +62,19 @@ struct Mma {
     ///@}
 };
 
-/// @param evaluations  at most, after the start; >= 1
+/// The method `mma evaluations`.
+/// @param evaluations  maximum number of evaluations after the start point, >= 1
 inline ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations}); }
 
 /// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
 /// LD_MMA). The problem is smooth: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
 /// variable. `mma` uses one row at a time, and this method all rows.
 struct Minimax {
-    static constexpr bool on_residuals = true; ///< and on their derivatives
+    static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
 
-    int evaluations = 1; ///< at most, after the start; >= 1. Inner iterations count.
+    int evaluations = 1; ///< maximum number of evaluations after the start point, >= 1; inner ones count
 
-    ///@{ What every method has (method_of).
+    ///@{ Members that every method has (method_of).
     static Words words() { return {"minimax", "refinement", "GCMMA on the smallest t with -t <= r <= t"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
 
@@ -131,7 +133,8 @@ struct Minimax {
     ///@}
 };
 
-/// @param evaluations  at most, after the start; >= 1
+/// The method `minimax evaluations`.
+/// @param evaluations  maximum number of evaluations after the start point, >= 1
 inline ResidualMethod minimax(int evaluations) { return method_of(Minimax{evaluations}); }
 
 } // namespace ga

@@ -9,8 +9,8 @@
 namespace ga {
 
 /// Runs one NLopt optimisation (NLopt 2.7) in a box. An exception of a callback stops the search and is
-/// thrown again at its end; rounding limits end a search without an error. The optimiser is never copied,
-/// because its callbacks point at it.
+/// thrown again at its end. If rounding limits the search, it ends without an error. The optimiser is never
+/// copied, because its callbacks point at it.
 class NloptSearch {
   public:
     /// A search in the box with at most `evaluations` evaluations.
@@ -29,7 +29,7 @@ class NloptSearch {
     /// NLopt's object, for settings of the method.
     nlopt::opt* operator->() { return &search_; }
 
-    /// Minimises value(x, gradient), where gradient is null or to be filled.
+    /// Minimises value(x, gradient). `gradient` is null, or the function must fill it.
     template <class Value>
     void minimize(Value value) {
         value_ = [value, this](const Eigen::VectorXd& x, double* gradient) {
@@ -42,7 +42,8 @@ class NloptSearch {
             },
             this);
     }
-    /// Adds m constraints c(x) <= 0; fill(x, c, gradient) with gradient null or m rows of n, row after row.
+    /// Adds m constraints c(x) <= 0. fill(x, c, gradient) sets c and, unless it is null, the gradient: m rows
+    /// of n values, row after row.
     template <class Fill>
     void constrain(unsigned m, Fill fill) {
         fill_ = [fill, this](const Eigen::VectorXd& x, double* c, double* gradient) {
@@ -106,15 +107,16 @@ inline int algorithm_number(const std::string& name) {
     return found;
 }
 
-/// Any NLopt algorithm that works in a box without a second optimiser. It maximises the fitness. Algorithms
-/// that take inequality constraints without gradients (`takes_constraints`) get those of the problem.
+/// Any local or global algorithm of NLopt that works in a box without a second optimiser. It maximises the
+/// fitness. Algorithms that accept inequality constraints without gradients (`takes_constraints`) get those
+/// of the problem.
 struct Nlopt {
-    static constexpr bool on_residuals = false; ///< it sees the fitness
+    static constexpr bool on_residuals = false; ///< whether it uses residuals; it uses the fitness
 
     std::string algorithm = "LN_COBYLA"; ///< NLopt's name; LD_ and GD_ algorithms need a gradient
-    int evaluations = 1;                 ///< at most, after the start; >= 1
+    int evaluations = 1;                 ///< maximum number of evaluations after the start point, >= 1
 
-    ///@{ What every method has (method_of).
+    ///@{ Members that every method has (method_of).
     static Words words() { return {"nlopt", "refinement", "any algorithm of NLopt on the fitness"}; }
     static void describe(auto& self, auto visit) {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
@@ -122,8 +124,8 @@ struct Nlopt {
     }
     void validate() const { algorithm_number(algorithm); }
     bool needs_gradient() const { return algorithm[1] == 'D'; }
-    /// Whether the algorithm gets the problem's constraints. For other algorithms a point that violates one
-    /// has no fitness. Algorithms with gradients would need gradients of the constraints.
+    /// Whether the algorithm gets the problem's constraints. For other algorithms a point that violates a
+    /// constraint has no fitness. Algorithms with gradients would need gradients of the constraints.
     bool takes_constraints() const {
         return algorithm == "LN_COBYLA" || algorithm == "GN_ISRES" || algorithm.starts_with("GN_ORIG_DIRECT");
     }
@@ -176,7 +178,7 @@ struct Nlopt {
 };
 
 /// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.
-/// @param evaluations  at most, after the start; >= 1
+/// @param evaluations  maximum number of evaluations after the start point, >= 1
 inline Method nlopt_method(const std::string& name, int evaluations) {
     return method_of(Nlopt{name, evaluations});
 }

@@ -9,14 +9,14 @@ namespace ga {
 template <class P, class M>
 concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_from<M, ResidualMethod>);
 
-/// One individual's search: makes the requests of its method for points in the box.
+/// The search of a method for one individual. Makes the requests of the method for points in the box.
 template <Problem P>
 class Search {
   public:
-    using Genome = typename P::Genome; ///< the problem's
+    using Genome = typename P::Genome; ///< genome of the problem
 
-    /// `moving` are the genes that move, `limit` the maximum number of requests. The problem, the queue, the
-    /// watch and the individual must outlive the search.
+    /// Prepares a search. `moving` are the genes that move, `limit` is the maximum number of requests. The
+    /// problem, the queue, the watch and the individual must outlive the search.
     Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
            const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
         : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
@@ -32,7 +32,7 @@ class Search {
                 objective_ = i;
     }
 
-    /// The genome to which the method moved; none if it did not move.
+    /// The genome to which the method moved the individual; none if it did not move it.
     std::optional<Genome> by(const Method& method, std::uint64_t seed) {
         const auto n = static_cast<Eigen::Index>(moving_.size());
         if (n == 0)
@@ -162,20 +162,20 @@ class Search {
 
 /// The choice of all genes; each moves between the problem's bounds.
 struct EveryGene {
-    std::string name = "all"; ///< as in a stage's text
+    std::string name = "all"; ///< name of the choice in a stage's text
 };
 
-/// Moves the chosen genes of every individual by a local method, individuals in parallel (`Rounds`), and
-/// scores the results. An individual that does not improve stays unchanged; so do failed ones. Bounds and
-/// choice of genes are those of the original genome, before the first refinement.
+/// Moves the chosen genes of every individual by a method of refinement, and scores the results. Individuals
+/// are refined in parallel (`Rounds`). Failed individuals, and those that do not improve, stay unchanged.
+/// Bounds and choice of genes are those of the original genome, before the first refinement.
 template <class M, class Choice>
 struct Refine : Operator {
-    M method;         ///< moves the genes
-    Choice variables; ///< Variables<G>, or EveryGene
+    M method;         ///< method that moves the genes
+    Choice variables; ///< genes that may move: Variables<G>, or EveryGene
 
-    /// `refine method genes=variables`.
+    /// The stage `refine method genes=variables`.
     Refine(M m, Choice v) : method(std::move(m)), variables(std::move(v)) {}
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
     void check(CheckState& known) const { known.need_one_objective(text()); }
 

@@ -6,9 +6,10 @@
 
 namespace ga {
 
-/// Residuals r_k of an objective (a perfect genome has none) and their derivatives: rows k, columns genes.
+/// Residuals r_k of an objective and their derivatives with respect to the genes. For a perfect genome all
+/// residuals are 0.
 struct Sensitivity {
-    Eigen::VectorXd residuals; ///< r, one per point of the objective
+    Eigen::VectorXd residuals; ///< residuals r, one per point of the objective
     Eigen::MatrixXd jacobian;  ///< dr/dgenes, rows as in r, one column per gene
 };
 

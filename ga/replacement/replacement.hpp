@@ -8,8 +8,8 @@ namespace ga {
 /// population is not added again, and a better individual is never replaced by a worse one. Under several
 /// objectives both populations are ranked together first.
 struct Elite : Operator {
-    std::size_t k = 1; ///< individuals that come back, >= 1
-    ///@{ What every operator has (Operator).
+    std::size_t k = 1; ///< number of individuals that come back, >= 1
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
     }
@@ -45,8 +45,8 @@ inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
 /// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children
 /// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
 struct Plus : Operator {
-    std::size_t mu = 0; ///< 0 for the size of the start
-    ///@{ What every operator has (Operator).
+    std::size_t mu = 0; ///< number of individuals that stay; 0 for the size of the generation's start
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"plus", "replacement", "the mu best of the generation's start and its children"};
     }
@@ -67,9 +67,10 @@ struct Plus : Operator {
 /// The stage `plus mu`.
 inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
 
-/// Adds the generation's start to the population, so that the next stages choose among both.
+/// Adds the individuals of the generation's start to the population, so that the next stages choose among
+/// both.
 struct JoinParents : Operator {
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"parents", "replacement",
                 "adds the generation's start, so that the next stages choose among all"};
@@ -96,7 +97,7 @@ inline JoinParents parents() { return {}; }
 /// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
 /// the children, whatever their fitness. Put `tournament 2 size=2` before it for two children per generation.
 struct Steady : Operator {
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }

@@ -6,8 +6,8 @@ namespace ga {
 
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
-    std::size_t n = 1; ///< number that stays, >= 1
-    ///@{ What every operator has (Operator).
+    std::size_t n = 1; ///< number of individuals that stay, >= 1
+    ///@{ Members that every operator has (Operator).
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(CheckState& known) const { known.need_score(text_of(*this)); }
@@ -24,8 +24,8 @@ inline Best best(std::size_t n) { return checked(Best{{}, n}); }
 
 /// Keeps n different individuals at random, in random order. If there are fewer, all stay, in random order.
 struct Random : Operator {
-    std::size_t n = 0; ///< 0 for all
-    ///@{ What every operator has (Operator).
+    std::size_t n = 0; ///< number of individuals that stay; 0 for all
+    ///@{ Members that every operator has (Operator).
     static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
@@ -44,15 +44,15 @@ struct Random : Operator {
     ///@}
 };
 
-/// The stage `random n`; 0 for all, in random order.
+/// The stage `random n`; n = 0 keeps all, in random order.
 inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
-/// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). The one
-/// drawn first wins a tie. The best individual of many gets about k places.
+/// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
+/// is a tie, the individual that was drawn first is chosen. The best individual of many gets about k places.
 struct Tournament : Operator {
-    std::size_t k = 2;    ///< individuals drawn for each place, >= 1
+    std::size_t k = 2;    ///< number of individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"tournament", "selection", "each place goes to the best of k drawn at random"};
     }
@@ -87,15 +87,15 @@ struct Tournament : Operator {
 /// The stage `tournament k size=size`.
 inline Tournament tournament(std::size_t k, std::size_t size = 0) { return checked(Tournament{{}, k, size}); }
 
-/// The number that a threshold keeps in any case.
+/// The minimum number of individuals that a threshold keeps.
 struct AtLeast {
-    std::size_t count = 0; ///< 0 for no minimum
+    std::size_t count = 0; ///< number; 0 for no minimum
 };
 /// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
-/// The `at_least` individuals that come nearest to passing a threshold, without failed ones, in the
-/// population's order.
+/// The `at_least` individuals that are nearest to a threshold, without failed ones, in the population's
+/// order.
 template <class G>
 [[gnu::cold]] Population<G> nearest_to_passing(const Population<G>& population, std::size_t at_least,
                                                bool upwards) {
@@ -113,7 +113,7 @@ template <class G>
     return nearest;
 }
 
-/// The individuals above or below a threshold, or the at_least nearest; see Threshold.
+/// The individuals above or below a threshold, or the `at_least` nearest; see Threshold.
 template <Problem P, class G = typename P::Genome>
 [[gnu::noinline]] Population<G> passing(const Population<G>& population, double threshold, AtLeast least,
                                         bool upwards, Context<P>& context) {
@@ -138,9 +138,9 @@ template <Problem P, class G = typename P::Genome>
 /// at_least nearest are taken, with a note. An empty result ends the run.
 template <bool upwards>
 struct Threshold : Operator {
-    double threshold = 0; ///< a fitness; an individual with exactly this fitness does not pass
-    AtLeast least;        ///< number that stays in any case
-    ///@{ What every operator has (Operator).
+    double threshold = 0; ///< fitness; an individual with exactly this fitness does not pass
+    AtLeast least;        ///< minimum number of individuals that stay
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         if (upwards)
             return {"above", "selection", "keeps those whose fitness is above the threshold"};
@@ -171,11 +171,12 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
     return checked(Threshold<false>{{}, threshold, least});
 }
 
-/// A weight is the distance of the fitness from the worst one (windowing). So any fitness is allowed, and the
-/// worst is never chosen. If all are equal, the weights are equal. Failed individuals have weight 0. If one
-/// is feasible, infeasible ones have weight 0, too.
+/// Weights of individuals for Proportional. A weight is the distance of the fitness from the worst fitness
+/// (windowing). So any fitness is allowed, and the worst individual is never chosen. If all fitnesses are
+/// equal, the weights are equal. Failed individuals have weight 0. If an individual is feasible, infeasible
+/// ones have weight 0, too.
 struct ByFitness : NoParameters {
-    /// In [0, 1], one per individual.
+    /// The weights, one per individual, in [0, 1].
     template <class G>
     std::vector<double> of(const Population<G>& population) const {
         const bool any_feasible = std::any_of(population.begin(), population.end(), [](const auto& each) {
@@ -199,13 +200,13 @@ struct ByFitness : NoParameters {
                                            : 1;
         return weights;
     }
-    /// Works under one objective.
+    /// Throws UsageError unless individuals are scored under one objective.
     void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
 };
 
-/// Roulette: each place has a separate spin.
+/// Roulette: each place is filled by a separate random number (spin).
 struct Roulette : ByFitness {
-    static constexpr bool one_spin = false; ///< a spin for every place
+    static constexpr bool one_spin = false; ///< whether one spin fills all places
     /// The entry in the listing of operators.
     static Words words() {
         return {"roulette", "selection", "chooses in proportion to the fitness above the worst"};
@@ -214,7 +215,7 @@ struct Roulette : ByFitness {
 /// Stochastic universal sampling (Baker 1987): equally spaced marks on one spin fill all places. Every
 /// individual gets its expected number of places, rounded up or down.
 struct Universal : ByFitness {
-    static constexpr bool one_spin = true; ///< one for all places
+    static constexpr bool one_spin = true; ///< whether one spin fills all places
     /// The entry in the listing of operators.
     static Words words() {
         return {"sus", "selection", "like roulette, by equally spaced marks on one spin"};
@@ -223,11 +224,11 @@ struct Universal : ByFitness {
 
 /// Linear ranking (Baker 1985): the best has weight `pressure`, the worst 2 - pressure, linear between them.
 struct ByRank {
-    static constexpr bool one_spin = false; ///< a spin for every place
+    static constexpr bool one_spin = false; ///< whether one spin fills all places
 
     double pressure = 1.5; ///< weight of the best, above 1 and at most 2
 
-    /// In [0, pressure], one per individual.
+    /// The weights, one per individual, in [0, pressure].
     template <class G>
     std::vector<double> of(const Population<G>& population) const {
         const std::vector<std::size_t> order = ranking(population);
@@ -237,11 +238,11 @@ struct ByRank {
             weights[order[place]] = pressure - 2 * (pressure - 1) * static_cast<double>(place) / last;
         return weights;
     }
-    /// Works under any policy.
+    /// Throws UsageError if individuals may be unscored.
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
     /// The entry in the listing of operators.
     static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
-    /// Its one parameter.
+    /// Describes the parameter.
     static void describe(auto& self, auto visit) {
         visit(self.pressure, number("pressure", "1.5", 1.0001, 2, "expected places of the best"));
     }
@@ -250,8 +251,8 @@ struct ByRank {
 /// Fills the population by choosing in proportion to weights, with replacement.
 template <class Weights>
 struct Proportional : Operator {
-    Weights weights; ///< Roulette, Universal, ByRank or Sharing
-    ///@{ What every operator has (Operator).
+    Weights weights; ///< weights: Roulette, Universal, ByRank or Sharing
+    ///@{ Members that every operator has (Operator).
     static Words words() { return Weights::words(); }
     static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
     void check(CheckState& known) const { weights.check(known, text_of(*this)); }
@@ -289,7 +290,8 @@ struct Proportional : Operator {
 inline Proportional<Roulette> roulette() { return {}; }
 /// The stage `sus`.
 inline Proportional<Universal> sus() { return {}; }
-/// @param pressure  expected places of the best, above 1 and at most 2
+/// The stage `rank pressure`.
+/// @param pressure  expected number of places of the best, above 1 and at most 2
 inline Proportional<ByRank> rank(double pressure = 1.5) {
     return checked(Proportional<ByRank>{{}, ByRank{pressure}});
 }

@@ -11,8 +11,8 @@ template <class G>
 struct Progress {
     std::size_t generation;          ///< number of completed generations
     long asked;                      ///< evaluations requested since the block began
-    double seconds;                  ///< time since the block began, in all processes of the run
-    const Population<G>& population; ///< before the generation
+    double seconds;                  ///< time since the block began, in all processes of the run, s
+    const Population<G>& population; ///< population before the generation
 };
 
 /// Numbers that a rule stores from one generation to the next; checkpoints contain them.
@@ -26,19 +26,20 @@ using Numbers = std::vector<double>;
 /// @endcode
 /// It may also have
 /// @code
-///     void check(const CheckState&, const std::string& stage) const;   checks its needs
-///     static constexpr bool sure = true;                               it certainly holds at some time
+///     void check(const CheckState&, const std::string& stage) const;   checks whether the rule can work
+///     static constexpr bool sure = true;                               if the rule certainly holds at some
+///     time
 /// @endcode
 struct StoppingRule {};
 
 /// A stopping rule for one type of genome.
 template <class G>
 struct Rule {
-    std::string text; ///< "stagnation 5"
+    std::string text; ///< text of the rule, e.g. "stagnation 5"
     std::function<void(const CheckState&, const std::string&)>
-        check; ///< checks the needs of the rule, if it has any; named stage
+        check; ///< checks whether the rule can work in the stage of this name; may be empty
     std::function<bool(const Progress<G>&, Numbers&)> holds; ///< whether to end the block
-    bool sure = false;                                       ///< it certainly holds at some time
+    bool sure = false;                                       ///< whether it certainly holds at some time
 };
 
 /// The rule for one type of genome.
@@ -53,10 +54,10 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 }
 
 /// Whether the population is better than in all earlier generations of the block. Under one objective the
-/// best individuals are compared by Deb's rules. Under several the hypervolumes of the fronts are compared.
-/// Their reference is the first front's minimum minus a tenth of its range. For four objectives or more it is
-/// estimated (dominated_share). Stores in `memory` the violation, the worth and the last generation that
-/// improved.
+/// best individuals are compared by Deb's rules. Under several objectives the hypervolumes of the fronts are
+/// compared. Their reference is the first front's minimum minus a tenth of its range. For four objectives or
+/// more the hypervolume is estimated (dominated_share). Stores in `memory` the lowest violation, the highest
+/// value and the last generation that improved.
 template <class G>
 bool improves(const Progress<G>& now, Numbers& memory) {
     if (memory.empty())
@@ -108,9 +109,9 @@ inline Parameter value_of(const Words& rule, double lower) {
 
 /// Ends after n generations.
 struct AfterGenerations : StoppingRule {
-    std::size_t n = 1; ///< >= 1
+    std::size_t n = 1; ///< number of generations, >= 1
 
-    ///@{ What every rule has (StoppingRule).
+    ///@{ Members that every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() { return {"generations", "stopping", "this number of generations is completed"}; }
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
@@ -124,9 +125,9 @@ struct AfterGenerations : StoppingRule {
 
 /// Ends after n requested evaluations since the block began, including those answered from memory.
 struct AfterEvaluations : StoppingRule {
-    long n = 1; ///< >= 1
+    long n = 1; ///< number of evaluations, >= 1
 
-    ///@{ What every rule has (StoppingRule).
+    ///@{ Members that every rule has (StoppingRule).
     static Words words() { return {"evaluations", "stopping", "this number of evaluations was requested"}; }
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
 
@@ -139,9 +140,9 @@ struct AfterEvaluations : StoppingRule {
 
 /// Ends after a time since the block began. Such a run cannot be repeated bit for bit.
 struct AfterSeconds : StoppingRule {
-    double limit = 0; ///< s
+    double limit = 0; ///< time, s
 
-    ///@{ What every rule has (StoppingRule).
+    ///@{ Members that every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() {
         return {"seconds", "stopping", "this time has passed; such a run cannot be repeated bit for bit"};
@@ -157,9 +158,9 @@ struct AfterSeconds : StoppingRule {
 
 /// Ends when a feasible individual reaches a fitness, in the direction of its objective.
 struct AtFitness : StoppingRule {
-    double value = 0; ///< in the objective's units
+    double value = 0; ///< fitness, in the objective's units
 
-    ///@{ What every rule has (StoppingRule).
+    ///@{ Members that every rule has (StoppingRule).
     static Words words() { return {"fitness", "stopping", "the best fitness reaches this value"}; }
     static void describe(auto& self, auto visit) { visit(self.value, value_of(words(), -no_limit)); }
     void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
@@ -179,7 +180,7 @@ struct AtFitness : StoppingRule {
 struct AtStagnation : StoppingRule {
     std::size_t n = 1; ///< >= 1
 
-    ///@{ What every rule has (StoppingRule).
+    ///@{ Members that every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() {
         return {"stagnation", "stopping", "this number of generations brought no improvement"};
@@ -196,11 +197,11 @@ struct AtStagnation : StoppingRule {
 };
 
 /// Ends when the population has converged: all individuals are feasible, and the values of every objective
-/// differ by at most `most`. This is the tolerance on f of libpagmo's and NLopt's searches.
+/// differ by at most `most`. The searches of libpagmo and NLopt call this a tolerance on f.
 struct AtConvergence : StoppingRule {
-    double most = 0; ///< in the objective's units, >= 0
+    double most = 0; ///< largest difference, in the objective's units, >= 0
 
-    ///@{ What every rule has (StoppingRule).
+    ///@{ Members that every rule has (StoppingRule).
     static Words words() { return {"converged", "stopping", "best and worst differ by at most this"}; }
     static void describe(auto& self, auto visit) { visit(self.most, value_of(words(), 0)); }
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
@@ -231,12 +232,12 @@ struct AtConvergence : StoppingRule {
 /// Give at least one: `until({.evaluations = 10000, .fitness = 0.99}, body)`. Only a run that ends because of
 /// `seconds` cannot be repeated bit for bit.
 struct Until {
-    std::optional<std::size_t> generations = std::nullopt; ///< completed generations
-    std::optional<long> evaluations = std::nullopt;        ///< requested evaluations since the block began
-    std::optional<double> seconds = std::nullopt;          ///< time since the block began
-    std::optional<double> fitness = std::nullopt;          ///< fitness that the best reaches
-    std::optional<std::size_t> stagnation = std::nullopt;  ///< generations since the last improvement
-    std::optional<double> converged = std::nullopt;        ///< difference of best and worst
+    std::optional<std::size_t> generations = std::nullopt; ///< number of completed generations
+    std::optional<long> evaluations = std::nullopt; ///< number of requested evaluations since the block began
+    std::optional<double> seconds = std::nullopt;   ///< time since the block began, s
+    std::optional<double> fitness = std::nullopt;   ///< fitness that the best individual reaches
+    std::optional<std::size_t> stagnation = std::nullopt; ///< number of generations without an improvement
+    std::optional<double> converged = std::nullopt;       ///< largest difference of best and worst
 
     /// The rules that were given.
     template <class G>
@@ -261,13 +262,13 @@ template <class... R>
 struct AnyOf {
     std::tuple<R...> of; ///< the rules
 
-    /// For one type of genome.
+    /// The rules for one type of genome.
     template <class G>
     std::vector<Rule<G>> rules() const {
         return std::apply([](const R&... each) { return std::vector<Rule<G>>{rule_of<G>(each)...}; }, of);
     }
 };
-/// Combines rules.
+/// Combines rules; the block ends when the first of them holds.
 template <class... R>
 AnyOf<R...> any_of(R... rules) {
     return {{std::move(rules)...}};
@@ -278,7 +279,7 @@ template <class Genome>
 struct RuleList {
     std::vector<Rule<Genome>> list; ///< the rules
 
-    /// For that type of genome.
+    /// The rules for this type of genome.
     template <class G>
     requires std::same_as<G, Genome>
     const std::vector<Rule<G>>& rules() const { return list; }

@@ -13,8 +13,8 @@ class Arguments {
   public:
     /// Assigns a stage's arguments to parameters: KEY=VALUE by name, arguments without a key in the order of
     /// the parameters.
-    /// @param stage  what the stage is called in messages
-    /// @param where  what the text is called in messages
+    /// @param stage  name of the stage in messages
+    /// @param where  name of the text in messages
     [[gnu::cold]] Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
                             const std::string& stage, std::size_t column, std::string where)
         : where_(std::move(where)) {
@@ -45,15 +45,15 @@ class Arguments {
         }
     }
 
-    /// Whether it was given, or has a default.
+    /// Whether a parameter was given or has a default.
     bool has(const std::string& name) const { return values_.count(name) > 0; }
-    /// A number's value, in the parameter's range.
+    /// The value of a number, which is in the parameter's range.
     double number(const std::string& name) const { return *parsed(word(name)); }
-    /// The value of a whole number that is no less than 0.
+    /// The value of a whole number that is at least 0.
     std::size_t count(const std::string& name) const { return static_cast<std::size_t>(number(name)); }
-    /// A word.
+    /// The value of a word.
     const std::string& word(const std::string& name) const { return values_.at(name).front().value; }
-    /// All the words of a parameter that takes several.
+    /// All words of a parameter that takes several.
     std::vector<std::string> words(const std::string& name) const {
         std::vector<std::string> words;
         for (const auto& argument : values_.at(name))

@@ -9,9 +9,9 @@
 /// `GA_PIPELINES_HERE(Knapsack)` in one source file, both at global scope. Without them every file that reads
 /// text pipelines compiles them again.
 
-/// The vocabulary, the parser and `run` of a problem are compiled elsewhere.
+/// Declares that the vocabulary, the parser and `run` of a problem are compiled in another file.
 #define GA_PIPELINES_ELSEWHERE(P) GA_PIPELINES_OF(extern template, P)
-/// They are compiled here.
+/// Compiles the vocabulary, the parser and `run` of a problem in this file.
 #define GA_PIPELINES_HERE(P) GA_PIPELINES_OF(template, P)
 
 /// @cond

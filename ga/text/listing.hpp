@@ -4,7 +4,7 @@
 
 namespace ga {
 
-/// Lists every operator under its group, with one line of meaning and its parameters with defaults and
+/// Lists every operator under its group, with its meaning in one line, and its parameters with defaults and
 /// ranges. The named combinations and choices of genes follow.
 template <Problem P>
 std::string listing(const Registry<P>& registry) {

@@ -25,7 +25,8 @@ namespace ga {
     return last[b.size()];
 }
 
-/// "; did you mean 'best'?" for the nearest name, or a list of the names if none is similar.
+/// A hint at the end of a message about an unknown name: "; did you mean 'best'?". If no name is similar, it
+/// lists the names.
 [[gnu::cold]] inline std::string suggestion(const std::string& given, const std::vector<std::string>& names) {
     const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
         return edits(given, a) < edits(given, b);

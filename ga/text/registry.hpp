@@ -11,23 +11,23 @@ namespace ga {
 template <Problem P>
 class Registry {
   public:
-    using Genome = typename P::Genome; ///< the problem's
-    /// The pipelines in braces after a stage.
+    using Genome = typename P::Genome; ///< genome of the problem
+    /// Pipelines in braces after a stage.
     using Bodies = std::vector<Stage<P>>;
-    /// Makes a stage from its arguments.
+    /// A function that makes a stage from its arguments.
     using Make = std::function<Stage<P>(const Arguments&, const Bodies&, const Registry&)>;
 
     /// An operator for text. A name of two words ("cross sbx") is a member of the family "cross". A member
     /// with only the family's name is its default.
     struct Entry {
-        std::string name;                  ///< one word, or two
+        std::string name;                  ///< name of one word, or of two
         std::string group;                 ///< heading in the listing
-        std::string meaning;               ///< one line
-        std::vector<Parameter> parameters; ///< in the order they may be given without their names
-        std::string lacks = {};      ///< need that the problem does not meet; empty if the operator works
-        std::size_t bodies = 0;      ///< pipelines in braces it takes, 0 or 1
-        bool pairs_of_words = false; ///< arguments read "fitness 0.99" for fitness=0.99
-        Make make = {};              ///< empty if it lacks something
+        std::string meaning;               ///< meaning in one line
+        std::vector<Parameter> parameters; ///< parameters in the order of arguments without a key
+        std::string lacks = {};            ///< member that the problem lacks; empty if the operator works
+        std::size_t bodies = 0;            ///< number of pipelines in braces, 0 or 1
+        bool pairs_of_words = false;       ///< whether "fitness 0.99" means fitness=0.99
+        Make make = {};                    ///< makes the stage; empty if the operator does not work
     };
 
     /// Adds an operator; make(arguments, bodies, registry) returns its stage. Throws UsageError if the name
@@ -109,13 +109,13 @@ class Registry {
         variables_.push_back({std::move(variables), std::move(meaning)});
     }
 
-    const std::vector<Entry>& entries() const { return entries_; } ///< in the order they were added
-    /// With their meanings.
+    const std::vector<Entry>& entries() const { return entries_; } ///< operators in the order of adding
+    /// Combinations for `pair`, with their meanings.
     const std::vector<std::pair<Combine<Genome>, std::string>>& combines() const { return combines_; }
-    /// With their meanings.
+    /// Choices of genes for `refine`, with their meanings.
     const std::vector<std::pair<Variables<Genome>, std::string>>& variables() const { return variables_; }
 
-    /// Null if the name is unknown.
+    /// The operator of a name, or null if the name is unknown.
     const Entry* find(const std::string& name) const {
         for (const auto& entry : entries_)
             if (entry.name == name)

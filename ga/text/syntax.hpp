@@ -10,20 +10,20 @@ namespace ga {
 /// One argument of a stage: VALUE, or KEY=VALUE.
 struct ArgumentText {
     std::string key;        ///< empty if only a value was given
-    std::string value;      ///< as it was written
-    std::size_t column = 0; ///< from 1
+    std::string value;      ///< value as it was written
+    std::size_t column = 0; ///< column in the text, from 1
 };
 
 struct StageText;
-/// Stages from left to right.
+/// The stages of a pipeline from left to right.
 using PipelineText = std::vector<StageText>;
 
 /// One stage as it is written, before its words are understood.
 struct StageText {
-    std::string name;                    ///< its first word
-    std::size_t column = 0;              ///< from 1
-    std::vector<ArgumentText> arguments; ///< as they were written
-    std::vector<PipelineText> bodies;    ///< one in braces, two for pair
+    std::string name;                    ///< first word of the stage
+    std::size_t column = 0;              ///< column in the text, from 1
+    std::vector<ArgumentText> arguments; ///< arguments as they were written
+    std::vector<PipelineText> bodies;    ///< pipelines of a block: one in braces, two for `pair`
 };
 
 /// Reads  pipeline := stage {"|" stage};
@@ -39,7 +39,7 @@ class Syntax {
         next();
     }
 
-    /// All of the text. Throws TextError.
+    /// Reads the whole text. Throws TextError.
     [[gnu::cold]] PipelineText read() {
         PipelineText pipeline = read_pipeline();
         if (!token_.empty())

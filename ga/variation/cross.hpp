@@ -18,9 +18,9 @@ concept Crosses = Problem<P> &&
 /// parents, unscored. Put `random` before it to shuffle the pairs.
 template <class Way>
 struct Cross : Operator {
-    Way way;         ///< crosses two genomes (Crosses)
-    double rate = 1; ///< probability for each pair, [0, 1]
-    ///@{ What every operator has (Operator).
+    Way way;         ///< method that crosses two genomes (Crosses)
+    double rate = 1; ///< probability for each pair, in [0, 1]
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         const Words of_way = Way::words();
         return {"cross " + of_way.name, "cross-over", of_way.meaning};
@@ -50,6 +50,7 @@ struct Cross : Operator {
     ///@}
 };
 
+/// The stage `cross` with a method.
 /// @param rate  probability that a pair is crossed, 0 to 1
 template <class Way>
 Cross<Way> cross(Way way, double rate = 1) {
@@ -64,7 +65,8 @@ concept Positional = std::ranges::random_access_range<G> && requires(G& genome, 
     *genome.begin() = *genome.begin(); // the signature of swap does not require it
 };
 
-/// Lets edit(std::span<double>) change a genome's real genes; in place if the genome is a vector of them.
+/// Calls edit(std::span<double>), which changes a genome's real genes. If the genome is a vector of double,
+/// it is changed in place.
 template <HasGenes P, class Edit>
 void edit_genes(const P& problem, typename P::Genome& genome, Edit edit) {
     if constexpr (ConvertsGenes<P>) {
@@ -143,9 +145,9 @@ void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream)
 /// n-point cross-over of genomes (Holland 1975; De Jong 1975) by exchange_at_points, or by the problem's
 /// `cross_points`.
 struct Points {
-    std::size_t n = 2; ///< cuts, >= 1
+    std::size_t n = 2; ///< number of cuts, >= 1
 
-    ///@{ What every cross-over has (Crosses).
+    ///@{ Members that every cross-over has (Crosses).
     static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
 
@@ -162,7 +164,7 @@ struct Points {
 
 /// Cross-over with one cut.
 struct OnePoint : NoParameters {
-    ///@{ What every cross-over has (Crosses).
+    ///@{ Members that every cross-over has (Crosses).
     static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
 
     template <Problem P>
@@ -173,15 +175,15 @@ struct OnePoint : NoParameters {
     ///@}
 };
 
-/// `one_point` of cross.
+/// The method `one_point` of `cross`.
 inline OnePoint one_point() { return {}; }
-/// `n_points n` of cross, n >= 1.
+/// The method `n_points n` of `cross`, n >= 1.
 inline Points n_points(std::size_t n) { return {n}; }
 
 /// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
 /// genome.
 struct Uniform : NoParameters {
-    ///@{ What every cross-over has (Crosses).
+    ///@{ Members that every cross-over has (Crosses).
     static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
 
     template <Problem P>
@@ -206,14 +208,14 @@ struct Uniform : NoParameters {
     ///@}
 };
 
-/// `uniform` of cross.
+/// The method `uniform` of `cross`.
 inline Uniform uniform() { return {}; }
 
 /// Order cross-over (Davis 1985). Each child keeps a piece of one parent at its position. The other numbers
 /// follow from the end of that piece, in the order of the other parent. Permutations of unequal length stay
 /// as they are.
 struct Order : NoParameters {
-    ///@{ What every cross-over has (Crosses).
+    ///@{ Members that every cross-over has (Crosses).
     static Words words() {
         return {"order", "cross-over",
                 "keeps a piece of one permutation in place and the other's order elsewhere"};
@@ -254,15 +256,15 @@ struct Order : NoParameters {
     }
 };
 
-/// `order` of cross.
+/// The method `order` of `cross`.
 inline Order order() { return {}; }
 
 /// BLX-alpha (Eshelman and Schaffer 1993): each child's gene is uniform between the parents' genes. The
 /// interval extends alpha times their distance beyond each parent and is cut at the bounds.
 struct Blend {
-    double alpha = 0.5; ///< relative to the parents' distance, >= 0
+    double alpha = 0.5; ///< extension of the interval relative to the parents' distance, >= 0
 
-    ///@{ What every cross-over has (Crosses).
+    ///@{ Members that every cross-over has (Crosses).
     static Words words() {
         return {"blend", "cross-over", "draws each gene uniformly around the parents' (BLX-alpha)"};
     }
@@ -282,16 +284,17 @@ struct Blend {
     ///@}
 };
 
-/// @param alpha  relative to the parents' distance, >= 0
+/// The method `blend alpha` of `cross`.
+/// @param alpha  extension of the interval relative to the parents' distance, >= 0
 inline Blend blend(double alpha = 0.5) { return {alpha}; }
 
 /// Simulated binary cross-over (Deb and Agrawal 1995, with bounds as in NSGA-II's code), of each gene with
 /// probability 1/2. Children lie symmetrically about the parents' mean. They spread like binary strings after
 /// one-point cross-over.
 struct SimulatedBinary {
-    double eta = 15; ///< greater values put children nearer to their parents
+    double eta = 15; ///< distribution index; greater values put children nearer to their parents
 
-    ///@{ What every cross-over has (Crosses).
+    ///@{ Members that every cross-over has (Crosses).
     static Words words() {
         return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
     }
@@ -329,6 +332,7 @@ struct SimulatedBinary {
     }
 };
 
+/// The method `sbx eta` of `cross`.
 /// @param eta  distribution index, >= 0; greater values put children nearer to their parents
 inline SimulatedBinary sbx(double eta = 15) { return {eta}; }
 

@@ -20,9 +20,9 @@ concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typen
 /// new individual with the old one as parent.
 template <class Way>
 struct Mutate : Operator {
-    double rate = 0; ///< probability for each gene, [0, 1]
-    Way way;         ///< changes a genome (Mutates)
-    ///@{ What every operator has (Operator).
+    double rate = 0; ///< probability for each gene, in [0, 1]
+    Way way;         ///< method that changes a genome (Mutates)
+    ///@{ Members that every operator has (Operator).
     static Words words() {
         const Words of_way = Way::words();
         return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
@@ -96,8 +96,8 @@ inline double width(const Variable& variable) {
 /// within plus or minus `size`.
 template <bool normal>
 struct GeneStep {
-    double size = 0.1; ///< as a fraction of the distance between the bounds, > 0
-    ///@{ What every mutation has (Mutates).
+    double size = 0.1; ///< size of a step as a fraction of the distance between the bounds, > 0
+    ///@{ Members that every mutation has (Mutates).
     static Words words() {
         return {normal ? "gaussian" : "uniform", "mutation",
                 normal ? "adds a normal step" : "adds a uniform step"};
@@ -118,15 +118,15 @@ struct GeneStep {
     }
     ///@}
 };
-using Gaussian = GeneStep<true>;     ///< `mutate RATE gaussian`
-using UniformStep = GeneStep<false>; ///< `mutate RATE uniform`
+using Gaussian = GeneStep<true>;     ///< the method of `mutate RATE gaussian`
+using UniformStep = GeneStep<false>; ///< the method of `mutate RATE uniform`
 
 /// Polynomial mutation (Deb and Goyal 1996, as in NSGA-II's code): a step within the bounds with a density
 /// that falls as (1 - |step| / width)^eta. A gene outside its bounds starts at the nearer bound. If a bound
 /// is infinite, the width is 1. A finite bound is never passed.
 struct Polynomial {
-    double eta = 20; ///< a greater eta gives smaller steps
-    ///@{ What every mutation has (Mutates).
+    double eta = 20; ///< distribution index; a greater eta gives smaller steps
+    ///@{ Members that every mutation has (Mutates).
     static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
     static void describe(auto& self, auto visit) {
         visit(self.eta, number("eta", "20", above_zero, no_limit, "greater values give smaller steps"));
@@ -153,7 +153,7 @@ struct Polynomial {
     ///@}
 };
 
-/// Genes that are whole numbers or bits.
+/// A genome whose genes are whole numbers or bits.
 template <class G>
 concept Discrete = std::ranges::random_access_range<G> && std::integral<std::ranges::range_value_t<G>> &&
     requires(G& genome) {
@@ -165,7 +165,7 @@ concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, b
 /// Replaces a gene at random: a real one uniformly between its bounds, a whole number by another value. A bit
 /// is flipped. A real gene with an infinite bound stays as it is.
 struct Reset : NoParameters {
-    ///@{ What every mutation has (Mutates).
+    ///@{ Members that every mutation has (Mutates).
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
 
     template <Problem P>
@@ -204,7 +204,7 @@ struct Reset : NoParameters {
     ///@}
 };
 
-/// The genes of a genome that may change places.
+/// The genes of a genome that may exchange their positions.
 template <class G>
 auto& places(G& genome) {
     if constexpr (std::same_as<G, Permutation>)
@@ -219,7 +219,7 @@ concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G,
 /// piece exchanges two edges.
 template <bool piece>
 struct Exchange : NoParameters {
-    ///@{ What every mutation has (Mutates).
+    ///@{ Members that every mutation has (Mutates).
     static Words words() {
         if (piece)
             return {"reverse", "mutation", "reverses the piece between the gene and another"};
@@ -246,13 +246,13 @@ struct Exchange : NoParameters {
     }
     ///@}
 };
-using Swap = Exchange<false>;   ///< `mutate RATE swap`
-using Reverse = Exchange<true>; ///< `mutate RATE reverse`
+using Swap = Exchange<false>;   ///< the method of `mutate RATE swap`
+using Reverse = Exchange<true>; ///< the method of `mutate RATE reverse`
 
 /// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise permutations get a
 /// swap, real genes a gaussian step of a tenth of the width, bits and whole numbers a reset.
 struct Natural : NoParameters {
-    ///@{ What every mutation has (Mutates).
+    ///@{ Members that every mutation has (Mutates).
     static Words words() {
         return {"", "mutation", "the genome's natural mutation: the problem's, swap, reset or gaussian 0.1"};
     }
@@ -272,20 +272,22 @@ struct Natural : NoParameters {
     ///@}
 };
 
-/// `gaussian sigma` of mutate.
+/// The method `gaussian sigma` of `mutate`.
 inline Gaussian gaussian(double sigma = 0.1) { return {sigma}; }
-/// `uniform step` of mutate.
+/// The method `uniform step` of `mutate`.
 inline UniformStep uniform_step(double step = 0.1) { return {step}; }
+/// The method `polynomial eta` of `mutate`.
 /// @param eta  distribution index; a greater one gives smaller steps
 inline Polynomial polynomial(double eta = 20) { return {eta}; }
-/// `reset` of mutate.
+/// The method `reset` of `mutate`.
 inline Reset reset() { return {}; }
-/// `swap` of mutate.
+/// The method `swap` of `mutate`.
 inline Swap swap() { return {}; }
-/// `reverse` of mutate.
+/// The method `reverse` of `mutate`.
 inline Reverse reverse() { return {}; }
 
-/// @param rate  a gene's chance to mutate, 0 to 1
+/// The stage `mutate` with a method.
+/// @param rate  probability that a gene mutates, 0 to 1
 template <class Way = Natural>
 Mutate<Way> mutate(double rate, Way way = {}) {
     return checked(Mutate<Way>{{}, rate, std::move(way)});

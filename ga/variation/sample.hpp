@@ -7,7 +7,7 @@ namespace ga {
 /// Replaces the population by n new individuals, which the problem draws at random.
 struct Sample : Operator {
     std::size_t n = 1; ///< number of individuals, >= 1
-    ///@{ What every operator has (Operator).
+    ///@{ Members that every operator has (Operator).
     static constexpr bool begins = true;
     static Words words() {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
