@@ -14,7 +14,8 @@ namespace {
 
 constexpr rough::Index max_small = 256; ///< nodes of a small grid
 constexpr double seconds_per_cell = 30; ///< also for the solver that verifies it
-/// Nodes of a map above which `nnls`, or only the automatic and the active-set solver, would take minutes.
+/// Largest numbers of nodes of a map on which `nnls`, and `nested` and `polonsky-keer`, are tried. On larger
+/// maps they would take minutes.
 constexpr rough::Index max_nnls = 1000, max_every = 100'000;
 
 /// The lowest and highest pressure, stiffness and number of contact nodes that a load step may have.
@@ -52,7 +53,7 @@ struct StabilityRow {
 using Rows = std::vector<StabilityRow>;
 
 constexpr std::array outcomes{Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong};
-using Counts = std::array<long, outcomes.size()>; ///< cells with each outcome
+using Counts = std::array<long, outcomes.size()>; ///< number of trials with each outcome
 
 Findings findings_of(const Rows& rows) {
     const std::vector<std::string>& methods = rough::solver_names();
@@ -96,8 +97,9 @@ Findings findings_of(const Rows& rows) {
             {{"method", methods[m]}, {"missed", missed[m]}, {"outcomes", by_method[m]}});
     for (std::size_t o = 0; o < outcomes.size(); ++o) {
         found.result["outcomes"].push_back(name_of(outcomes[o]));
-        found.summary += (o == 0 ? std::to_string(table.rows().size()) + " cells: " : ", ") +
-                         std::to_string(all[o]) + " " + name_of(outcomes[o]);
+        found.summary +=
+            (o == 0 ? std::to_string(table.rows().size()) + " trials of a solver on a scene: " : ", ") +
+            std::to_string(all[o]) + " " + name_of(outcomes[o]);
     }
     found.result.update(
         {{"summary", found.summary}, {"scenes", scenes}, {"messages", messages}, {"runs", table.rows()}});
@@ -210,21 +212,22 @@ void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance) 
 }
 
 Experiment stability_experiment() {
-    return {.kind = "stability",
-            .summary =
-                "Tries every contact solver on scenes in which methods fail. A cell is solved, refused, not "
-                "converged, or wrong if a second solution contradicts it. Writes stability.csv and a page; "
-                "a cell takes at most 30 s.",
-            .settings = {{"stability.scene", "", "only the scene of this name"},
-                         ga::whole(
-                             "stability.search", "", 1,
-                             "number of maps that a genetic algorithm presses to find the ten on which auto "
-                             "fails or works hardest; only these are tried"),
-                         {"stability.large", "", "also maps of 256 and 1024 nodes a side (an hour)", true}},
-            .files = {"stability.csv"},
-            .run = run_stability,
-            .examples = {"stability --out out/stability", "stability --scene spike --out out/spike",
-                         "stability --large --scene map-1024-load-45 --out out/large"}};
+    return {
+        .kind = "stability",
+        .summary =
+            "Tries every contact solver on scenes that are hard for some method. The outcome of a trial is "
+            "solved, refused, not converged, or wrong if a second solution contradicts it. Writes "
+            "stability.csv and a page. A solution takes at most 30 s.",
+        .settings = {{"stability.scene", "", "only the scene of this name"},
+                     ga::whole(
+                         "stability.search", "", 1,
+                         "number of maps that a genetic algorithm presses to find the ten on which auto "
+                         "fails or works hardest; only these are tried"),
+                     {"stability.large", "", "also maps of 256 and 1024 nodes a side (an hour)", true}},
+        .files = {"stability.csv"},
+        .run = run_stability,
+        .examples = {"stability --out out/stability", "stability --scene spike --out out/spike",
+                     "stability --large --scene map-1024-load-45 --out out/large"}};
 }
 
 } // namespace app

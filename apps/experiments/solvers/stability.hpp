@@ -7,7 +7,7 @@
 /// Scenes in which contact solvers may fail, and the check of their results.
 namespace app {
 
-/// A scene on one kernel in which some method may fail.
+/// A scene that is hard for some method.
 struct StabilityScene : ContactScene {
     bool has_solution = true;
 };
@@ -17,9 +17,9 @@ struct Roughness {
     double hurst, shortest;
     std::uint64_t seed;
 };
-/// A map under the load that brings about a contact fraction by Persson's theory, on a periodic body at most
-/// 0.999 of full contact's. A single load begins on the coarsest grid. Throws InputError if the grid is too
-/// coarse for the waves.
+/// A map under one load. By Persson's theory the load gives the contact fraction `contact`. On a periodic
+/// body it is at most 0.999 times the load of full contact. Throws InputError if the grid is too coarse for
+/// the waves.
 StabilityScene map_scene(const std::string& name, const rough::Body& body, rough::Extent shape,
                          const Roughness& roughness, double contact);
 
@@ -39,10 +39,14 @@ StabilityScene bred_scene(const std::string& name);
 std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
                                         const std::atomic<bool>& stop);
 
-/// Turns a solved trial into a wrong one if it differs by more than the tolerance from another solver's
-/// results. On small grids that is another direct solver, if one solves the scene. It also solves a tolerance
-/// below and above each displacement, because a node that just touches may or may not count. Under loads it
-/// solves the displacements found, and must carry the loads. There a thousandth of the nodes may differ.
+/// Sets the outcome of a solved trial to `wrong` if it differs by more than the tolerance from the results of
+/// another solver. On lines of up to 256 nodes the other solver is direct, if a direct one solves the scene.
+/// It also solves displacements that are a tolerance smaller and larger, because a node that just touches may
+/// or may not count. Results must lie in the range of these solutions.
+///
+/// Under loads the other solver solves the displacements that were found. The given loads must then lie in
+/// the range of its pressures, and a thousandth of the nodes may differ. Load steps that no other solver
+/// solves are not compared.
 void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance);
 
 } // namespace app
