@@ -104,7 +104,7 @@ std::string verdict_of(const DesignRun& run, double verified) {
     return line + (run.found.best.within_limits ? "" : "; no answer meets all limits on shape");
 }
 
-/// A target's largest misfit in all that an answer was verified by, relative to the target.
+/// The largest misfit of an answer to a target over all verifications, relative to the target.
 struct LargestMisfit {
     double misfit = 0;
     rough::Index point = 0; ///< of the target
@@ -134,16 +134,16 @@ std::string matched(const DesignRun& run) {
         join(all, in_words(target.quantity) + ": similarity " + readable(1 - target.weight * error, 4) +
                       (target.has_band() && error == 0 ? ", within the band"
                                                        : ", " + band + " by up to " + percent(error)) +
-                      (as_designed ? " as designed" : " at worst"));
+                      (as_designed ? " on the search grid" : " in the worst check"));
     }
     return all;
 }
 
 std::string not_asked_for(const DesignRun& run) {
     if (!run.setup.like)
-        return "everything except the target's quantities; at the last load " +
+        return "all quantities except those of the target; at the last load " +
                percent(run.response.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
-    std::string all = run.not_asked ? "" : "not verified: the time did not suffice";
+    std::string all = run.not_asked ? "" : "not verified, because the time did not suffice";
     for (const auto& [name, share] : run.not_asked.value_or(Shares()))
         join(all, name + " was not requested and is off by up to " + percent(share));
     return all;
@@ -155,25 +155,25 @@ std::string worst_case(const DesignRun& run) {
         return std::isnan(similarity) ? "not verified" : readable(similarity, 4);
     };
     std::string all =
-        known(best.similarity) + " as designed, " + known(best.similarity_refined) +
-        " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps, " +
-        (best.is_verified() ? known(best.similarity_worst) +
-                                  " the lowest (of these three and of finer grid and steps together)"
-                            : "so the lowest is not known");
+        "similarity " + known(best.similarity) + " on the search grid, " + known(best.similarity_refined) +
+        " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps; " +
+        (best.is_verified()
+             ? "the lowest, with finer grid and steps together included, is " + known(best.similarity_worst)
+             : "so the lowest is not known");
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)
         if (check.name.find("datum") != std::string::npos)
-            join(all, readable(check.similarity, 4) + " with the datum 4 times farther");
+            join(all, "similarity " + readable(check.similarity, 4) + " with the datum 4 times farther");
         else if (check.name.find("noise") != std::string::npos ||
                  check.name.find("tilt") != std::string::npos)
-            join(all, readable(check.similarity, 4) + " under " + check.name);
+            join(all, "similarity " + readable(check.similarity, 4) + " under " + check.name);
     if (!run.trust->left_out.empty())
         join(all, "no time was left for " + std::to_string(run.trust->left_out.size()) + " checks");
     return all;
 }
 
-/// How precise the machine must be: "for 0.95, 0.3 nm rms at 14 µm correlation, 40 nm tilt, 8 % scale".
+/// The largest errors of the machine under which the answer keeps a similarity, one error at a time.
 std::string machine(const DesignRun& run) {
     if (!run.tolerance)
         return "";
@@ -184,31 +184,33 @@ std::string machine(const DesignRun& run) {
         if (level.similarity > tolerance.similarity)
             join(missed, at, ", ");
         else if (!std::isnan(level.scale) && (all.empty() || level.similarity == 0.95))
-            all = "for " + at + ", " +
-                  (std::isnan(level.noise_rms) ? "noise not known for lack of time"
-                                               : in_unit(level.noise_rms) + " rms at " +
-                                                     in_unit(tolerance.noise_length) + " correlation") +
-                  ", " + in_unit(level.tilt) + " tilt, " + percent(level.scale) + " scale";
+            all = "similarity stays at least " + at + " under one of these errors: " +
+                  (std::isnan(level.noise_rms)
+                       ? "noise (not known for lack of time)"
+                       : "noise of " + in_unit(level.noise_rms) + " rms at a correlation length of " +
+                             in_unit(tolerance.noise_length) + " (95 % of draws)") +
+                  ", a tilt of " + in_unit(level.tilt) + ", or an error of scale of " + percent(level.scale);
     }
     if (!missed.empty())
-        join(all, "none for " + missed + ": without errors the similarity is " +
+        join(all, "not reached: " + missed + ", because without errors the similarity is " +
                       readable(tolerance.similarity, 4));
     if (!tolerance.complete)
-        join(all, "not all is known for lack of time; set more --seconds");
+        join(all, "not all errors are known for lack of time: set more --seconds");
     return all;
 }
 
 std::string yielding(const DesignRun& run) {
     if (!run.trust)
-        return "not verified: the time did not suffice";
+        return "not verified, because the time did not suffice";
     const double hardness = run.trust_options.hardness, peak = run.trust->peak_pressure;
     const Unit unit = pressure_unit(peak);
-    const std::string highest = "highest node pressure " + readable(unit.factor * peak) + " " + unit.name +
-                                ", " + percent(peak / run.setup.model.body.effective_modulus) + " of E*";
+    const std::string highest = "the highest node pressure is " + readable(unit.factor * peak) + " " +
+                                unit.name + " (" + percent(peak / run.setup.model.body.effective_modulus) +
+                                " of E*)";
     if (hardness <= 0)
-        return "assumed to be elastic; " + highest + " (--hardness verifies it)";
+        return "assumed to be elastic; " + highest + "; give --hardness to verify this";
     if (peak <= hardness)
-        return "elastic: " + highest + ", within the hardness";
+        return "elastic: " + highest + ", at most the hardness";
     std::string all = "yields: " + highest + ", above the hardness";
     for (const rough::Check& check : run.trust->checks)
         if (check.name.find("hardness") != std::string::npos)
@@ -216,7 +218,7 @@ std::string yielding(const DesignRun& run) {
     return all;
 }
 
-/// "shortest wave 0.0146 mm (limit 0.0133 mm)"
+/// A quantity with its limit, e.g. "shortest wave 0.0146 mm (limit 0.0133 mm)".
 std::string in_words(const rough::Margin& margin) {
     const std::string unit = margin.name.ends_with("_mm") ? " mm" : "";
     std::string name = margin.name.substr(0, margin.name.size() - unit.size());
@@ -227,7 +229,7 @@ std::string in_words(const rough::Margin& margin) {
     return name + (margin.holds() ? " (limit " : " (beyond the limit ") + readable(margin.limit) + unit + ")";
 }
 
-/// Whether the given limits hold. Without any it is not known what can be made.
+/// Whether the given limits are met. Without limits it is not known whether the surface can be made.
 std::string making(const DesignRun& run) {
     std::string limited, free;
     for (rough::Margin margin : run.margins) {
@@ -237,12 +239,12 @@ std::string making(const DesignRun& run) {
     }
     if (!run.limits_given)
         return "not known, as no limit was given: " + free +
-               "; give your process's --max-slope, --min-radius, --max-height or --shortest-wave";
+               "; give --max-slope, --min-radius, --max-height or --shortest-wave of your process";
     return (run.found.best.within_limits ? "yes, by the given limits: " : "no: ") + limited +
            (free.empty() ? "" : "; without a limit: " + free);
 }
 
-/// Which lengths and datums each target's answer holds for.
+/// The lengths and datums for which each target's curve is valid.
 std::string carries_over(const DesignRun& run) {
     const rough::Model& model = run.setup.model;
     const bool is_2d = model.grid.is_2d();
@@ -250,25 +252,27 @@ std::string carries_over(const DesignRun& run) {
     std::string all;
     for (const rough::Target& target : run.setup.targets) {
         const Quantity quantity = target.quantity;
-        std::string scope = "for this length only";
+        std::string scope = "only for this length";
         if (quantity == Quantity::interface_stiffness)
-            scope = line_of(is_2d ? "" : "for any datum, and ",
+            scope = line_of(is_2d ? "" : "for every datum, and ",
                             "approximately for other lengths, at light loads");
         else if (is_2d)
-            scope += ", with no datum to choose";
+            scope += " (a map has no datum)";
         else if (quantity == Quantity::area_at_pressure)
-            scope = "for any datum, " + scope;
+            scope = "for every datum, but " + scope;
         else if (has_datum)
-            scope = "for this length and datum only, " + brief(model.body.datum, 5) + " mm" +
-                    (quantity == Quantity::stiffness ? " (interface_stiffness holds for others)" : "");
+            scope += " and the datum " + brief(model.body.datum, 5) + " mm" +
+                     (quantity == Quantity::stiffness
+                          ? " (a target of interface_stiffness does not depend on the datum)"
+                          : "");
         if (const std::string words = in_words(quantity) + ": " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
-    return all + "; " + name_of(model.body.kernel) + " body, length " + brief(model.grid.length, 5) +
-           (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm";
+    return all + "; the body is " + name_of(model.body.kernel) + ", the length is " +
+           brief(model.grid.length, 5) + (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm";
 }
 
-/// How far the phases were moved, and what that did.
+/// The changes of the phases, and the similarities before and after them.
 std::string moved(const rough::Morphed& morphed) {
     std::string all =
         "similarity " + readable(morphed.before, 4) + " before, " + readable(morphed.after, 4) + " after";
@@ -279,7 +283,7 @@ std::string moved(const rough::Morphed& morphed) {
     return all;
 }
 
-/// " at 12.0 kPa": a place on a target's x axis.
+/// A position on a target's x axis, e.g. " at 12.0 kPa".
 std::string at(const rough::Target& target, double x) {
     const Unit unit = target.against_pressure() ? pressure_unit(target.last()) : length_unit(target.last());
     return " at " + readable(unit.factor * x) + " " + unit.name;
@@ -373,14 +377,14 @@ bool is_found(const DesignRun& run) {
 Summary summary_of(const DesignRun& run) {
     Summary summary{is_found(run), verified_of(run), verdict_of(run, verified_of(run)), {}};
     summary.facts = {{"warning", "Warning", run.warning},
-                     {"moved", "Moved", run.morphed ? moved(*run.morphed) : ""},
-                     {"matched", "Matched", matched(run)},
+                     {"moved", "Change", run.morphed ? moved(*run.morphed) : ""},
+                     {"matched", "Requested", matched(run)},
                      {"not_asked_for", "Not requested", not_asked_for(run)},
-                     {"worst_case", "At worst", worst_case(run)},
-                     {"machine", "Machine", machine(run)},
+                     {"worst_case", "Checks", worst_case(run)},
+                     {"machine", "Tolerance", machine(run)},
                      {"yielding", "Elastic", yielding(run)},
                      {"making", "Can be made", making(run)},
-                     {"carries_over", "Holds for", carries_over(run)},
+                     {"carries_over", "Valid", carries_over(run)},
                      {"in_the_way", "Obstacles", summary.found ? "" : in_the_way(run)}};
     std::erase_if(summary.facts, [](const Fact& fact) { return fact.text.empty(); });
     return summary;

@@ -196,7 +196,8 @@ TEST_CASE("the error in quantities that were not requested is on terminal, page 
     }
     CHECK_THAT(summary["not_asked_for"].get<std::string>(),
                Catch::Contains("interface stiffness was not requested"));
-    CHECK_THAT(summary["carries_over"].get<std::string>(), Catch::Contains("length and datum only"));
+    CHECK_THAT(summary["carries_over"].get<std::string>(),
+               Catch::Contains("only for this length and the datum"));
 }
 
 TEST_CASE("a design with noise or a hardness is found only if it holds under them") {

@@ -62,8 +62,9 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
               Approx(similarity(setup, genome, 4)).margin(error));
         const rough::Verification verified = rough::Verifier(is_map ? setup : as_reported(setup)).of(genome);
         CHECK(variant["similarity_worst"].get<double>() == Approx(verified.worst()).margin(error));
-        CHECK_THAT(result["summary"]["matched"].get<std::string>(),
-                   Catch::Contains("off by up to " + app::percent(1 - verified.worst()) + " at worst"));
+        CHECK_THAT(
+            result["summary"]["matched"].get<std::string>(),
+            Catch::Contains("off by up to " + app::percent(1 - verified.worst()) + " in the worst check"));
         CHECK(ended.code ==
               (variant["similarity_worst"].get<double>() >= rough::default_required_similarity ? 0 : 3));
         CHECK(variant["alternatives"].size() >= 1);
@@ -286,7 +287,8 @@ TEST_CASE("the tolerance of a design follows from its genome") {
         CHECK(level["scale"] == expected.levels[i].scale);
     }
     CHECK(tolerance["levels"][3]["noise_rms_mm"] > 0);
-    CHECK_THAT(ended.out, Catch::Contains("Machine: for 0.") && Catch::Contains("µm correlation"));
+    CHECK_THAT(ended.out, Catch::Contains("Tolerance: similarity stays at least 0.") &&
+                              Catch::Contains("correlation length of 50.0 µm"));
     CHECK(rough::read_whole(folder / "r/tolerance.csv").starts_with("noise_rms_mm,quantile,median,draws\n"));
 }
 

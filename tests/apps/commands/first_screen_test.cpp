@@ -180,13 +180,14 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
          0.03);
     says("carries_over", {length, length});
 
-    // "for 0.9, 1.2 nm rms at 8.33 µm correlation, 30 nm tilt, 4 % scale; none for 0.95: ... is 0.93"
+    // The sentence on the tolerance at one level, then the levels that are not reached: "... is 0.93".
     std::smatch words;
     const std::string machine = summary["machine"];
     INFO(machine);
     const std::regex sizes(
-        "for ([0-9.]+), ([0-9.]+) (\\S+) rms at ([0-9.]+) (\\S+) correlation, ([0-9.]+) (\\S+) "
-        "tilt, ([0-9.]+) % scale.*");
+        "similarity stays at least ([0-9.]+) under one of these errors: noise of ([0-9.]+) (\\S+) rms at a "
+        "correlation length of ([0-9.]+) (\\S+) \\(95 % of draws\\), a tilt of ([0-9.]+) (\\S+), or an "
+        "error of scale of ([0-9.]+) %.*");
     REQUIRE(std::regex_match(machine, words, sizes));
     const auto number = [&](std::size_t i) { return std::stod(words[i]); };
     const double level = number(1), noise = in_program_units(number(2), words[3]),
