@@ -154,20 +154,19 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
             " MPa); use --hardness to limit pressures");
 }
 
-/// In words: the contact of a scan or map at the last load, and whether its spots are resolved.
+/// The contact of a scan or map at the last load in words, and whether its spots are resolved.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
-    const std::string width =
-        "half of the contact is in spots at most " + std::to_string(pressed.spot_width) +
-        (pressed.spot_width == 1 ? " node" : " nodes") +
-        " wide: " + (pressed.spot_width < rough::resolved_spot_nodes ? "not " : "") + "resolved";
+    const std::string width = "half of the contact is in spots at most " +
+                              std::to_string(pressed.spot_width) +
+                              (pressed.spot_width == 1 ? " node" : " nodes") + " wide, which are " +
+                              (pressed.spot_width < rough::resolved_spot_nodes ? "not " : "") + "resolved";
     if (!pressed.band.is_computed())
         return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
-    return "contact " + readable(100 * low_area[last]) + " to " + percent(high_area[last]) + ", K " +
-           readable(low[last]) + " to " + readable(high[last]) +
-           " MPa/mm at the last load, over the heights as measured and interpolated 4 times (linear, "
-           "spline); " +
+    return "at the last load the contact fraction is " + readable(100 * low_area[last]) + " to " +
+           percent(high_area[last]) + " and K is " + readable(low[last]) + " to " + readable(high[last]) +
+           " MPa/mm, for the heights as measured and for heights interpolated 4 times (linear, spline); " +
            width;
 }
 

@@ -104,8 +104,9 @@ Description described_profile(const Settings& settings) {
         lines = rough::discrete_spectrum(*source.genome);
         const double shortest = 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
         account =
-            source.name + ": " + readable(grid.length, 6) + " mm, " + std::to_string(lines.size()) +
-            " waves, the shortest " + readable(shortest) + " nodes long" +
+            source.name + ": a profile of " + readable(grid.length, 6) + " mm with " +
+            std::to_string(lines.size()) + " waves, of which the shortest is " + readable(shortest) +
+            " nodes long" +
             (shortest < 8 ? " (under 8, so that slopes, curvatures and light contact depend on the grid)"
                           : "");
         jump =

@@ -123,7 +123,7 @@ Solids solids_of(const rough::Profile& surface, const rough::Extrusion& extrusio
 
 std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion) {
     if (surface.nodes() > max_stl_nodes)
-        return "print: no solid is written";
+        return "no solid is written, because the surface has too many nodes";
     constexpr double few_steps = 20; ///< with fewer, the steps are as large as the roughness
     Eigen::Array3d low = Eigen::Array3d::Constant(HUGE_VAL), high = -low;
     for (const Eigen::Vector3f& vertex : solid(surface, extrusion).vertices) {
@@ -133,13 +133,13 @@ std::string print_note(const rough::Profile& surface, const rough::Extrusion& ex
     const Eigen::Array3d size = high - low;
     const double relief = extrusion.magnify * (surface.heights.maxCoeff() - surface.heights.minCoeff()),
                  steps = relief / extrusion.layer;
-    std::string all = "print: " + readable(size[0]) + " x " + readable(size[1]) + " x " + readable(size[2]) +
-                      " mm, relief " + readable(relief) + " mm, " + readable(steps) + " layer steps of " +
-                      brief(extrusion.layer) + " mm";
+    std::string all = "the printed solid is " + readable(size[0]) + " x " + readable(size[1]) + " x " +
+                      readable(size[2]) + " mm; its relief of " + readable(relief) + " mm has " +
+                      readable(steps) + " layer steps of " + brief(extrusion.layer) + " mm";
     if (steps < few_steps)
         all += " (under 20: give a larger --magnify)";
     if (extrusion.magnify != 1)
-        all += "; at the same pressure and modulus its K, in MPa/mm, is that of the surface over " +
+        all += "; at the same pressure and modulus its stiffness K is that of the surface over " +
                brief(extrusion.magnify, 6) + ", with a datum as many times farther";
     return all;
 }

@@ -29,7 +29,7 @@ TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a g
     const Ended ended = done(folder, "profile surface.json --nodes 700 --magnify 100");
     CHECK_THAT(ended.out, Catch::Contains("3 waves") && Catch::Contains("Pz"));
     // 84.9 mm by a quarter of it; the base is a tenth of the length, or the relief if that is larger.
-    CHECK_THAT(ended.out, Catch::Contains("print: 84.9 x 21.2 x ") &&
+    CHECK_THAT(ended.out, Catch::Contains("the printed solid is 84.9 x 21.2 x ") &&
                               Catch::Contains("layer steps of 0.05 mm") && Catch::Contains("over 100,"));
     const auto out = folder / "out" / "surface";
 
