@@ -8,21 +8,21 @@ namespace {
 std::string grid_words(const Account& account) {
     const std::vector<Index>& grids = account.grids;
     if (!account.extrapolated())
-        return line_of("Solved on ", grids.back(), " nodes",
+        return line_of("The contact was solved on ", grids.back(), " nodes",
                        grids.size() == 1 ? ""
                                          : line_of(", the resolved grid, because ", grids.size() - 1,
-                                                   " coarser one(s) up to ", grids[grids.size() - 2],
+                                                   " coarser grid(s) of up to ", grids[grids.size() - 2],
                                                    " nodes did not suffice"));
     const auto first = grids.size() - static_cast<std::size_t>(account.read_grids);
     PlainStream words;
-    words << "Extrapolated to " << account.resolved_nodes << " nodes from grids of ";
+    words << "The curve was extrapolated to " << account.resolved_nodes << " nodes from grids of ";
     for (std::size_t i = first; i < grids.size(); ++i)
         words << (i == first ? "" : i + 1 == grids.size() ? " and " : ", ") << grids[i];
     words << " nodes";
     if (first > 0)
-        words << ", after " << first << " coarser one(s) that did not suffice";
+        words << ", after " << first << " coarser grid(s) that did not suffice";
     if (account.resolved_rows > 0)
-        words << "; the first " << account.resolved_rows << " load steps, the lightest, on the "
+        words << "; the first " << account.resolved_rows << " load steps, the lightest, were solved on the "
               << account.resolved_nodes << " nodes themselves";
     return words.str();
 }
@@ -33,32 +33,32 @@ std::string in_words(const Account& account) {
     PlainStream words;
     words.precision(2);
     words << grid_words(account) << "; " << account.solved_rows << " of " << account.rows
-          << " load steps solved by " << name_of(account.solver);
+          << " load steps were solved by the solver " << name_of(account.solver);
     if (account.solved_rows < account.rows)
-        words << ", the other ones interpolated within exact bounds";
+        words << ", the other ones were interpolated within exact bounds";
     words << ". ";
     if (!account.used.empty()) {
-        words << account.used.size() << " chromosome(s) modelled";
+        words << account.used.size() << " chromosome(s) were modelled";
         if (!account.dropped.empty())
-            words << ", " << account.dropped.size() << " shorter one(s) omitted: gaps change by "
+            words << ", " << account.dropped.size() << " shorter chromosome(s) were omitted: gaps change by "
                   << account.window.lowest << " to " << account.window.highest << " mm, the curve by at most "
                   << account.dropped_error;
         words << ". ";
     }
     if (account.by_line)
-        words << "One line, the mean along the lay, answers for the map (Str " << account.aspect_ratio
-              << "): its curve is off by at most " << account.line_error << ", a bound. ";
+        words << "One profile, the mean along the grooves, replaces the map (Str " << account.aspect_ratio
+              << "). Its curve is off by at most " << account.line_error << " (a bound). ";
     else if (std::isfinite(account.line_error))
-        words << "One line, the mean along the lay, would not have answered for the map (Str "
-              << account.aspect_ratio << "): measured, its curve is off by up to " << account.line_error
-              << ". ";
+        words << "One profile, the mean along the grooves, could not replace the map (Str "
+              << account.aspect_ratio << "), because its curve is off by up to " << account.line_error
+              << " (measured). ";
     if (account.accuracy > 0) {
-        words
-            << "The relative error against the resolved model, in pressure and secant stiffness, is at most "
-            << account.estimated_error << " by estimate; " << account.accuracy << " was requested. ";
+        words << "The estimated relative error against the resolved model, in pressure and secant stiffness, "
+                 "is at most "
+              << account.estimated_error << "; " << account.accuracy << " was requested. ";
         if (account.light_rows > 0)
             words << "At the first " << account.light_rows
-                  << " load steps, below 1 % of the last pressure, it is relative to that 1 %. ";
+                  << " load steps, below 1 % of the last pressure, the error is relative to this 1 %. ";
         for (const auto& [name, error] : {std::pair("Contact fractions", account.area_error),
                                           std::pair("Tangent stiffnesses K", account.tangent_error)})
             if (error < 1)
@@ -67,13 +67,13 @@ std::string in_words(const Account& account) {
                 words << name << " are not bounded"
                       << (account.by_line ? "" : " at the lightest load steps, where few nodes touch")
                       << ". ";
-        words << "Interface stiffnesses K_i are off by K_i/K times as much as K.";
+        words << "The relative error of the interface stiffness K_i is K_i/K times that of K.";
         if (account.used.empty())
             words << " Contact fractions count measured nodes: only the band of the scan's resolution shows "
                      "the error from their spacing.";
     } else {
-        words << "This is the model as given; the error of its grid was not estimated, because no accuracy "
-                 "was requested.";
+        words << "The model was solved as given. The error of its grid was not estimated, because no "
+                 "accuracy was requested.";
     }
     if (account.held_nodes > 0)
         words << " At the last load step the pressure of " << account.held_nodes

@@ -113,7 +113,7 @@ TEST_CASE("contact keeps to its accuracy and reports what was modelled") {
     CHECK(account["nodes"] < 4097);
     CHECK(account["estimated_error"] <= 1e-2);
     CHECK(account["chromosomes"]["used"].size() + account["chromosomes"]["dropped"].size() == 4);
-    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("Extrapolated to 4097 nodes"));
+    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("extrapolated to 4097 nodes"));
 }
 
 TEST_CASE("the curve of a scan has a band, that of a genome has none") {
@@ -260,7 +260,7 @@ TEST_CASE("one line replaces a map of parallel ridges within an accuracy, which 
                               folder.path());
     INFO(area.err);
     REQUIRE(area.code == 0);
-    CHECK_THAT(area.out, Catch::Contains("One line, the mean along the lay, answers for the map"));
+    CHECK_THAT(area.out, Catch::Contains("One profile, the mean along the grooves, replaces the map"));
     const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
     for (std::size_t j = 0; j < 5; ++j)
         for (const std::size_t column : {0, 1, 2, 3})
