@@ -90,11 +90,12 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// displacements for the other solvers, with a hardness, and if `automatic` fails on a line.
 ///
 /// If contact sets only grow (contact_sets_nest) and no hardness is given, P is convex in Delta. Newton's
-/// method then converges in a finite number of steps. Otherwise bisection replaces steps that leave the known
-/// bracket or gain little. With a hardness the mean pressure agrees with the given one to 1e-8 or better.
+/// method then converges in a finite number of steps. Otherwise bisection replaces steps that gain little or
+/// leave the interval that contains the solution. With a hardness the mean pressure agrees with the given one
+/// to 1e-8 or better.
 ///
-/// Throws the same as solve_contact(). For a periodic body it also throws InputError if a pressure is above
-/// that of full contact.
+/// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached: above that of
+/// full contact on a periodic body, or not below that of all nodes at the hardness.
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
@@ -102,9 +103,9 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 /// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean
 /// pressure at this displacement agrees with `pressure` to 12 digits, with a hardness to at least 8 digits.
 ///
-/// On a line without a hardness, the result of an iterative solver is the displacement at a slightly larger
-/// pressure: by 2 tolerances (relative). So is that of `automatic` on more than 768 nodes. A curve to this
-/// displacement therefore ends between `pressure` and 3 tolerances above it.
+/// On a line without a hardness, `pressure` is first increased by 2 tolerances (relative) if the solver is
+/// iterative, or `automatic` on more than 768 nodes. A curve to this displacement therefore ends between
+/// `pressure` and 3 tolerances above it.
 ///
 /// Throws the same as solve_contact_at_pressures().
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
