@@ -94,8 +94,8 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// leave the interval that contains the solution. With a hardness the mean pressure agrees with the given one
 /// to 1e-8 or better.
 ///
-/// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached: above that of
-/// full contact on a periodic body, or not below that of all nodes at the hardness.
+/// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached. On a periodic
+/// body it may be above that of full contact. With a hardness it must be below that of all nodes at p_H.
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
@@ -103,9 +103,9 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 /// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean
 /// pressure at this displacement agrees with `pressure` to 12 digits, with a hardness to at least 8 digits.
 ///
-/// On a line without a hardness, `pressure` is first increased by 2 tolerances (relative) if the solver is
-/// iterative, or `automatic` on more than 768 nodes. A curve to this displacement therefore ends between
-/// `pressure` and 3 tolerances above it.
+/// On a line without a hardness, some solvers solve for a pressure that is larger by 2 tolerances (relative).
+/// They are the iterative ones, and `automatic` on more than 768 nodes. A curve to this displacement
+/// therefore ends between `pressure` and 3 tolerances above it.
 ///
 /// Throws the same as solve_contact_at_pressures().
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,

@@ -24,8 +24,8 @@ struct ScanOptions {
     /// Cut-off wavelength of a Gaussian filter, mm; 0: no filter. It is applied after the form is removed,
     /// and removes shorter wavelengths.
     double lambda_s = 0;
-    double lambda_c =
-        0; ///< cut-off wavelength of a Gaussian filter that removes longer ones, mm; 0: no filter
+    /// Cut-off wavelength of a Gaussian filter that removes longer wavelengths, mm; 0: no filter.
+    double lambda_c = 0;
 };
 
 /// A measured profile, ready for contact.

@@ -82,8 +82,8 @@ struct TargetScales {
     double nominal_area = 0; ///< mm^2; 0 for a line: columns of loads or contact areas are refused
     /// E* (rho_1 + rho_2)/2, with the resistivities rho of the bodies (Barber 2003); 0: not given.
     double conductance_to_stiffness = 0;
-    double shear_strength =
-        0; ///< shear strength sigma, MPa: friction = sigma A, A contact area; 0: not given
+    /// Shear strength sigma, MPa: the friction is sigma times the contact area. 0: not given.
+    double shear_strength = 0;
 };
 
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or

@@ -23,17 +23,17 @@ struct EvaluationRequest {
         bool counts = true;          ///< whether the question counts against the budget
         std::uint64_t replicate = 0; ///< number of the replicate of a noisy evaluation
         Fingerprint print = {};      ///< fingerprint of the genome, set by the queue
-        const Evaluation<Outcome>* answer =
-            nullptr; ///< set by the queue; null or pending if the run had to end
+        /// The answer, set by the queue; null or pending if the run had to end.
+        const Evaluation<Outcome>* answer = nullptr;
     };
 
     std::vector<Question> questions;    ///< questions, which are counted in this order
     std::vector<Slope<P>*> slopes;      ///< requests for derivatives
     Patience patience = Patience::none; ///< whether a stop request waits for the answers
-    std::function<void()> use =
-        {};             ///< reads the answers, which are valid until it returns; called on the queue's thread
-    bool spent = false; ///< set by the queue: the budget was too small for all questions
-    std::exception_ptr error = {}; ///< set by the queue: Stopped, NothingLeft, or the exception of `use`
+    /// Reads the answers, which are valid until it returns. It is called on the queue's thread.
+    std::function<void()> use = {};
+    bool spent = false;            ///< whether the budget was too small for all questions; set by the queue
+    std::exception_ptr error = {}; ///< Stopped, NothingLeft, or the exception of `use`; set by the queue
 };
 
 /// Receives all requests for evaluations. The ledger is such a queue. A block that runs several threads puts
