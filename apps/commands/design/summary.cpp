@@ -268,7 +268,7 @@ std::string carries_over(const DesignRun& run) {
         if (const std::string words = in_words(quantity) + ": " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
-    return all + "; the body is " + name_of(model.body.kernel) + ", the length is " +
+    return all + "; the kernel is " + name_of(model.body.kernel) + ", the length is " +
            brief(model.grid.length, 5) + (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm";
 }
 
