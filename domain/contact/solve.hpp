@@ -8,7 +8,8 @@
 namespace rough {
 
 /// The method of a contact solution. `automatic` chooses `nested` or `active_set` by a fixed model of cost
-/// and memory, never by a clock. On a line of at most 768 nodes under layers it may choose `nnls`.
+/// and memory, never by a clock. On a layered body whose contact sets may shrink (contact_sets_nest), it
+/// chooses `nnls` for a line of at most 768 nodes, otherwise `active_set`.
 enum class Solver { automatic, nested, nnls, polonsky_keer, active_set };
 
 const std::vector<std::string>& solver_names(); ///< in the order of Solver
@@ -49,8 +50,9 @@ struct LoadStep {
 struct ContactState {
     std::vector<int> nodes;   ///< A: indices of the nodes that touch
     Eigen::VectorXd pressure; ///< pressures at these nodes, MPa
-    /// w = H_AA^-1 1 at these nodes, MPa/mm, 0 at held nodes; H_AA are the rows and columns of A in H. For a
-    /// line dP/dDelta = (delta/L) sum w, for a map sum w/N.
+    /// w at these nodes, MPa/mm. It is 0 at held nodes. At the other nodes A' of A it is H_A'A'^-1 1. H_A'A'
+    /// are the rows and columns of H (kernel.hpp) that belong to A'. For a line dP/dDelta is (delta/L) sum w,
+    /// for a map it is sum w/N.
     Eigen::VectorXd tangent;
 };
 
@@ -86,8 +88,9 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
                            const ContactOptions& options = {});
 
 /// Presses a rigid profile to each of the mean pressures (MPa, > 0, increasing). `nested` and `polonsky_keer`
-/// solve for pressures directly, `active_set` only on maps, `nnls` never. Newton's method finds the
-/// displacements for the other solvers, with a hardness, and if `automatic` fails on a line.
+/// solve for pressures directly, `active_set` only on maps, `nnls` never. For the other solvers, Newton's
+/// method finds the displacements. It also does so for every solver with a hardness, and for `automatic` if
+/// that fails on a line.
 ///
 /// If contact sets only grow (contact_sets_nest) and no hardness is given, P is convex in Delta. Newton's
 /// method then converges in a finite number of steps. Otherwise bisection replaces steps that gain little or
@@ -95,7 +98,9 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// to 1e-8 or better.
 ///
 /// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached. On a periodic
-/// body it may be above that of full contact. With a hardness it must be below that of all nodes at p_H.
+/// body, a pressure above that of full contact is refused. This limit does not apply with a hardness, or with
+/// compressible layers on a rigid base. With a hardness, a pressure must be below the mean pressure of all
+/// nodes at p_H.
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
@@ -103,9 +108,9 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 /// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean
 /// pressure at this displacement agrees with `pressure` to 12 digits, with a hardness to at least 8 digits.
 ///
-/// On a line without a hardness, some solvers solve for a pressure that is larger by 2 tolerances (relative).
-/// They are the iterative ones, and `automatic` on more than 768 nodes. A curve to this displacement
-/// therefore ends between `pressure` and 3 tolerances above it.
+/// On a line without a hardness, the function first adds 2 tolerances (relative) to `pressure`. It does so
+/// for iterative solvers, and for `automatic` on more than 768 nodes. So a curve to the result reaches
+/// `pressure`, and exceeds it by at most 3 tolerances.
 ///
 /// Throws the same as solve_contact_at_pressures().
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
