@@ -9,14 +9,15 @@
 /// Bounds, estimates and relative errors of a curve's pressures.
 namespace rough {
 
-/// Errors of pressures below this share of the last pressure are relative to that share of it.
+/// The error of a pressure below this share of the last pressure is divided by that share of the last
+/// pressure.
 constexpr double light_load = 0.01;
 
-/// The pressures to which relative errors of a curve refer, one entry per row (load step). In rows whose
-/// pressure is below `light` times the last pressure, both are at least `light` times the last pressure.
+/// The divisors of a curve's relative errors, one entry per row (load step). In rows whose pressure is below
+/// `light` times the last pressure, both members are at least `light` times the last pressure.
 struct ErrorScale {
     Eigen::VectorXd pressure;   ///< pressure of the row, MPa
-    Eigen::VectorXd difference; ///< its difference from the row before, MPa
+    Eigen::VectorXd difference; ///< difference from the pressure of the row before, MPa
 };
 /// The scale of a curve's pressures (MPa, increasing).
 ErrorScale error_scale(const Eigen::VectorXd& pressure, double light = light_load);
@@ -30,10 +31,11 @@ Eigen::VectorXd differences(const Eigen::VectorXd& pressure);
 /// Largest possible errors of pressures and of their differences from row to row.
 struct Doubt {
     Eigen::VectorXd pressure;   ///< largest error of each row's pressure, MPa
-    Eigen::VectorXd difference; ///< largest error of its difference from the row before, MPa
+    Eigen::VectorXd difference; ///< largest error of each difference from the row before, MPa
 
-    /// The errors if the first `rows` rows are known and the other rows are shifted by `offset` (MPa) to join
-    /// them.
+    /// The errors if the first `rows` rows are exact. The other rows are all shifted by `offset` (MPa), so
+    /// that the curve has no jump. The shift adds |offset| to the errors of their pressures, and nothing to
+    /// the errors of their differences.
     Doubt known_up_to(Index rows, double offset) const;
 };
 /// The sum of the errors from two independent sources.
@@ -42,12 +44,15 @@ Doubt operator+(const Doubt& a, const Doubt& b);
 /// The largest errors of pressures whose exact values lie within bounds.
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// Each row's largest error, relative to the exact pressure and secant. The exact values may be below the
-/// curve's by `doubt`. The error is infinite if they may be 0.
+/// For each row, the larger of the relative errors of pressure and secant. An error is divided by the lowest
+/// possible exact value: the value in `scale` minus its largest error. If the last pressure has a larger
+/// relative error, that error is subtracted instead, because light rows are scaled by the last pressure. The
+/// result is infinite if the lowest possible exact value is not positive.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
-/// Number of first rows that must be known so that the other rows, shifted to join them, are within
-/// `accuracy`. It is the number of all rows if fewer known rows are not enough.
+/// Number of first rows that must be exact so that the relative errors of the other rows are at most
+/// `accuracy`. The other rows are shifted as in known_up_to(). It is the number of all rows if no smaller
+/// number is enough.
 Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
 
 /// The largest relative error of pressures against `resolved` pressures at the same displacements. It is the
@@ -55,7 +60,7 @@ Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy)
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
 
 /// The range of f_i = g0_i - g0'_i over the nodes i. g0_i = max Z - Z_i is the gap of the whole profile Z at
-/// first touch. g0'_i = max Z' - Z'_i is that of a reduced profile Z'.
+/// first touch. g0'_i = max Z' - Z'_i is the gap of a reduced profile Z' at first touch.
 struct Window {
     double lowest = 0;                                ///< lowest f_i, mm, <= 0
     double highest = 0;                               ///< highest f_i, mm, >= 0
@@ -70,8 +75,8 @@ struct Bounds {
     Eigen::VectorXd upper; ///< upper bounds, MPa, at least `lower`; they may be infinite
 };
 
-/// Bounds of the whole profile's pressures P(Delta_j) at the given displacements (mm, increasing), from two
-/// curves of the reduced profile:
+/// Bounds of the whole profile's pressures P(Delta) at the given displacements Delta (mm, increasing). They
+/// follow from two curves of the reduced profile, whose pressures are P':
 ///
 ///     P'(Delta - highest) <= P(Delta) <= P'(Delta - lowest).
 ///
@@ -80,14 +85,15 @@ struct Bounds {
 Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body& body,
                        const std::vector<double>& displacements, const ContactOptions& options = {});
 
-/// Bounds of the whole profile's pressures from one curve of the reduced profile, P'(Delta_j) with tangents
-/// K'_j. It needs one additional step, at Delta_n - lowest or beyond. P' is convex, so
+/// Bounds of the whole profile's pressures from one curve P' of the reduced profile. Its load steps are
+/// `steps`; bounds are returned for the first `count` of them. At the displacement Delta_j of step j the
+/// curve has the pressure P'_j and the tangent K'_j. T_j is the tangent at the first step at or beyond
+/// Delta_j - lowest. P' is convex, so
 ///
-///     P'_j - highest K'_j <= P'(Delta_j - highest),   P'(Delta_j - lowest) <= P'_j - lowest K'_j+
+///     P'_j - highest K'_j <= P(Delta_j) <= P'_j - lowest T_j.
 ///
-/// K'_j+ is the tangent at the first solved step at or beyond Delta_j - lowest. The upper bound is infinite
-/// without such a step. `steps` are the load steps of the reduced profile's curve. Bounds are returned for
-/// the first `count` of them.
+/// If `lowest` is negative, the last bounds need an additional step beyond the first `count`. An upper bound
+/// is infinite if no step is at or beyond Delta_j - lowest. If `lowest` is 0, the upper bound is P'_j.
 Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
 
 /// The pressures that a finer grid would give, from several coarser ones.
@@ -96,17 +102,19 @@ struct Extrapolation {
     Doubt doubt;              ///< estimated errors, not bounds
 };
 
-/// Extrapolates pressures along straight lines P_j(N) - P_j ~ N^-1.5, weighted by N^3, to N = `resolved`. N
-/// is the number of elements of a grid.
+/// Extrapolates the pressure of each row to a grid of N = `resolved` elements. A straight line in N^-1.5 is
+/// fitted to the row's pressures on the given grids, with the weights N^3.
 ///
 /// Grid errors are not monotone in N. Each contact edge falls anywhere between two nodes, so its error has a
 /// random sign. The size of the error falls as N^-1.5 to N^-2. Two grids would extrapolate this scatter. Over
-/// more grids the scatter averages out, and its size shows the error of the line. The doubt of a row is the
-/// larger of the extrapolated distance and the line's standard error, times 2.3. With three grids the factor
-/// is 3. Both factors were tuned on random scenes (README.md).
+/// more grids the scatter averages out, and its size shows the error of the line.
 ///
-/// `grids` has at least 3 entries; `pressures` has one column per grid, all at the same displacements. Other
-/// quantities are extrapolated along lines in N^-order.
+/// The doubt of a row is 2.3 times the larger of two values; with three grids it is 3 times this value. One
+/// is the distance between the extrapolated pressure and the pressure on the last grid. The other is the
+/// standard error of the line. Both factors were tuned on random scenes (README.md).
+///
+/// `grids` are the numbers N, at least 3. `pressures` has one row per load step and one column per grid, all
+/// at the same displacements. For other quantities, `order` replaces the exponent 1.5.
 Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved,
                           double order = 1.5);
 

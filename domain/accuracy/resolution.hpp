@@ -48,9 +48,9 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
 /// count is proportional to the spacing. Pressure is force over the length of each grid, for a free map over
 /// all of its patches.
 ///
-/// At each load step both edges then move outward by a quarter of the largest relative width at this and the
-/// adjacent load steps. Widths are relative to the measured curve. The band does not cover roughness below
-/// the spacing.
+/// The band is then widened on both sides. The margin at a load step is a quarter of the largest width of the
+/// band at this step and its two neighbours. Widths and margins are relative to the measured curve. The band
+/// does not cover roughness below the spacing.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction
