@@ -139,8 +139,9 @@ std::string print_note(const rough::Profile& surface, const rough::Extrusion& ex
     if (steps < few_steps)
         all += " (under 20: give a larger --magnify)";
     if (extrusion.magnify != 1)
-        all += "; at the same pressure and modulus its stiffness K is that of the surface over " +
-               brief(extrusion.magnify, 6) + ", with a datum as many times farther";
+        all += "; at the same pressure and modulus its stiffness K is the surface's K divided by " +
+               brief(extrusion.magnify, 6) + ", with a datum " + brief(extrusion.magnify, 6) +
+               " times farther";
     return all;
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a g
     CHECK_THAT(ended.out, Catch::Contains("3 waves") && Catch::Contains("Pz"));
     // 84.9 mm by a quarter of it; the base is a tenth of the length, or the relief if that is larger.
     CHECK_THAT(ended.out, Catch::Contains("the printed solid is 84.9 x 21.2 x ") &&
-                              Catch::Contains("layer steps of 0.05 mm") && Catch::Contains("over 100,"));
+                              Catch::Contains("layer steps of 0.05 mm") && Catch::Contains("by 100,"));
     const auto out = folder / "out" / "surface";
 
     const rough::Genome read = rough::read_genome(folder / "surface.json");
