@@ -75,12 +75,12 @@ Genome with_genes(Genome genome, const std::vector<double>& values);
 /// Cross-over of length scales. Orders the chromosomes of each genome from the longest wavelength to the
 /// shortest. Cuts both lists at the same random places, `cuts` or as many as fit, and exchanges every second
 /// piece. A chromosome keeps its series' genes; A is multiplied by the genome's scale, which becomes 1.
-/// Chromosomes with equal series genes form one series afterwards. Each genome keeps its number of
-/// chromosomes.
+/// Afterwards, chromosomes with equal series genes form one series if their n differ. Each genome keeps its
+/// number of chromosomes.
 void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream);
 
-/// Orders the chromosomes as cross_points does. Exchanges those at each position of the shorter list with
-/// probability 1/2. Scales and series change as in cross_points.
+/// Orders the chromosomes as cross_points does. At each position of the shorter list, exchanges the two
+/// chromosomes with probability 1/2. Scales and series change as in cross_points.
 void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 
 /// A genome as JSON, lengths in mm; the amplitudes A are multiplied by the scale. An example is

@@ -48,7 +48,8 @@ struct Random : Operator {
 inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
-/// is a tie, the individual that was drawn first is chosen. The best individual of many gets about k places.
+/// is a tie, the individual that was drawn first is chosen. In a large population with as many places, the
+/// best individual gets about k places.
 struct Tournament : Operator {
     std::size_t k = 2;    ///< number of individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
@@ -94,8 +95,9 @@ struct AtLeast {
 /// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
-/// The `at_least` individuals that are nearest to a threshold, without failed ones, in the population's
-/// order.
+/// The `at_least` individuals that are nearest to passing a threshold, in the population's order. Less
+/// violation of the constraints is nearer; if violations are equal, a higher fitness is nearer, or a lower
+/// one if `upwards` is false. Failed individuals are left out.
 template <class G>
 [[gnu::cold]] Population<G> nearest_to_passing(const Population<G>& population, std::size_t at_least,
                                                bool upwards) {
@@ -113,7 +115,7 @@ template <class G>
     return nearest;
 }
 
-/// The individuals above or below a threshold, or the `at_least` nearest; see Threshold.
+/// The individuals above a threshold (below it if `upwards` is false), or the nearest ones; see Threshold.
 template <Problem P, class G = typename P::Genome>
 [[gnu::noinline]] Population<G> passing(const Population<G>& population, double threshold, AtLeast least,
                                         bool upwards, Context<P>& context) {
@@ -134,8 +136,9 @@ template <Problem P, class G = typename P::Genome>
 }
 
 /// Keeps the individuals with a fitness above a threshold (`below`: under it), in the population's order.
-/// Failed individuals, and those that violate constraints, are removed. If fewer than at_least pass, the
-/// at_least nearest are taken, with a note. An empty result ends the run.
+/// Failed individuals and individuals that violate constraints do not pass. If fewer than at_least pass, the
+/// at_least individuals nearest to passing are taken, with a note. These may violate constraints, but have
+/// not failed. An empty result ends the run.
 template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< fitness; an individual with exactly this fitness does not pass
@@ -171,10 +174,13 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
     return checked(Threshold<false>{{}, threshold, least});
 }
 
-/// Weights of individuals for Proportional. A weight is the distance of the fitness from the worst fitness
-/// (windowing). So any fitness is allowed, and the worst individual is never chosen. If all fitnesses are
-/// equal, the weights are equal. Failed individuals have weight 0. If an individual is feasible, infeasible
-/// ones have weight 0, too.
+/// Weights of individuals for Proportional (windowing). A weight is the distance of the fitness from the
+/// worst fitness, divided by the distance of the best fitness from the worst. So any fitness is allowed, and
+/// the worst individual is not chosen. If all fitnesses are equal, every weight is 1.
+///
+/// Failed individuals have weight 0. If at least one individual is feasible, all infeasible ones have
+/// weight 0. If none is feasible, the violation of the constraints is used instead of the fitness; less is
+/// better. If all individuals have failed, every weight is 1.
 struct ByFitness : NoParameters {
     /// The weights, one per individual, in [0, 1].
     template <class G>
@@ -222,7 +228,8 @@ struct Universal : ByFitness {
     }
 };
 
-/// Linear ranking (Baker 1985): the best has weight `pressure`, the worst 2 - pressure, linear between them.
+/// Linear ranking (Baker 1985). The best individual has the weight `pressure`, and the worst has 2 -
+/// pressure. Between them the weight is linear in the rank.
 struct ByRank {
     static constexpr bool one_spin = false; ///< whether one spin fills all places
 
