@@ -37,7 +37,7 @@ Selection without_short_waves(const Genome& genome, const Grid& grid, const Prof
 /// One line in place of a map: the mean of its rows or of its columns, whichever has the narrower window.
 struct LineOfMap {
     Profile line;        ///< heights of the line, mm
-    bool along_x = true; ///< whether it is the mean of the rows; the grooves then run along y
+    bool along_x = true; ///< whether the line is the mean of the rows; the grooves then run along y
     Window window;       ///< window between the map and the map that repeats the line
 };
 /// The line that replaces a map. Throws InputError if `map` is a line.
@@ -46,15 +46,15 @@ LineOfMap line_of_map(const Profile& map);
 /// A line's curve in place of a map's.
 struct ByLine {
     LineOfMap of; ///< the line and its direction
-    /// Response at the map's displacements, or at the line's if pressures were requested.
+    /// Response at the map's displacements, or at the line's displacements if pressures were requested.
     Response response;
     std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
     double bound;                  ///< bound of the relative error of pressures and secants; may be infinite
 };
 /// Solves the contact of the line that replaces a periodic map. Returns nothing if the line cannot be pressed
 /// as far as the map. (A free map is finite, so a line cannot replace it.) The bound follows from
-/// pressure_bounds(). It assumes that H^-1 1 is not negative on any contact set, which is proven for the
-/// continuum, not for sampled maps.
+/// pressure_bounds(). It assumes that no contact set has a negative entry in H^-1 1; H is the influence
+/// matrix (kernel.hpp). This is proven for the continuum, not for sampled maps.
 std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
 
 /// A curve with a row for each requested displacement: solved, or interpolated between solved rows.
@@ -70,9 +70,10 @@ struct LoadRows {
 };
 
 /// Solves the contact at as few of the displacements (mm, increasing; <= 0: no contact) as `accuracy` allows.
-/// Between solved rows the pressure is a cubic with the tangents of both rows. Since P is convex, it is kept
-/// within exact bounds: the chord above, both tangents below. Secants there lie between the two tangents.
-/// `accuracy` 0 solves every row.
+/// Between two solved rows the pressure is a cubic with the tangents of these rows. Because the exact
+/// pressure is convex, the chord bounds it from above, and both tangents bound it from below. The cubic is
+/// kept within these bounds. Secants between the two rows lie between the two tangents. `accuracy` 0 solves
+/// every row.
 LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                     const ContactOptions& options, double accuracy = 0);
 

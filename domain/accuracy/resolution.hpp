@@ -12,8 +12,8 @@ enum class Interpolation {
     spline, ///< cubic spline, on a map along x and then along y
 };
 
-/// The surface on a finer grid, with `times` (>= 1) elements for each of its elements along each axis. An
-/// axis of N nodes gets times (N-1) + 1 nodes, or times N if the surface is `periodic`. The nodes of the
+/// The surface on a finer grid. Along each axis, `times` (>= 1) elements replace one element. An axis of N
+/// nodes gets times (N-1) + 1 nodes, or times N nodes if the surface is `periodic`. The nodes of the
 /// surface keep their heights. Splines end with the slope of the parabola through the last three nodes.
 /// Across the ends of a periodic surface heights are linear, so that splines do not oscillate at a jump
 /// there. Along an axis of two nodes a spline is linear.
@@ -33,20 +33,20 @@ constexpr Index resolved_spot_nodes = 4;
 /// touching nodes are in spots of at most w nodes on a line, or of at most w^2 nodes on a map.
 Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 
-/// The responses of a scan or map that is interpolated to 4 times finer grids, linearly and by a spline.
-/// Empty if `resolution` omits them. The displacements are those of the measured response, so that the
-/// pressures are nearly equal, too. Throws as solve_contact().
+/// Two responses of a scan or map whose heights are interpolated on a grid 4 times finer. The first is for
+/// linear interpolation, the second for a spline. Empty if `resolution` omits them. The displacements are
+/// those of the measured response, so that the pressures are nearly equal, too. Throws as solve_contact().
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 
 /// The uncertainty of a measured surface's curve from its node spacing, one entry per load step; empty if it
 /// was not computed.
 ///
-/// The band contains four curves at the measured curve's mean pressures. Three are those of the heights as
-/// measured, interpolated linearly, and interpolated by a spline. The fourth is the spline's curve v
-/// extrapolated to spacing 0: v + (v - measured)/3 (Richardson 1911). The reason is that the error of a node
-/// count is proportional to the spacing. Pressure is force over the length of each grid, for a free map over
-/// all of its patches.
+/// The band contains four curves at the measured curve's mean pressures. One is the measured curve itself.
+/// Two belong to interpolated heights: linearly, and by a spline. The fourth is v + (v - m)/3, with the
+/// spline's curve v and the measured curve m. It extrapolates v to spacing 0 (Richardson 1911), because the
+/// error of a node count is proportional to the spacing. The pressure of a curve is the force divided by the
+/// length of its grid, for a free map by the area of its patches.
 ///
 /// The band is then widened on both sides. The margin at a load step is a quarter of the largest width of the
 /// band at this step and its two neighbours. Widths and margins are relative to the measured curve. The band
@@ -56,7 +56,7 @@ struct ResolutionBand {
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction
     Eigen::VectorXd tangent_stiffness_low = {};  ///< lower edge for the tangent stiffness, MPa/mm
     Eigen::VectorXd tangent_stiffness_high = {}; ///< upper edge for the tangent stiffness, MPa/mm
-    std::string omitted = {}; ///< why the band was not computed, in words; "" if it was, or if not requested
+    std::string omitted = {}; ///< why a requested band was not computed, in words; otherwise ""
 
     bool is_computed() const { return contact_fraction_low.size() > 0; } ///< whether there is a band
 };
@@ -86,7 +86,8 @@ struct OutlierCost {
     double stiffness = 1;        ///< factor of the tangent stiffness
     double pressure = 0;         ///< mean pressure of this load step, MPa
 
-    bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; } ///< whether it is above 10 %
+    /// Whether one of the two factors is above 1.1.
+    bool matters() const { return contact_fraction > 1.1 || stiffness > 1.1; }
 };
 /// The effect of outliers of a scan that gave this response. Interpolates the heights at these nodes and
 /// solves the contact at the same mean pressures, as far as they can be reached. Throws NotConverged as

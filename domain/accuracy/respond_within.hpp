@@ -12,7 +12,7 @@ struct Account {
     double accuracy = 0;               ///< requested accuracy; 0: the exact model as given
     Index resolved_nodes = 0;          ///< nodes of the resolved grid
     std::vector<Index> grids;          ///< nodes of each solved grid, in order
-    int read_grids = 1;                ///< number of last grids that give the curve; several are extrapolated
+    int read_grids = 1;                ///< number of last grids whose curves are used; several: extrapolated
     int rows = 0;                      ///< number of load steps
     int solved_rows = 0;               ///< load steps solved on the last grid
     int resolved_rows = 0;             ///< first load steps, taken from the resolved grid
@@ -29,9 +29,9 @@ struct Account {
     double solver_error = 0;              ///< bound of the error due to the solver's tolerance
     /// Largest relative error of the contact fraction; infinite or NaN if it is not bounded. It is not part
     /// of `estimated_error`. For an exact solution on the nodes of a scan it is a bound. Otherwise it is an
-    /// estimate, which holds against a far finer grid too (README.md).
+    /// estimate of the difference from the resolved grid and from a far finer grid (README.md).
     double area_error = 0;
-    double tangent_error = 0; ///< largest relative error of the tangent stiffness, as `area_error`
+    double tangent_error = 0; ///< largest relative error of the tangent stiffness; see `area_error`
     Index held_nodes = 0;     ///< nodes whose pressure is the hardness at the last load step
     bool by_line = false;     ///< whether one line gives the curve of a map
     double aspect_ratio = std::numeric_limits<double>::quiet_NaN(); ///< Str (ISO 25178) of a periodic map
@@ -64,16 +64,16 @@ Grid resolved_grid(const Genome& genome, double length, bool periodic);
 /// A genome's response within model.accuracy (relative, 0 to 1) of the response on the model's grid, at the
 /// displacements of that grid's profile. Chooses chromosomes, grids, rows and the solver's tolerance, which
 /// is never above the given one. It solves the model as given if `accuracy` is 0 or no cheaper choice is
-/// accurate enough. Throws InputError on an accuracy out of range, on an accuracy with a hardness or layers,
-/// and as respond().
+/// accurate enough. Throws InputError on an accuracy out of range, and on an accuracy with a hardness or
+/// layers. Also throws what respond() throws.
 AccountedResponse respond_within(const Genome& genome, const Model& model);
 /// A measured profile's response within model.accuracy, always on the profile's nodes. The steps, burrs and
 /// noise of a scan are as fine as its spacing, so a coarser grid would miss some. With an accuracy above 0
-/// fewer load steps are solved, with a larger tolerance, both within exact bounds.
+/// fewer load steps are solved, and the solver's tolerance is larger. Exact bounds limit both errors.
 ///
-/// The line of a periodic map gives the curve if its bound allows that (reduced.hpp). Otherwise all load
-/// steps of a map are solved. The bounds between them need nested contact sets, which are not proven for
-/// sampled maps.
+/// A line gives the curve of a periodic map if the bound of its error is small enough (reduced.hpp).
+/// Otherwise all load steps of a map are solved. Bounds between load steps would need nested contact sets,
+/// which are not proven for sampled maps.
 AccountedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a file's genome or scan.
 AccountedResponse respond_within(const Source& source, const Model& model);
