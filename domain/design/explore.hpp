@@ -14,8 +14,8 @@ struct Exploration {
     ga::HallOfFame<P> seen;              ///< best individuals of all stages
     ga::HallOfFame<P> verified;          ///< best under the objective that verifies
     ga::Population<Genome> population;   ///< final; empty if a stage left no individual
-    std::vector<Genome> front = {};      ///< the last one that was ranked by several objectives
-    std::optional<Genome> nearest = {};  ///< the best under a derived problem
+    std::vector<Genome> front = {};      ///< the last Pareto front of a ranking by several objectives
+    std::optional<Genome> nearest = {};  ///< best genome of the last population under a derived problem
     ga::Counters counters = {};          ///< spent by the pipeline
     std::vector<std::string> notes = {}; ///< remarks of stages
     std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
@@ -66,9 +66,9 @@ struct Exploration {
         }
     }
 
-    /// The best individuals of all stages that differ from `answer` and each other by at least `different`,
-    /// each with its smallest difference from those before it. `difference` compares the views of two
-    /// genomes, which `view` makes. `max_count` counts the answer.
+    /// The best individuals of all stages that differ from `answer` and each other by at least `different`.
+    /// Each has its smallest difference from the answer and the individuals before it. `view` makes a view of
+    /// a genome, and `difference` compares two views. `max_count` counts the answer, too.
     template <class View, class Difference>
     std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count,
                                                        double different, View view,

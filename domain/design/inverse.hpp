@@ -25,9 +25,11 @@ using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffne
 Advance advance_for(const Target& target, Index nodes);
 
 /// Solves the contact problem backwards. On a contact set A, pressures grow by w = H_AA^-1 1 > 0 per unit of
-/// displacement. So any order and any advance give pressures that are not negative. Node k touches at Delta
-/// if its gap is Delta - u_k then. Until then the gap closes, because a flat punch moves every other node
-/// less than itself. So there is exactly one profile for each order and advance.
+/// displacement. (H is the influence matrix, kernel.hpp; H_AA is its part for the nodes of A.) So any order
+/// and any advance give pressures that are not negative. Node k touches at the displacement Delta if its gap
+/// at first touch is Delta - u_k. u_k is the displacement of the body's surface at node k at that moment.
+/// Before, the gap closes steadily, because the contact set moves every other node less than itself. So there
+/// is exactly one profile for each order and advance.
 ///
 /// Only the nodes of `surface` are read, not its heights. `order` holds each node once. Loading ends at
 /// `last_pressure` (MPa) or `last_displacement` (mm), whichever comes first; infinity: not given. Work
@@ -40,8 +42,9 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
 /// such a node the profile does not change.
 InverseProfile with_range_at_last(InverseProfile inverse);
 
-/// Moves these heights of a periodic profile, whose contact is full at the mean plane. Then last_displacement
-/// is `reach` (> 0, < 1) times the highest node's height above that plane.
+/// Moves the same heights as with_range_at_last(), for a periodic profile. Contact of such a profile is full
+/// at its mean plane. Afterwards last_displacement is `reach` (> 0, < 1) times the height of the highest node
+/// above this plane.
 InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach);
 
 } // namespace rough

@@ -48,8 +48,8 @@ struct Morphed {
 /// LD_SLSQP) with exact derivatives.
 ///
 /// The search starts from the given genome. If it fails, it starts again from the result of
-/// Levenberg-Marquardt. If the constraints cannot be met, the result is the one whose largest misfit is the
-/// smallest. Limits on shape count as misfits.
+/// Levenberg-Marquardt. If the constraints cannot be met, the result is the genome whose largest misfit is
+/// the smallest. Limits on shape count as misfits.
 ///
 /// `control` names at least one chromosome. Only the phases of these chromosomes change, whatever the
 /// set-up's genes are. `largest_change` limits the change of a phase. It is a share of a turn, > 0 and <=

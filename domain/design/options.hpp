@@ -40,8 +40,8 @@ struct SearchOptionsOf {
     /// Maximum number of genomes from each source that are verified at the end; 1 if time is short. The
     /// sources are the final population and the answers that the pipeline verified. For a profile they are
     /// also the best individuals of all stages and the first given start. For a map at most two genomes of
-    /// each source are verified. If neither source has a genome, the best of all stages is verified. (Only
-    /// for DesignProblem.)
+    /// each source are verified. If no source has a genome, the best of all stages is verified. (Only for
+    /// DesignProblem.)
     std::size_t verifying = 3;
     std::optional<CheckpointOptionsOf<P>> checkpoints = {}; ///< none: no checkpoints are written
     /// Curves that several searches of one set-up share (only for DesignProblem).

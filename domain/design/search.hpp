@@ -18,11 +18,12 @@ struct Answer {
     /// Similarity in four times the load steps. A target that is computed from a measured profile is computed
     /// again in these steps, too.
     double similarity_stepped = 0;
-    /// The lowest of these three and a fourth one, on the finer grid in four times the load steps.
+    /// The lowest of four similarities: the three above, and the similarity on the finer grid in four times
+    /// the load steps.
     double similarity_worst = 0;
-    /// The lower of two similarities under DesignSetup::errors. The first is the one that 95 % of 200 draws
-    /// of noise reach. The second is the lowest over the tilts. NaN without errors, for a map, for an
-    /// unverified answer and from verified_answer().
+    /// The lower of two similarities under DesignSetup::errors. The first is the similarity that 95 % of 200
+    /// draws of noise reach. The second is the lowest similarity over the tilts. NaN without errors, for a
+    /// map, for an unverified answer and from verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
     bool within_limits = true;      ///< whether the genome keeps every limit of the set-up
     double difference = 1;          ///< smallest difference() from the answers before it in a list
@@ -57,11 +58,13 @@ std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<
 
 /// The result of a search and its cost.
 struct SearchResult {
-    Answer best;                      ///< the answer with the highest rank, see search()
-    std::vector<Answer> alternatives; ///< the best, then the next best ones that differ from all before them
-    std::vector<Compromise> front;    ///< front of the stage `pareto`; empty if the pipeline does not have it
-    /// Answers on the Pareto front of the similarities without and with DesignSetup::errors, in the order of
-    /// falling similarity without them. Empty for a map, and if no errors are given.
+    Answer best; ///< the answer with the highest rank, see search()
+    /// The best answer, then further answers that differ from all answers before them, the best first.
+    std::vector<Answer> alternatives;
+    std::vector<Compromise> front; ///< front of the stage `pareto`; empty if the pipeline does not have it
+    /// Answers on the Pareto front of two similarities: without DesignSetup::errors, and with these errors.
+    /// The similarity without errors falls from answer to answer. Empty for a map, and if no errors are
+    /// given.
     std::vector<Answer> made;
     ga::Counters counters;          ///< evaluations spent
     std::vector<std::string> notes; ///< remarks of stages
@@ -75,11 +78,11 @@ struct SearchResult {
 void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 
 /// Runs a pipeline on a design. Verifies the genomes that SearchOptions::verifying describes, and the
-/// alternatives. Answers within the limits rank above answers beyond them. Among these, verified answers rank
-/// by lowest(), above unverified answers, which rank by similarity.
+/// alternatives. Answers within the limits rank above answers beyond them. In each of these two groups,
+/// verified answers rank first, by lowest(). Unverified answers follow, by similarity.
 ///
-/// If the search is stopped before its first curve, the answer is a start genome. If it has curves only on
-/// coarser grids, the answer is the best genome of the last population that was scored there.
+/// If the search is stopped before its first curve, the answer is a start genome. If all its curves are on
+/// coarser grids, the answer is the best genome of the last population that was scored on a coarser grid.
 ///
 /// Throws ga::UsageError on a pipeline that cannot work or a checkpoint of another search. Throws InputError
 /// if starts are given to a pipeline that makes starts. Throws NotConverged if every evaluation failed.

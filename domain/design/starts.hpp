@@ -23,8 +23,8 @@ std::vector<Genome> database_starts(const DesignSetup& setup, int threads);
 /// The genome with the given series that follows the heights most closely, by least squares. A and
 /// chromosomes of the series are not read. Each chromosome n = 1 .. n_f down to the wavelength `shortest`
 /// (mm) has two ridges. Their phases make one cosine of any amplitude up to 2 G_n (Eq. 7). A is the smallest
-/// one that needs at most 0.9 of this bound. `damping` limits the waves, relative to the heights. Throws
-/// InputError if the longest wave of a series is shorter than `shortest`.
+/// value with which every cosine needs at most 0.9 of this bound. `damping` limits the waves, relative to the
+/// heights. Throws InputError if the longest wave of a series is shorter than `shortest`.
 Genome shaped_as(const Profile& profile, const std::vector<Series>& series, double shortest,
                  double damping = 1e-6);
 

@@ -28,8 +28,8 @@ struct StatisticalAnswer {
 };
 
 /// Searches by a pipeline that is given as text. The ranges are H from 0.3 to 0.95 and the long cut-off from
-/// L/8 to L/2. The short cut-off is from 8 node spacings to half the long one, and the slope from 0.001 to 1.
-/// The result does not depend on `threads`.
+/// L/8 to L/2. The short cut-off is from 8 node spacings to half the long cut-off. The slope is from 0.001 to
+/// 1. The result does not depend on `threads`.
 /// Throws InputError on a target that theories do not predict and ga::UsageError on an invalid pipeline.
 StatisticalAnswer statistical_design(const StatisticalTask& task, const std::string& pipeline,
                                      std::uint64_t seed, int threads = 0,

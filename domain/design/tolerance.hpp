@@ -19,15 +19,16 @@ struct ToleranceOptions {
     const std::atomic<bool>* stop = nullptr; ///< true ends the work early, as `seconds` does
 };
 
-/// The largest errors under which a design keeps a similarity. Each error acts without the other two. 0: even
-/// without errors the similarity is lower. NaN: not computed in time.
+/// The largest errors under which a design keeps a similarity. Each error acts without the other two. An
+/// error is 0 if the similarity is lower even without errors, and NaN if it was not computed in time.
 struct ToleranceLevel {
     double similarity = 0; ///< the similarity to keep
     double noise_rms = 0;  ///< rms of height noise, mm, under which 95 % of the draws keep the similarity
     /// Tilt as a difference in height over the length, mm. Each smaller tilt in either direction keeps the
     /// similarity, too.
     double tilt = 0;
-    double scale = 0; ///< relative error of all heights; each smaller one of either sign keeps it, too
+    /// Relative error of all heights. Each smaller error of either sign keeps the similarity, too.
+    double scale = 0;
 };
 
 /// Similarities of draws of noise with one rms.

@@ -34,7 +34,8 @@ struct Trust {
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
     /// Highest similarity of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If it
-    /// is near the answer's, the response follows from the spectrum; otherwise it follows from the phases.
+    /// is near the similarity of the answer, the response follows from the spectrum. Otherwise the response
+    /// follows from the phases.
     double redrawn_best = unknown;
     double redrawn_median = unknown;   ///< median similarity of these genomes
     double redrawn_tenth = unknown;    ///< tenth percentile of their similarities
@@ -49,15 +50,16 @@ struct Trust {
 };
 
 /// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. A curve on
-/// a fine map takes a minute. So if `verified` is given, similarities that the search has verified are taken
-/// from it, and those without a result are left out. The target moves with the datum by with_datum().
-/// `designed` is the response as designed (response_of), if it is known.
+/// a fine map takes a minute. So if `verified` is given, the similarities of the search are taken from it,
+/// and similarities that are missing there are left out. For another datum, with_datum() converts the
+/// targets. `designed` is the response as designed (response_of), if it is known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 
-/// The targets for a datum of f times the distance d, exactly; f is `factor`. Only for the free kernel. At
-/// equal load 1/K(f d) = 1/K(d) + (2 L/(pi E*)) ln f, and displacements grow by (2 P L/(pi E*)) ln f. Contact
-/// area and interface stiffness do not change. Targets against displacement with unknown loads are left out.
+/// Converts targets exactly from the model's datum d to the datum f d; f is `factor`. Only for the free
+/// kernel. At equal load 1/K(f d) = 1/K(d) + (2 L/(pi E*)) ln f, and displacements grow by (2 P L/(pi E*)) ln
+/// f. Contact area and interface stiffness do not change. Targets against displacement with unknown loads are
+/// left out.
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
 
 /// One source of error of a designed surface.
