@@ -8,8 +8,9 @@ namespace rough {
 /// pi).
 void add_chromosomes(Series& series, double shortest, int ridges, ga::Stream& random);
 
-/// Series of amplitude 1 without chromosomes, with one H: lambda = L/k for every odd k, gamma = 2. Together
-/// they have each harmonic L/k of a length L (mm) once, down to `shortest` (mm) or k = 32.
+/// Series of amplitude 1 without chromosomes, with the same H and gamma = 2. L is `length`, mm. There is one
+/// series with lambda = L/k for each odd k up to 32, unless L/k is below `shortest` (mm). With their
+/// wavelengths L/(k 2^(n-1)), n = 1, 2, ..., the series have each harmonic of L once.
 std::vector<Series> harmonic_series(double length, double shortest, double H);
 
 /// The genome with every wavelength moved to the nearest harmonic L/k, k >= 1, of the length L (mm). Its
@@ -28,8 +29,8 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
 /// The genome with the amplitude at which its curve is the most similar to the first target. The best of 33
-/// amplitudes over 16 octaves is refined. At the lowest amplitude the target's last load is just reached at
-/// full approach. Under Eq. 11 the genome is returned unchanged.
+/// amplitudes is refined. With the lowest amplitude, full approach just reaches the target's last load. The
+/// highest amplitude is 2^16 times the lowest. Under Eq. 11 the genome is returned unchanged.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
 
 } // namespace rough

@@ -18,7 +18,7 @@ struct GeneBounds {
 /// The largest distance by which refinement may move a phase from its value before the first refinement: the
 /// sum of two parts.
 struct PhaseReach {
-    double relative = 0.1; ///< share of the phase's value; the paper's 10 % hardly moves phases near 0
+    double relative = 0.1; ///< part that is this share of the phase's value; it hardly moves phases near 0
     double absolute = 0;   ///< constant part, rad
 };
 
@@ -49,7 +49,7 @@ struct Margin {
     std::string name; ///< "shortest_wave_mm", "slope", "height_mm", "radius_mm"
     double limit;     ///< the limit; 0: not set
     double value;     ///< the genome's value, or a bound of it that errs on the safe side
-    bool is_least;    ///< whether the limit is a lower one
+    bool is_least;    ///< whether the limit is a lower limit
     /// Whether the value keeps the limit.
     bool holds() const { return limit == 0 || (is_least ? value >= limit : value <= limit); }
     /// The relative distance from the limit: 1 - value/limit, for a lower limit 1 - limit/value. It is
@@ -59,13 +59,13 @@ struct Margin {
 
 /// A genome's shortest wavelength, largest slope, height range and smallest radius of curvature over [0,
 /// length]. They are found from the derivatives of its cosines on a grid eight times finer than `grid` (a
-/// map: four times). A bound for points between the nodes is added: h^2/8 times the sum of G R k^(order + 2).
-/// h is the node spacing, G R the amplitude and k the wavenumber of a cosine. So a finer grid never shows a
-/// larger value.
+/// map: four times). A bound for points between the nodes is added: h^2/8 times the sum of a k^(m + 2) over
+/// the cosines. h is the node spacing. a is the amplitude and k the wavenumber of a cosine. m is the order of
+/// the derivative: 0 for heights, 1 for slopes, 2 for curvatures. So a finer grid never shows a larger value.
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// The sum by which slope, height and curvature exceed their limits, relative to each limit; 0 within the
-/// limits.
+/// The sum of the amounts by which slope, height and curvature exceed their limits, each divided by its
+/// limit. It is 0 within the limits.
 double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
 /// Residuals of the limits on shape, one row per limit.

@@ -11,7 +11,8 @@ namespace rough {
 /// Fourier series of period 2 L, or L if the grid is periodic.
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed);
 
-/// Heights of a plane that rises by 1 over the length; for a map also of one that rises by 1 over the width.
+/// Heights of a plane that rises by 1 over the length. For a map, they are followed by the heights of a plane
+/// that rises by 1 over the width.
 std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 
 /// A surface that is manufactured with errors in its heights. Eq. 11 does not rescale these heights, and
@@ -44,8 +45,8 @@ struct CommonErrors {
     std::vector<Eigen::VectorXd> noise = {};         ///< errors of the heights in each draw, mm
     std::vector<Eigen::VectorXd> tilts = {};         ///< errors of the heights for each tilt, mm
     /// The lower of two similarities; 1 without errors. The first is the mean of the lowest tenth of the
-    /// similarities under noise. It is near the similarity that 95 % of the draws keep, and changes smoothly.
-    /// The second is the lowest one over the tilts.
+    /// similarities under noise. This mean is near the similarity that 95 % of the draws keep, and changes
+    /// smoothly. The second is the lowest similarity over the tilts.
     double similarity(const MadeSurface& made) const;
 };
 

@@ -30,9 +30,9 @@ class ResponseMemory {
 };
 
 /// Features of the surface on this grid, with exact derivatives at a fixed scale. Surfaces with the same
-/// response may differ in them. `height` is log10 of the root mean square (rms) height over the length.
-/// `slope` is log10 of the rms difference quotient of neighbouring nodes, on a map along both axes.
-/// `wavelength` is log10 of (2 pi rms height/rms slope) over the length. `skewness` is that of the heights.
+/// response may differ in these features. L is the length. `height` is log10(h/L) with the root mean square
+/// height h. `slope` is log10 of s, the root mean square difference quotient of neighbouring nodes; on a map
+/// it includes both axes. `wavelength` is log10(2 pi h/(s L)). `skewness` is the skewness of the heights.
 std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid);
 
 /// The misfits of a genome to all targets.
@@ -50,7 +50,8 @@ struct DesignOutcome {
 /// - `verified`: the lower of `similarity` and Verification::worst (finer grid, finer load steps).
 /// - `more_steps`: the lower of `similarity` and the similarity in finer load steps.
 /// - `made`: the lower of `similarity` and the similarity under the set-up's errors (CommonErrors).
-/// - `low`, `high`: the similarity on the first target's points up to the threshold, and from it on.
+/// - `low`: the similarity on the first target's points up to the threshold.
+/// - `high`: the similarity on the first target's points from the threshold on.
 /// - `goal1`, `goal2`, ...: the similarity to one target.
 /// A genome that exceeds a limit is ranked below every genome within the limits.
 class DesignProblem {
@@ -74,8 +75,8 @@ class DesignProblem {
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
     bool valid(const Genome& genome) const; ///< whether validate() accepts the genome
-    bool
-    valid_outcome(const Outcome& outcome) const; ///< whether it has a misfit for each point of each target
+    /// Whether the outcome has a misfit for each point of each target.
+    bool valid_outcome(const Outcome& outcome) const;
 
     /// The bits of the genome on which its outcome depends (key_of).
     std::string key(const Genome& genome) const;
@@ -99,7 +100,8 @@ class DesignProblem {
 
     /// Bounds of every gene that may move. If the set-up gives `phases`, only phases move. Otherwise phases
     /// move by half a turn, A by a factor of 10, and H, gamma and lambda within the set-up's bounds. Gamma
-    /// and lambda are bounded so that wavelengths stay within the limit. On a periodic grid both are fixed.
+    /// and lambda are bounded so that wavelengths stay within the limit. On a periodic grid gamma and lambda
+    /// are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
     /// fractions are smooth here (contact/interface.hpp), because a count of nodes has no derivative.
@@ -112,7 +114,7 @@ class DesignProblem {
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
     const Verifier& verifier() const { return *verifier_; }   ///< verifier of the set-up from as_reported()
-    bool shares_memory() const { return memory_ != nullptr; } ///< whether other problems may share it
+    bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
     /// The points of a target that an objective uses.
     std::vector<Index> points_of(const std::string& objective, std::size_t target) const;
 

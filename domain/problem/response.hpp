@@ -13,7 +13,7 @@ struct Loadings {
 };
 /// The loadings of a set-up's targets, with the steps of `loading`.
 Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
-/// Returns the load steps, or steps to 0.999 of the full-contact displacement if the given ones go further.
+/// Returns the load steps, or steps to 0.999 of the full-contact displacement if the given steps go further.
 /// Only an elastic periodic body has such a limit.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
 /// Continues a curve that ends in full contact before its target, and its derivatives if given. Adds a point
@@ -30,11 +30,11 @@ Genome at_scale_one(Genome genome, const DesignSetup& setup);
 /// The bits of a genome that its outcome depends on: all, or under Eq. 11 all except the scale.
 std::string key_of(const DesignSetup& setup, const Genome& genome);
 
-/// The factor of Eq. 11 for the response of a genome at scale 1; 1 without Eq. 11. Throws InputError if it
-/// does not fit double precision.
+/// The factor of Eq. 11 for the response of a genome at scale 1; 1 without Eq. 11. Throws InputError if the
+/// factor does not fit double precision.
 double eq_11(const DesignSetup& setup, const Response& response);
 
-/// The responses and curves of a genome under a set-up. Under Eq. 11 they have been multiplied by its factor.
+/// The responses and curves of a genome under a set-up. Under Eq. 11 they belong to the rescaled genome.
 struct DesignResponse {
     double scale = 1;                ///< the factor of Eq. 11
     std::vector<Response> responses; ///< one for each loading (loadings_of)
@@ -82,8 +82,8 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
 /// The rows of a genome on a grid `refine` times finer. The first Rows are for the load steps of `finer`
-/// (in_finer_steps). The second Rows are for every fourth of these: the set-up's load steps. One solution
-/// gives both.
+/// (in_finer_steps). The second Rows are for every fourth of these steps, which is a load step of the set-up.
+/// One solution gives both Rows.
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine);
 

@@ -34,7 +34,7 @@ struct DesignSetup {
     /// Threshold in x between the objectives `low` and `high`. Default: the middle of the first target.
     std::optional<double> threshold = {};
     GeneBounds bounds = {};                ///< bounds of the genes
-    std::optional<PhaseReach> phases = {}; ///< if it is given, only phases move, by at most this
+    std::optional<PhaseReach> phases = {}; ///< if it is given, only phases move, at most this far
     MakingLimits limits = {};              ///< limits of manufacturing; shortest_wave 0: 8 node spacings
     /// The measured profile if its response is the target. Such targets depend on the load steps.
     std::optional<Profile> like = {};
@@ -46,7 +46,7 @@ struct DesignSetup {
     MakingErrors errors = {}; ///< errors under which an answer must keep its similarity
 };
 
-/// The bounds with default values for those of lambda that are 0: L/4 and 4 L, with the length L in mm.
+/// The bounds, with L/4 and 4 L in place of bounds of lambda that are 0; L is the length, mm.
 GeneBounds completed(GeneBounds bounds, double length);
 
 /// The set-up with default values in place of zeros of the model and the ridges. Unless only phases move, the
@@ -60,7 +60,8 @@ DesignSetup completed(DesignSetup setup);
 /// side.
 void validate(const DesignSetup& setup);
 
-/// The indices of the first target's points up to the threshold (MPa or mm), or from it on if `high`.
+/// The indices of the first target's points up to the threshold (MPa or mm). If `high` is set, the points
+/// from the threshold on.
 std::vector<Index> points_of_half(const DesignSetup& setup, bool high);
 
 /// The set-up with Model::accuracy 0: its responses are computed without approximations.
@@ -83,8 +84,8 @@ DesignSetup like(DesignSetup setup, Profile profile, const Model& model, const s
                  const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
                  Index points = 20, Index nodes = 0, Resolution resolution = Resolution::off);
 
-/// The names of the quantities of a scan that a design can match: both (stiffness and contact area),
-/// stiffness, area, and interface_stiffness.
+/// The names of the quantities of a scan that a design can match: `both` (stiffness and contact area),
+/// `stiffness`, `area` and `interface_stiffness`.
 const std::vector<std::string>& names_of_likeness();
 /// The quantities of that name. Throws InputError on another word.
 std::vector<Quantity> likeness_named(const std::string& name);

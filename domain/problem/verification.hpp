@@ -39,9 +39,9 @@ class Verifier {
     /// because every fourth step is a load step of the set-up.
     ///
     /// On a fine map, only every fourth step is solved. The steps between are interpolated by cubics through
-    /// the neighbouring pressures and tangents. On the set-up's grid all steps are solved. Steps whose
-    /// interpolation error there is above 2e-3 of a secant are solved on the fine map, too. The effect of the
-    /// interpolation on the set-up's grid is subtracted from `both`.
+    /// the neighbouring pressures and tangents. On the set-up's grid all steps are solved, and the same
+    /// interpolation is tried. Steps at which its error exceeds 2e-3 times a secant are solved on the fine
+    /// map, too. The effect of the interpolation on the set-up's grid is subtracted from `both`.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.
