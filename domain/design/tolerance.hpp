@@ -48,7 +48,7 @@ struct Tolerance {
     double share_from = 0;                ///< lower end of the share's 95 % confidence interval
     double share_to = 1;                  ///< upper end of this interval
     std::vector<ToleranceLevel> levels;   ///< levels 0.99, 0.95, 0.9 and the required similarity, falling
-    std::vector<NoiseQuantile> curve;     ///< similarities under noise, in the order of rising noise
+    std::vector<NoiseQuantile> curve;     ///< similarities under each noise that was tried, by rising noise
     /// Whether all levels were found in time. If not, a noise may be based on few draws.
     bool complete = true;
 };

@@ -57,7 +57,8 @@ struct HeightMap {
     Index columns() const { return heights.size() / rows; } ///< points of a row
 };
 
-/// Throws InputError on a file without points, with more than 1e7 in one line, or more than 2e7 on a map.
+/// Throws InputError on a file without points, with more than 1e7 points in one line, or with more than 2e7
+/// points on a map.
 void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file);
 
 /// The number that marks a missing value of a type; NaN if the type has no mark. Types have ISO 25178-71's
@@ -72,9 +73,9 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
 /// Whether a file that begins with these bytes is one that binary_map reads.
 bool is_binary_map(std::string_view head);
 /// Reads binary maps: surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO (not
-/// compressed), Gwyddion's simple field (GSF), and X3P (ISO 25178-72). Nothing if the bytes begin otherwise.
-/// Sizes are compared with the bytes before memory is allocated. Throws InputError with one line on a file
-/// that cannot be read.
+/// compressed), Gwyddion's simple field (GSF), and X3P (ISO 25178-72). Returns nothing if the bytes begin
+/// otherwise. Sizes are compared with the bytes before memory is allocated. Throws InputError with one line
+/// on a file that cannot be read.
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
 
 /// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2

@@ -12,8 +12,8 @@ struct ScanOptions {
     /// Unit of columns whose header does not name one, e.g. "um". "mm,um" is mm for x and um for heights.
     /// Empty: not given, so mm is assumed.
     std::string unit = {};
-    /// Distance between the points of a file with one column, in the unit of x that `unit` gives, otherwise
-    /// in mm. 0: not given.
+    /// Distance between the points of a file with one column. Its unit is the unit of x in `unit`; mm if
+    /// `unit` is empty. 0: not given.
     double spacing = 0;
     Detrend detrend = Detrend::line; ///< form to remove from the heights
     bool fill = false;               ///< whether missing heights are interpolated linearly instead of refused
@@ -38,8 +38,8 @@ struct Scan {
 
 /// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or two
 /// columns of x and height. A running index before them and a validity column (0 or 1) after them are
-/// optional. From an instrument's file it takes a profile, or one row of a map. Throws InputError with one
-/// line that names the file, the line and the fault.
+/// optional. From an instrument's file, the function takes a profile, or one row of a map. Throws InputError
+/// with one line that names the file, the line and the fault.
 Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
 
 /// A line profile from a file: a genome, which has a height at every x, or a measured scan. Lengths in mm.

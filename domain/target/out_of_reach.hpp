@@ -7,8 +7,8 @@
 namespace rough {
 
 /// The stiffness of a single node and of full contact on the grid, MPa/mm. Contact sets only grow, and a
-/// larger one is stiffer. So every tangent and every secant of every profile lies between these two, and
-/// secants never fall with the load.
+/// larger contact set is stiffer. So every tangent and every secant of every profile lies between these two
+/// stiffnesses, and secants never fall with the load.
 struct StiffnessLimits {
     double min; ///< stiffness of a single node, MPa/mm
     double max; ///< stiffness of full contact, MPa/mm; infinite for the periodic kernel
@@ -16,9 +16,10 @@ struct StiffnessLimits {
 /// The limits for the model's grid and body.
 StiffnessLimits stiffness_limits(const Model& model);
 
-/// The lowest and highest K(p), MPa/mm, that the scored curve of any profile can have at p = `share` P_nt.
-/// P_nt is the last load. The scored curve is that of secant_stiffness(), continued to 0 and P_nt with the
-/// slopes of its end segments. All secants lie between `secants`; under this condition the limits are sharp.
+/// The lowest and highest stiffness K, MPa/mm, that the scored curve of any profile can have at the pressure
+/// `share` P_nt. P_nt is the last load. The scored curve is the curve of secant_stiffness(). It is continued
+/// to 0 and P_nt with the slopes of its end segments. If all secants lie within `secants`, the limits are
+/// sharp.
 /// `steps` is the number of equal load steps, at least 2.
 StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share);
 
@@ -33,21 +34,24 @@ struct OutOfReach {
     std::string verdict() const;
 };
 
-/// Exact tests of each target, without a search, for a model that is solved without approximation:
+/// Exact tests of each target, without a search, for a model that is solved without approximation. They use
+/// these facts.
 ///
-/// - Contact sets only grow, so K(P) and contact fractions never fall. Let y_i > y_j with i < j in a target.
-///   A curve that does not fall differs from one of them by at least the share (y_i - y_j)/(y_i + y_j).
-/// - Secants of K lie between the stiffness of a single node and that of full contact. So the scored curve
-///   lies between scored_limits(). The lower limit falls as the grid is refined.
-/// - K_i never falls either, and its upper limit is infinite. The first secant of a curve is in the middle of
-/// the first load step. From there on K_i is at least that of a single node. On a periodic body K_i = K.
-/// - P(Delta) is convex from (0, 0) on, because contact sets only grow. Its slope is at most that of full
-///   contact and at least that of a single node.
+/// - Contact sets only grow, so stiffness K(P) and contact fractions never fall with the load P. Let y_i >
+///   y_j be two values of a target, with i < j. A curve that does not fall has a relative error of at least
+///   (y_i - y_j)/(y_i + y_j) at one of these two points.
+/// - Secants of K lie between the stiffness of a single node and the stiffness of full contact. So the scored
+///   curve lies between scored_limits(). The lower limit falls as the grid is refined.
+/// - The interface stiffness K_i never falls either, and its upper limit is infinite. The first secant of a
+///   curve is in the middle of the first load step. From there on K_i is at least the K_i of a single node.
+///   On a periodic body K_i = K.
+/// - The pressure P(Delta) is convex from (0, 0) on, because contact sets only grow. Its slope is at least
+///   the stiffness of a single node, and at most the stiffness of full contact.
 ///
 /// The last pressure of K(P) is `max_pressure` (MPa, Eq. 11) if it is given, and otherwise the last pressure
-/// of all targets. A target passes a test if its band contains a curve that fulfils the condition. Returns
-/// the violation of each kind with the lowest bound. Returns nothing if contact sets may shrink
-/// (contact_sets_nest).
+/// of all targets. A target passes a test if its band contains a curve that fulfils the condition. For each
+/// test that a target fails, returns the violation with the lowest bound. Returns nothing if contact sets may
+/// shrink (contact_sets_nest).
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure = {});
 

@@ -123,8 +123,8 @@ inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cw
 /// Similarity of a curve to the target.
 double similarity(const Target& target, const Curve& curve);
 
-/// Similarity of two curves, of which the first is the target. The second one is stretched in x to the end
-/// of the first. The function compares a profile of fewer waves or nodes with the complete profile.
+/// Similarity of `curve` to `reference`. `curve` is stretched in x to the end of `reference`. The function
+/// compares a profile of fewer waves or nodes with the complete profile.
 double similarity(const Curve& reference, const Curve& curve);
 
 /// The model's values on which a target's curve depends. Keys are names with units.
@@ -142,8 +142,8 @@ struct RecordedDifference {
 /// recorded number cannot be read.
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
-/// The differences that hardly affect the target's curve. They exist only for an interface stiffness: datum
-/// and length. Its definition removes the compliance of full contact, so it does not depend on the datum. At
+/// The differences that hardly affect the target's curve: datum and length, only for an interface stiffness.
+/// The interface stiffness excludes the compliance of full contact, so it does not depend on the datum. At
 /// light loads it depends only weakly on the length.
 std::vector<RecordedDifference> carried_over(const Target& target, const Model& model);
 
@@ -159,9 +159,9 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
 
 /// A profile's response as a target, with its recorded model, at evenly spaced points up to `last` (MPa or
 /// mm). If `last` is 0 or beyond the last load step, the last load step is used. Points before the curve's
-/// first secant are omitted if its linear continuation is 0 or less there. Unless `resolution` omits it, the
-/// band contains the curves of the given heights and of both interpolations (accuracy/resolution.hpp). Throws
-/// InputError if an interface stiffness is infinite at full contact.
+/// first secant are omitted if the linear continuation of the curve is 0 or less there. Unless `resolution`
+/// omits it, the target's band contains three curves: of the given heights, and of both interpolations
+/// (accuracy/resolution.hpp). Throws InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,
                    Resolution resolution = Resolution::off);
