@@ -86,25 +86,28 @@ class CapContact {
 /// The contact area of one cap under a force: pi (3 F R/(4 E*))^(2/3), mm^2.
 double hertz_area(double force, double radius, double effective_modulus);
 
-/// The caps as a map of about `nodes` nodes, mm: paraboloids, as Hertz's theory assumes, or spheres. Nodes
-/// are the centres of square cells, an odd number of them along each pitch. `depth` is the depth of the base
-/// below the lowest summit, mm.
+/// The caps as a map of about `nodes` nodes, mm. Caps are spheres if `spheres` is set, otherwise paraboloids,
+/// as Hertz's theory assumes. Nodes are the centres of square cells. Along each axis a pitch has an odd
+/// number of cells. `depth` is the depth of the base below the lowest summit, mm.
 Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
 
 /// The contact of caps as solved by boundary elements.
 struct MeshedCaps {
-    double load = 0;           ///< load, N
-    Eigen::VectorXd force;     ///< force of each cap, N: the sum over the nodes of its pitch x pitch cell
-    Eigen::VectorXd area;      ///< contact area of each cap, from its force by hertz_area(), mm^2
-    Eigen::VectorXd area_low;  ///< lower limit of it, mm^2: nodes that touch and whose four neighbours touch
-    Eigen::VectorXd area_high; ///< upper limit of it, mm^2: nodes that touch or have a neighbour that touches
-    double approach = 0;       ///< approach from first touch, mm
-    double stiffness = 0;      ///< dF/dDelta at this contact, N/mm
-    double kkt_residual = 0;   ///< certificate of the solution
+    double load = 0;       ///< load, N
+    Eigen::VectorXd force; ///< force of each cap, N: the sum over the nodes of its pitch x pitch square
+    Eigen::VectorXd area;  ///< contact area of each cap, from its force by hertz_area(), mm^2
+    /// Lower limit of each cap's contact area, mm^2: the cells of touching nodes whose four neighbours touch.
+    Eigen::VectorXd area_low;
+    /// Upper limit of each cap's contact area, mm^2: the cells of nodes that touch or have a touching
+    /// neighbour.
+    Eigen::VectorXd area_high;
+    double approach = 0;     ///< approach from first touch, mm
+    double stiffness = 0;    ///< dF/dDelta at this contact, N/mm
+    double kkt_residual = 0; ///< certificate of the solution
 };
 
 /// The contact of caps (as paraboloids) with a half-space by boundary elements, on a map of about `nodes`
-/// nodes. `at` are loads (N), or approaches (mm) if `loads` is false, both increasing. Throws what
+/// nodes. `at` are increasing loads (N), or increasing approaches (mm) if `loads` is false. Throws what
 /// solve_contact() throws.
 std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modulus,
                                         const std::vector<double>& at, bool loads = true,

@@ -13,7 +13,7 @@ namespace rough {
 struct GeneRange {
     double from = 0; ///< lowest value, mm
     double to = 0;   ///< highest value, mm
-    double step = 0; ///< distance of allowed values, mm; 0: all values between are allowed
+    double step = 0; ///< distance of allowed values, mm; 0: all values from `from` to `to` are allowed
 
     bool is_free() const { return from < to; } ///< whether there is more than one value
     double nearest(double value) const;        ///< the allowed value nearest to another
@@ -112,7 +112,7 @@ struct CapVerification {
     std::vector<PressedCaps> pressed; ///< results of the model under the same loads
     double similarity = std::numeric_limits<double>::quiet_NaN(); ///< similarity at these points
     double area_error = 0;  ///< largest relative error of the model in the total area
-    double force_error = 0; ///< largest error of the model in a cap's force, over the largest force
+    double force_error = 0; ///< largest error of the model in a cap's force, divided by the largest force
     double seconds = 0;     ///< wall time
 };
 
@@ -152,10 +152,10 @@ struct AreaLimits {
     double min; ///< smallest area, mm^2
     double max; ///< largest area, mm^2
 };
-/// The limits of the area under a force (N), if the area of each cap follows from its force (hertz_area). The
-/// smallest is that of one cap of the smallest radius, the largest that of equal caps with the largest
-/// radius. For independent caps the lower limit also uses the range of heights: no cap is farther below the
-/// highest.
+/// The limits of the area under a force (N), if the area of each cap follows from its force (hertz_area). One
+/// cap of the smallest radius has the smallest area. Equal caps with the largest radius have the largest
+/// area. For independent caps the lower limit also uses the range of heights, because no cap is farther than
+/// this range below the highest cap.
 AreaLimits area_limits(const CapSetup& setup, double force);
 
 /// The reasons why no caps of the set-up can match a target A(F), each with a bound on the similarity.

@@ -11,9 +11,9 @@ namespace rough {
 struct Orders {
     std::uint64_t count = 0;                            ///< number of genomes that are missing
     std::function<std::optional<std::uint64_t>()> next; ///< next genome's number; nothing after the last one
-    /// Accepts the response of a genome; the order does not matter.
+    /// Takes the response of a genome; the order does not matter.
     std::function<void(std::uint64_t genome, Response response)> take;
-    std::function<bool()> ended; ///< whether the build accepts no more responses
+    std::function<bool()> ended; ///< whether the build has ended and ignores further responses
 };
 
 /// A function that computes the responses of a set-up's genomes by response_for(), in this process or on
@@ -46,8 +46,9 @@ void build(GenomeStore& store, const BuildOptions& options);
 
 /// Puts the genomes of several databases of one set-up, distribution and version into a new file. The file
 /// gets its name when it is complete, and replaces an older file. If several databases have the same
-/// genome, the first copy is used. Returns the number of genomes. Throws InputError on databases that differ,
-/// on genomes that are not those of their distribution, and on altered numbers.
+/// genome, the first copy is used. Returns the number of genomes. Throws InputError if the databases have
+/// different set-ups, distributions or versions, if a genome differs from its distribution, and if numbers
+/// were altered.
 std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out);
 
 } // namespace rough

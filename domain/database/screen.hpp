@@ -37,8 +37,8 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
 /// stretched by the same factor. At every displacement the mean pressure is then multiplied by `pressure`:
 /// the ratio of the moduli E* divided by `length`.
 struct DatabaseScale {
-    double length = 1;   ///< length of the model over that of the database
-    double pressure = 1; ///< pressure of the model over that of the database; also the factor of stiffness
+    double length = 1;   ///< factor on lengths: the model's length divided by the database's length
+    double pressure = 1; ///< factor on pressures, and on stiffness
 };
 /// The scale between a database and a model. Throws InputError naming the first difference if they differ in
 /// more than length and modulus.
@@ -49,8 +49,8 @@ Target unscaled(Target target, const DatabaseScale& scale);
 Genome drawn_out(Genome genome, double factor);
 
 /// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to the
-/// design's length and have the best amplitude. They are starts for refinement if an answer is needed at
-/// once. Throws InputError as scale_to() does.
+/// design's length, and each has its best amplitude. They serve as starts for refinement if an answer is
+/// needed at once. Throws what scale_to() throws.
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads = 0);
 
@@ -61,10 +61,10 @@ struct StoredAnswer {
     Answer answer;           ///< the stretched genome with this amplitude, verified (verified_answer)
 };
 
-/// The stored genomes whose stored curves are nearest to a design's targets. Unlike `stored_starts`, they are
-/// verified before they are ranked, because stored load steps may be too few for a target. At least 16
-/// genomes are verified and `count` returned, the highest `similarity_worst` first. Genomes without a
-/// response on a finer grid are omitted. Throws InputError as scale_to and `validate` of the set-up do.
+/// The stored genomes whose stored curves are nearest to a design's targets. Unlike in stored_starts(), the
+/// genomes are verified before they are ranked, because stored load steps may be too few for a target. At
+/// least 16 genomes are verified. At most `count` are returned, the highest `similarity_worst` first. Genomes
+/// without a response on a finer grid are omitted. Throws what scale_to() and validate() of the set-up throw.
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
                                          std::size_t count, int threads = 0);
 

@@ -59,7 +59,7 @@ struct Span {
 /// The values of all stored responses from which similarities are computed, one genome after another.
 struct StoredCurves {
     std::vector<std::uint64_t> index; ///< the genomes' numbers
-    std::vector<double> range;        ///< height range (periodic: to full contact), mm; NaN: no response
+    std::vector<double> range;        ///< Response::range of each genome, mm; NaN: no response
     std::vector<double> pressure;     ///< genomes x steps, MPa
     std::vector<double> fraction;     ///< genomes x steps, contact fractions; empty unless requested
 };
@@ -100,8 +100,8 @@ class GenomeStore {
                              const std::function<bool(std::uint64_t first)>& is_own = {});
     /// The spans of these genomes that are not stored, in order.
     std::vector<Span> gaps(const Span& of) const;
-    /// Stores the genomes of the distribution and their responses. Returns false if another builder stored
-    /// them before. That copy is then kept.
+    /// Stores the genomes of a span and their responses. Returns false if another builder has already stored
+    /// them; the earlier copy is then kept.
     bool add(const Span& span, const std::vector<Response>& responses);
 
     std::vector<Span> batches() const; ///< all stored batches, in order
@@ -110,7 +110,8 @@ class GenomeStore {
     std::vector<Response> responses(const Span& span) const;
     /// The curves of all stored genomes, with contact fractions if requested.
     StoredCurves curves(bool with_fractions = false) const;
-    Genome genome(std::uint64_t index) const; ///< throws InputError if not stored or not the distribution's
+    /// A stored genome. Throws InputError if it is not stored, or differs from its distribution.
+    Genome genome(std::uint64_t index) const;
     Response response(std::uint64_t index) const; ///< without solver and certificates; throws as genome()
 
   private:
