@@ -9,8 +9,8 @@
 namespace ga {
 
 /// Properties of a population at one point of a pipeline that are known before the pipeline runs. Each stage
-/// checks whether it can work on such a population, and updates the properties. If a pipeline cannot work, a
-/// UsageError is thrown here. A policy is one objective, or several (`pareto`).
+/// checks whether it can work on such a population, and updates the properties. A stage that cannot work
+/// throws UsageError. A policy is one objective, or several objectives (`pareto`).
 struct CheckState {
     std::vector<std::string> objectives;     ///< names of the problem's objectives; the first is the default
     std::optional<std::string> scored;       ///< policy under which every individual is scored

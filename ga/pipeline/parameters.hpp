@@ -11,7 +11,8 @@
 
 namespace ga {
 
-/// The limit of a parameter without a limit.
+/// The value of Parameter::upper if there is no upper limit, and of -Parameter::lower if there is no lower
+/// limit.
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// The lower limit of a parameter that must be greater than 0.
 constexpr double above_zero = std::numeric_limits<double>::min();

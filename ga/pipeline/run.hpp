@@ -8,7 +8,7 @@ namespace ga {
 struct RunOptions {
     std::string variant = "pipeline"; ///< first word of every stage's path; does not affect random numbers
     std::uint64_t seed = 1;           ///< seed of every random stream
-    int threads = 0; ///< threads of `run`, 0 for OpenMP's default; `run_by` uses those of its evaluator
+    int threads = 0; ///< number of threads of `run`; 0 for OpenMP's default; `run_by` ignores it
     std::size_t memory_bytes = std::size_t{1} << 30; ///< memory for known outcomes; does not affect a result
     Budget budget = {};                              ///< limits at which the run stops early
     /// Memory for one population; a run that would exceed it ends with its current population.
@@ -18,8 +18,8 @@ struct RunOptions {
 /// The result of a run.
 template <class G>
 struct Result {
-    /// The last population. A stopped run returns scored individuals of its last population and of the
-    /// generation's start, best first: those under the most frequent policy.
+    /// The last population. If the run was stopped, it has the individuals of the last population and of the
+    /// generation's start that are scored under the most frequent policy, best first.
     Population<G> population;
     std::optional<Individual<G>> best; ///< the best of the whole run under the problem's first objective
     Counters counters;                 ///< evaluations and derivatives of the run
@@ -64,8 +64,8 @@ template <Problem P>
     return key;
 }
 
-/// The population that a stopped run returns: the individuals scored under the most frequent policy, best
-/// first.
+/// The population that a stopped run returns: the individuals that are scored under the most frequent policy,
+/// best first.
 template <class G>
 [[gnu::cold]] Population<G> salvaged(Population<G> in_hand) {
     std::erase_if(in_hand, [](const auto& individual) { return !individual.fitness.known(); });
@@ -93,8 +93,8 @@ template <class G>
     return next;
 }
 
-/// Scores a start population again if this problem has an objective of the same name. Another problem may
-/// have computed the values. The run then knows its best start.
+/// Scores a start population again if this problem has an objective of the same name, because another problem
+/// may have computed the values. Afterwards the run knows its best start.
 template <Problem P>
 [[gnu::cold]] void score_given(PopulationOf<P>& population, Context<P>& context) {
     if (population.empty() || !comparable(population))

@@ -34,10 +34,10 @@ Score score(const Objective<Outcome>& objective) {
     return score(objective.name);
 }
 
-/// Gives each individual the mean fitness of n replicates of a noisy evaluation. It is used instead of
-/// `score`. If an individual is still in the population when the stage runs again, n more replicates are
-/// added, until there are `limit`. So an individual does not stay the best only because of lucky draws. Known
-/// replicates are not evaluated again.
+/// Gives each individual the mean fitness of n replicates of a noisy evaluation. This stage is used instead
+/// of `score`. When it runs again, it adds n replicates to each individual that is still in the population,
+/// until the individual has `limit` replicates. So an individual does not stay the best only because of lucky
+/// draws. Known replicates are not evaluated again.
 struct Average : Operator {
     std::size_t n = 2;     ///< number of replicates that the stage adds each time
     std::string objective; ///< name of the objective; empty: the problem's first
@@ -48,9 +48,9 @@ struct Average : Operator {
         return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.n, whole("n", std::nullopt, 1, "replicates, and additional ones each time").up_to(1e6));
+        visit(self.n, whole("n", std::nullopt, 1, "replicates that are added each time").up_to(1e6));
         visit(self.objective, word("objective", "", "one of the problem's; by default its first"));
-        visit(self.limit, whole("limit", "0", 0, "maximum replicates of one individual; 0 for n")
+        visit(self.limit, whole("limit", "0", 0, "maximum replicates of one individual in total; 0 for n")
                               .up_to(1e6)
                               .keyed()
                               .quiet());

@@ -295,8 +295,8 @@ class Stage {
     std::vector<Place> places_;
 };
 
-/// Checks a body that runs in generations: each must accept the population that the previous one returns.
-/// `more` checks the CheckState after the first generation.
+/// Checks a body that runs in generations. Each generation must be able to work on the population that the
+/// previous generation returns. `more` checks the CheckState after the first generation.
 template <Problem P, class More>
 [[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
                                     More more) {

@@ -57,7 +57,7 @@ class SteadyState {
     }
     SteadyState(const SteadyState&) = delete;
 
-    /// The next question. A child with a known outcome is used at once and not asked. Nothing if no
+    /// The next question. A child with a known outcome is used at once and not asked. Returns nothing if no
     /// individual is known yet, or if the open questions use up the budget. Throws NothingLeft if `breed`
     /// does not make a new genome.
     std::optional<Question> ask() {

@@ -5,8 +5,8 @@
 namespace ga {
 
 /// Replaces every genome by function(genome), in parallel. An individual keeps its identity and loses its
-/// fitness. If the function throws, the individual keeps its genome and is marked as failed, under the
-/// objective that scored it or the problem's first.
+/// fitness. If the function throws, the individual keeps its genome and is marked as failed. The failure is
+/// under the objective that scored the individual, or under the problem's first objective.
 template <class Function>
 struct Transform : Operator {
     std::string name;  ///< name of the stage

@@ -10,8 +10,9 @@ namespace ga {
 /// A number of individuals that stands for all.
 constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 
-/// Classes by Deb's rules (2000): feasible before infeasible, less violation before more, then the greater
-/// merit. Failed individuals are last. The first class is -1, the next -2 and so on. Ties share a class.
+/// Classes by Deb's rules (2000). Feasible individuals are first, in the order of falling merit. Infeasible
+/// individuals follow, in the order of growing violation. Failed individuals are last. The first class is -1,
+/// the next -2 and so on. Ties share a class.
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     const auto key = [&](std::size_t i) {
         const Fitness& f = *all[i];
@@ -62,10 +63,10 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
     return merits;
 }
 
-/// The merit of each individual among these, by the policy that scored them. Higher is better; failed
-/// individuals have minus infinity. Under one objective the merit is the fitness, and under constraints the
-/// class by Deb's rules. Under several objectives it is rank with crowding. Throws UsageError if policies
-/// differ or an individual is unscored.
+/// The merit of each individual, compared with the other given individuals. Higher is better; failed
+/// individuals have minus infinity. Under one objective the merit is the fitness. If a constraint is
+/// violated, it is the class by Deb's rules. Under several objectives it is crowded_merits(). Throws
+/// UsageError if policies differ or an individual is unscored.
 inline std::vector<double> merits(std::span<const Fitness* const> all) {
     bool several = false, ruled = false;
     std::vector<double> merits(all.size());
@@ -165,8 +166,8 @@ inline bool better_by_rules(const Fitness& a, const Fitness& b) {
                          "'; score both by one objective first");
     return dominates(a.values(), b.values());
 }
-/// Whether a is better than b: by Deb's rules, under several objectives by dominance. Other individuals do
-/// not matter. Throws UsageError if the policies of a and b differ.
+/// Whether a is better than b by Deb's rules. Under several objectives, feasible individuals are compared by
+/// dominance. Other individuals do not matter. Throws UsageError if the policies of a and b differ.
 inline bool better(const Fitness& a, const Fitness& b) {
     const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
     if (!rules && a.known() && b.known(a.objective_name())) // the most frequent case

@@ -32,7 +32,7 @@ class Name {
     const std::string* text_ = nullptr;
 };
 
-/// The reason why an evaluation failed; shared by all individuals with that genome.
+/// The reason why the evaluation of a genome failed; shared by all individuals with this genome.
 using Reason = std::shared_ptr<const std::string>;
 /// Makes a reason from a text.
 inline Reason reason(std::string words) { return std::make_shared<const std::string>(std::move(words)); }
@@ -68,8 +68,8 @@ class Fitness {
         fitness.detail_ = std::make_shared<const Detail>(Detail{{}, std::move(why), {}});
         return fitness;
     }
-    /// A copy with one violation per constraint, 0 or less if it holds. `sum` is the violation beyond the
-    /// levels, if it was computed before.
+    /// A copy with one violation per constraint, 0 or less if the constraint holds. `sum` is the sum of the
+    /// violations beyond the levels, if it was computed before.
     Fitness constrained(std::vector<double> violations, std::optional<double> sum = {}) const {
         Fitness fitness = *this;
         if (std::any_of(violations.begin(), violations.end(), [](double each) { return each > 0; })) {

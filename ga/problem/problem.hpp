@@ -110,9 +110,10 @@ concept Differentiable = HasGenes<P> &&
     { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
 };
 
-/// Optional: the violation of the problem's constraints by an outcome, one number or one per constraint; 0 or
-/// less if they hold. Individuals are then compared by Deb's rules (2000): feasible before infeasible, a
-/// smaller sum of violations before a greater, then the fitness.
+/// Optional: the violation of the problem's constraints by an outcome, as one number or one per constraint. A
+/// number is 0 or less if its constraints hold. Individuals are then compared by Deb's rules (2000). Feasible
+/// ones are better than infeasible ones. Infeasible ones are compared by the sum of violations, feasible ones
+/// by the fitness.
 template <class P>
 concept Constrained = requires(const P& problem, const typename P::Outcome& outcome) {
     requires std::convertible_to<decltype(problem.violation(outcome)), double> ||
@@ -148,8 +149,8 @@ struct Variables {
     std::function<std::vector<Variable>(const G&)> of; ///< function that returns the genes for a genome
 };
 
-/// Optional: the genes that operators may move, with their bounds, in ascending order; also refinement's
-/// choice `all`. It may return a reference.
+/// Optional: the genes that operators may move, with their bounds, in ascending order. Refinement uses the
+/// same genes for `genes=all`. The member may return a reference.
 template <class P>
 concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
     { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
@@ -176,7 +177,8 @@ concept Sampled = requires(const P& problem, Stream& stream) {
     { problem.sample(stream) } -> std::same_as<typename P::Genome>;
 };
 
-/// Optional: the problem's mutation, of each gene with probability `rate`; true if one changed.
+/// Optional: the problem's mutation. It mutates each gene with probability `rate`, and returns whether a gene
+/// has changed.
 template <class P>
 concept MutatesItself = requires(const P& problem, typename P::Genome& genome, double rate, Stream& stream) {
     { problem.mutate(genome, rate, stream) } -> std::same_as<bool>;
@@ -256,8 +258,8 @@ constexpr bool members_fit() {
 }
 
 /// Whether a genome from outside the run is usable. It may come from a start population, a checkpoint or a
-/// program in another language. A permutation must have each number once. If the problem has `valid`, it
-/// decides about other genomes. Otherwise, in a vector of double, every gene that has bounds must exist and
+/// program in another language. A permutation must have each number once. If the problem has the member
+/// `valid`, this member decides. Otherwise, in a vector of double, every gene that has bounds must exist and
 /// be finite.
 template <Problem P>
 bool is_valid(const P& problem, const typename P::Genome& genome) {

@@ -12,18 +12,18 @@ struct Landscape {
     Eigen::VectorXd lower; ///< lower bounds, n values
     Eigen::VectorXd upper; ///< upper bounds, n values greater than those of `lower`
 
-    /// Fitness at x, with higher being better; minus infinity if the evaluation fails or a constraint is
-    /// violated.
+    /// Returns the fitness at x; higher is better. It is minus infinity if the evaluation fails or a
+    /// constraint is violated.
     std::function<double(const Eigen::VectorXd&)> fitness;
-    /// Fitness at x without regard to constraints, with higher being better, and one violation per
-    /// constraint, above 0 if it is violated. Minus infinity and size zero if the evaluation fails. Empty if
-    /// the problem has no constraint.
+    /// Returns two results at x. The first is the fitness without regard to constraints; higher is better.
+    /// The second has one violation per constraint, above 0 if the constraint is violated. If the evaluation
+    /// fails, they are minus infinity and an empty vector. Without constraints the function is empty.
     std::function<std::pair<double, Eigen::VectorXd>(const Eigen::VectorXd&)> constrained;
-    /// Gradient of the fitness at x; size zero if the evaluation fails. Empty
-    /// if the problem has no gradient.
+    /// Returns the gradient of the fitness at x, or an empty vector if the evaluation fails. If the problem
+    /// has no gradient, the function is empty.
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> gradient;
-    /// Residuals and their n derivatives at x; nothing if the evaluation fails. Empty if the problem has no
-    /// residuals.
+    /// Returns the residuals and their n derivatives at x, or nothing if the evaluation fails. If the problem
+    /// has no residuals, the function is empty.
     std::function<std::optional<Sensitivity>(const Eigen::VectorXd&)> sensitivity;
     std::function<bool()> exhausted; ///< whether to stop at once
     std::uint64_t seed = 0;          ///< for methods that draw random numbers

@@ -11,15 +11,15 @@ struct Reading {
     std::vector<std::pair<Eigen::Index, double>> slopes; ///< rows k and d value / d r_k, if it is not 0
 };
 
-/// Minus the largest |r_k|. Its slope is that of the first row with this value.
+/// Minus the largest |r_k| of the residuals r. The slope is taken from the first row k with this value.
 inline Reading least_worst(const Eigen::VectorXd& residuals) {
     Eigen::Index worst = 0;
     const double largest = residuals.cwiseAbs().maxCoeff(&worst);
     return {-largest, -largest, {{worst, residuals[worst] < 0 ? 1.0 : -1.0}}};
 }
 
-/// Maximises a reading of the residuals by the globally convergent method of moving asymptotes (Svanberg
-/// 2002; NLopt's LD_MMA).
+/// Maximises a function of the residuals by the globally convergent method of moving asymptotes (Svanberg
+/// 2002; NLopt's LD_MMA). `read` returns the function's value and derivatives for given residuals.
 /// @param evaluations  maximum number of evaluations after the start point; inner iterations count
 inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
                                         const std::function<Reading(const Eigen::VectorXd&)>& read) {
@@ -47,7 +47,7 @@ inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
 }
 
 /// The method `mma n`: maximised_by_mma() with least_worst(). A domain can make a method with another
-/// reading.
+/// function of the residuals.
 struct Mma {
     static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
 

@@ -108,8 +108,8 @@ inline int algorithm_number(const std::string& name) {
 }
 
 /// Any local or global algorithm of NLopt that works in a box without a second optimiser. It maximises the
-/// fitness. Algorithms that accept inequality constraints without gradients (`takes_constraints`) get those
-/// of the problem.
+/// fitness. Algorithms that work with inequality constraints without gradients (`takes_constraints`) get the
+/// problem's constraints.
 struct Nlopt {
     static constexpr bool on_residuals = false; ///< whether it uses residuals; it uses the fitness
 

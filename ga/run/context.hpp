@@ -146,9 +146,9 @@ class Context {
         serve(population);
     }
 
-    /// Adds n replicates of a noisy evaluation to each individual that has not failed, up to max(n, limit) in
-    /// all. Sets the fitness to the mean of all replicates of the individual. Known replicates are not
-    /// evaluated again. If one replicate fails, the individual is marked as failed.
+    /// Adds n replicates of a noisy evaluation to each individual that has not failed. An individual gets at
+    /// most max(n, limit) replicates in total. Its fitness becomes the mean of all its replicates. Known
+    /// replicates are not evaluated again. If one replicate fails, the individual is marked as failed.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -201,8 +201,8 @@ class Context {
     void note(const std::string& text) { state.note(path() + ": " + text); }
 
     /// Throws Stopped, with `in_hand` as the result, if a population of `individuals` individuals would need
-    /// more than its memory. Stages call it before they make a population larger. `like` is a genome to
-    /// measure, if new genomes differ in size.
+    /// more memory than one population may take. Stages call this before they make a population larger.
+    /// `like` is a genome to measure, if new genomes differ in size.
     void need_room(std::size_t individuals, const Population<Genome>& in_hand, const Genome* like = nullptr) {
         if (in_hand.empty() && !like)
             return;
