@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// Operators that learn from one generation to the next, and those that keep niches. They need Eigen and
+/// Operators that learn from one generation to the next, and operators that keep niches. They need Eigen and
 /// nlohmann's JSON.
 #include "ga/adaptation/cma_es.hpp"
 #include "ga/adaptation/epsilon.hpp"

@@ -9,13 +9,14 @@ namespace ga {
 /// replace the worst on the next island.
 struct Migration {
     std::size_t rounds = 10;  ///< number of rounds, >= 1
-    std::size_t migrants = 1; ///< number of individuals copied to the next island per round
+    std::size_t migrants = 1; ///< number of individuals that each island copies to the next one per round
 };
 
 /// Splits the population into n islands (individual i goes to island i modulo n). Each island evolves
 /// separately under the body, with migration between rounds (Cohoon, Hegde, Martin and Richards 1987). At the
-/// end the islands are joined. They run in parallel, and their evaluations are made together (`Rounds`).
-/// Checkpoints are written between two rounds. Evaluations of an unfinished round are not counted twice.
+/// end the populations of all islands become one population. Islands run in parallel, and the evaluations of
+/// all islands are made together (`Rounds`). Checkpoints are written between two rounds. Evaluations of an
+/// unfinished round are not counted twice.
 template <class Body>
 struct Islands : Operator {
     std::size_t n = 2;   ///< number of islands, 2 to 10,000
@@ -30,10 +31,11 @@ struct Islands : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", std::nullopt, 2, "islands").up_to(10000));
-        visit(self.migration.rounds, whole("rounds", "10", 1, "generations of each").keyed());
-        visit(self.migration.migrants,
-              whole("migrants", "1", 0, "best individuals, copied to the next island after each round")
-                  .keyed());
+        visit(self.migration.rounds, whole("rounds", "10", 1, "generations of each island").keyed());
+        visit(
+            self.migration.migrants,
+            whole("migrants", "1", 0, "best individuals that each island copies to the next after each round")
+                .keyed());
     }
 
     template <Problem P>

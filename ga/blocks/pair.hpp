@@ -13,8 +13,8 @@ struct Combine {
 };
 
 /// Runs two pipelines on the same population. Combines every individual of the left result with every
-/// individual of the right result. Of equal children, such as those of (i,j) and (j,i), one is kept. Children
-/// are unscored and name both parents.
+/// individual of the right result. One of several equal children is kept, for example of the children of (i,
+/// j) and (j, i). Children are unscored and have the identities of both parents.
 template <class Left, class Right, class G>
 struct Pair : Operator {
     Left left;          ///< pipeline that gives the first parents

@@ -4,8 +4,8 @@
 
 namespace ga {
 
-/// Whether the last progress was 10,000 generations ago. Progress is an improvement and, with `paying`, also
-/// a requested evaluation.
+/// Whether the last progress was 10,000 generations ago. Progress is an improvement; if `paying` is set, a
+/// requested evaluation is progress, too.
 template <Problem P, class G = typename P::Genome>
 bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying, Context<P>& context) {
     constexpr double patience = 10000; // generations
@@ -113,8 +113,8 @@ Repeat<Body> repeat(std::size_t n, Body body) {
 }
 
 /// Runs a body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block also
-/// ends after 10,000 generations without an improvement. A block with the rule `evaluations` also ends after
-/// 10,000 generations without a request.
+/// ends after 10,000 generations without an improvement. With the rule `evaluations`, these generations must
+/// also be without a requested evaluation.
 template <class Body, class Ends>
 struct Generations : Operator {
     Body body; ///< pipeline that runs in each generation
@@ -153,8 +153,8 @@ requires std::derived_from<R, StoppingRule> Generations<Body, AnyOf<R>> until(R 
     return {std::move(body), any_of(std::move(rule))};
 }
 
-/// Runs a body n times on the same population, with different random numbers each time. Joins the results. If
-/// the body begins with `sample`, each run has a new population.
+/// Runs a body n times on the same population, with different random numbers each time. Returns the
+/// individuals of all results. If the body begins with `sample`, each run has a new population.
 template <class Body>
 struct Restarts : Operator {
     std::size_t n = 1; ///< number of runs, >= 1

@@ -86,12 +86,14 @@ inline MapElites map_elites(std::vector<std::string> descriptors, std::size_t ce
 }
 
 /// The gradient emitter OMG-MEGA (Fontaine and Nikolaidis 2021, Differentiable quality diversity, Algorithm
-/// 1). It makes n children of random elites. A child of an elite with the genes theta has the genes theta +
-/// |c_0| grad f + sum_j c_j grad m_j, with normal c of standard deviation sigma.
+/// 1). It makes n children of random elites. Let theta be the genes of an elite, and m_j the descriptors. f
+/// is minus the sum of squared residuals, or the fitness if the problem only has `gradient`. c_0 and c_j are
+/// normal random numbers with the standard deviation sigma. The child has the genes
 ///
-/// m_j are the descriptors. f is minus the sum of squared residuals, or the fitness if the problem only has
-/// its gradient. Gradients are scaled to unit length. Genes are divided by the distance between their bounds,
-/// and reflected at the bounds. A derivative of f counts as an evaluation.
+///     theta + |c_0| grad f + sum_j c_j grad m_j.
+///
+/// Gradients are scaled to unit length. Genes are divided by the distance between their bounds, and reflected
+/// at the bounds. A derivative of f counts as an evaluation.
 struct Emit : Operator {
     std::size_t n;                        ///< number of children
     std::vector<std::string> descriptors; ///< names of at least one of the problem's descriptors

@@ -5,14 +5,14 @@
 
 namespace ga {
 
-/// A problem whose genomes have a distance: that of the problem, that of real genes, or that of bits and
-/// whole numbers at positions.
+/// A problem whose genomes have a distance. Either the problem defines it, or genomes consist of real genes,
+/// bits or whole numbers.
 template <class P>
 concept HasDistance = Measured<P> || HasGenes<P> || Discrete<typename P::Genome>;
 
 /// The problem's `distance`, if it has one. For real genes it is the root mean square of the differences,
-/// each divided by the distance between the first genome's bounds. For discrete genes it is the share that
-/// differs. A gene that only one genome has counts as a difference of 1.
+/// each divided by the distance between the first genome's bounds. For discrete genes it is the share of the
+/// genes that differ. A gene that only one genome has counts as a difference of 1.
 template <HasDistance P>
 double distance(const P& problem, const typename P::Genome& a, const typename P::Genome& b) {
     if constexpr (Measured<P>) {
@@ -42,7 +42,7 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
 /// The members that a problem without a distance lacks, in words, for the listing.
 inline const char* const no_distance = "real genes, discrete genes, or a distance";
 
-/// Clearing (Petrowski 1996). Individuals are visited from the best to the worst. One is removed if
+/// Clearing (Petrowski 1996). Individuals are visited from the best to the worst. An individual is removed if
 /// `capacity` better individuals that stay are within the distance `radius`. The result is sorted, best
 /// first.
 struct Clearing : Operator {
@@ -80,9 +80,9 @@ inline Clearing clear(double radius, std::size_t capacity = 1) {
 
 /// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). The result is the
 /// generation's start, in which children replace parents that are worse. Two children of the same two parents
-/// are matched with these parents so that the sum of distances is smallest. A child that is better than its
-/// match replaces it. A child that has one parent, or no sibling next to it, is matched with its nearest
-/// parent. Put `random | cross` before this stage to mate every individual once.
+/// are matched with these parents so that the sum of distances is smallest. A child replaces the parent with
+/// which it is matched if the child is better. A child that has one parent, or no sibling next to it, is
+/// matched with its nearest parent. Put `random | cross` before this stage to mate every individual once.
 struct Crowding : Operator {
     ///@{ Members that every operator has (Operator).
     static Words words() {
@@ -137,9 +137,10 @@ struct Crowding : Operator {
 /// The stage `crowding`.
 inline Crowding crowding() { return {}; }
 
-/// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness is divided
-/// by the size of the niche. This is the sum of sh(d) = 1 - (d/radius)^alpha over the distances d below
-/// `radius` to all individuals. If a fitness is below 0, all are raised so that the worst is 0.
+/// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness of an
+/// individual is divided by the size of its niche. This size is the sum of 1 - (d/radius)^alpha over all
+/// individuals whose distance d is below `radius`. If a fitness is below 0, all fitnesses are first raised so
+/// that the worst is 0.
 struct Sharing : ByFitness {
     static constexpr bool one_spin = true; ///< whether one spin fills all places
 

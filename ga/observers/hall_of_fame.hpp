@@ -4,7 +4,7 @@
 
 namespace ga {
 
-/// The n best different genomes of a run under one objective, best first; of equal ones the first.
+/// The n best different genomes of a run under one objective, best first. The first of equal genomes is kept.
 /// `checkpoints.keep("hall", hall.members)` stores them with a run.
 template <Problem P>
 class HallOfFame {

@@ -65,8 +65,8 @@ inline double dominated_share(const std::vector<Point>& points, const Point& ref
 }
 
 /// Scores by several objectives at once. Individuals are compared as NSGA-II does (Deb et al. 2002): by the
-/// rank of their front, then by crowding. Those that violate constraints come last (Deb's rules). Rank and
-/// crowding refer to the individuals that a stage compares, so every selection and replacement works:
+/// rank of their front, then by crowding. Individuals that violate constraints come last (Deb's rules). Rank
+/// and crowding refer to the individuals that a stage compares, so every selection and replacement works:
 ///
 ///     pareto({"f1", "f2"})
 ///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) |

@@ -11,8 +11,7 @@
 
 namespace ga {
 
-/// The value of Parameter::upper if there is no upper limit, and of -Parameter::lower if there is no lower
-/// limit.
+/// The limit of a parameter that may have any value: `upper` is no_limit, or `lower` is -no_limit.
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// The lower limit of a parameter that must be greater than 0.
 constexpr double above_zero = std::numeric_limits<double>::min();

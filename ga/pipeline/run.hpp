@@ -8,7 +8,7 @@ namespace ga {
 struct RunOptions {
     std::string variant = "pipeline"; ///< first word of every stage's path; does not affect random numbers
     std::uint64_t seed = 1;           ///< seed of every random stream
-    int threads = 0; ///< number of threads of `run`; 0 for OpenMP's default; `run_by` ignores it
+    int threads = 0; ///< number of threads of `run`, 0 for OpenMP's default; not used by `run_by`
     std::size_t memory_bytes = std::size_t{1} << 30; ///< memory for known outcomes; does not affect a result
     Budget budget = {};                              ///< limits at which the run stops early
     /// Memory for one population; a run that would exceed it ends with its current population.
@@ -18,8 +18,8 @@ struct RunOptions {
 /// The result of a run.
 template <class G>
 struct Result {
-    /// The last population. If the run was stopped, it has the individuals of the last population and of the
-    /// generation's start that are scored under the most frequent policy, best first.
+    /// The last population. A stopped run returns individuals of its last population and of the generation's
+    /// start, best first. They are the individuals that are scored under the most frequent policy.
     Population<G> population;
     std::optional<Individual<G>> best; ///< the best of the whole run under the problem's first objective
     Counters counters;                 ///< evaluations and derivatives of the run

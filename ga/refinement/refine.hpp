@@ -166,7 +166,7 @@ struct EveryGene {
 };
 
 /// Moves the chosen genes of every individual by a method of refinement, and scores the results. Individuals
-/// are refined in parallel (`Rounds`). Failed individuals, and those that do not improve, stay unchanged.
+/// are refined in parallel (`Rounds`). Failed individuals and individuals that do not improve stay unchanged.
 /// Bounds and choice of genes are those of the original genome, before the first refinement.
 template <class M, class Choice>
 struct Refine : Operator {

@@ -4,9 +4,9 @@
 
 namespace ga {
 
-/// Brings back the k best of the generation's start in place of the worst. An individual that is still in the
-/// population is not added again, and a better individual is never replaced by a worse one. Under several
-/// objectives both populations are ranked together first.
+/// Brings back the k best individuals of the generation's start in place of the worst of the population. An
+/// individual that is still in the population is not added again. A better individual is never replaced by a
+/// worse one. Under several objectives both populations are first ranked together.
 struct Elite : Operator {
     std::size_t k = 1; ///< number of individuals that come back, >= 1
     ///@{ Members that every operator has (Operator).
@@ -42,8 +42,9 @@ struct Elite : Operator {
 /// The stage `elite k`.
 inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
 
-/// (mu + lambda) replacement (Schwefel 1975): the mu best of the generation's start and its children
-/// together. Under several objectives both are ranked together: NSGA-II's replacement (Deb et al. 2002).
+/// (mu + lambda) replacement (Schwefel 1975). Returns the mu best individuals of the generation's start and
+/// of the population. Under several objectives the two populations are ranked as one. This is NSGA-II's
+/// replacement (Deb et al. 2002).
 struct Plus : Operator {
     std::size_t mu = 0; ///< number of individuals that stay; 0 for the size of the generation's start
     ///@{ Members that every operator has (Operator).
@@ -67,8 +68,8 @@ struct Plus : Operator {
 /// The stage `plus mu`.
 inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
 
-/// Adds the individuals of the generation's start to the population, so that the next stages choose among
-/// both.
+/// Adds the individuals of the generation's start to the population, so that the next stages choose among the
+/// individuals of both populations.
 struct JoinParents : Operator {
     ///@{ Members that every operator has (Operator).
     static Words words() {
@@ -95,7 +96,8 @@ struct JoinParents : Operator {
 inline JoinParents parents() { return {}; }
 
 /// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
-/// the children, whatever their fitness. Put `tournament 2 size=2` before it for two children per generation.
+/// the children, whatever the children's fitness. For two children per generation, put `tournament 2 size=2`
+/// before this stage.
 struct Steady : Operator {
     ///@{ Members that every operator has (Operator).
     static Words words() {

@@ -92,10 +92,10 @@ class Table {
     std::size_t room_ = 0;                         ///< number of entries at which the index must grow
 };
 
-/// Evaluations by fingerprint in bounded memory. It has two halves, `young` and `old`. When the young half is
-/// full, the old half is removed and the young one becomes the old one. An evaluation that is read in the old
-/// half becomes young again. Only the order of requests decides which evaluations are removed. Removing them
-/// costs time but does not affect a result, because evaluations are pure.
+/// Evaluations by fingerprint in bounded memory. The memory has two halves, `young` and `old`. When the young
+/// half is full, the old half is removed and the young half becomes the old half. An evaluation that is read
+/// in the old half becomes young again. Only the order of requests decides which evaluations are removed. A
+/// removed evaluation costs time but does not affect a result, because evaluations are pure.
 template <class Outcome>
 class Memory {
   public:

@@ -13,9 +13,9 @@ concept Crosses = Problem<P> &&
     way(problem, genome, genome, stream);
 };
 
-/// Crosses neighbours: the first with the second, the third with the fourth and so on, each pair with
-/// probability `rate`. If the number is odd, the last one is not changed. The two children replace their
-/// parents, unscored. Put `random` before it to shuffle the pairs.
+/// Crosses neighbours: the first with the second, the third with the fourth and so on. Each pair is crossed
+/// with probability `rate`. If the number of individuals is odd, the last individual is not changed. The two
+/// children replace their parents, unscored. Put `random` before this stage to shuffle the pairs.
 template <class Way>
 struct Cross : Operator {
     Way way;         ///< method that crosses two genomes (Crosses)
@@ -116,7 +116,7 @@ void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b,
 }
 
 /// Cuts two sequences at the same n different places and exchanges every second piece. Only the length of the
-/// shorter sequence is used; if it is too short for n cuts, there are as many as fit.
+/// shorter sequence is used. If this is too short for n cuts, there are as many cuts as fit.
 template <class Sequence>
 void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream) {
     const std::size_t length = std::min<std::size_t>(a.size(), b.size());
@@ -288,9 +288,9 @@ struct Blend {
 /// @param alpha  extension of the interval relative to the parents' distance, >= 0
 inline Blend blend(double alpha = 0.5) { return {alpha}; }
 
-/// Simulated binary cross-over (Deb and Agrawal 1995, with bounds as in NSGA-II's code), of each gene with
-/// probability 1/2. Children lie symmetrically about the parents' mean. They spread like binary strings after
-/// one-point cross-over.
+/// Simulated binary cross-over (Deb and Agrawal 1995, with bounds as in NSGA-II's code). Each gene is crossed
+/// with probability 1/2. Children lie symmetrically about the parents' mean. They spread as the children of
+/// binary strings do after one-point cross-over.
 struct SimulatedBinary {
     double eta = 15; ///< distribution index; greater values put children nearer to their parents
 

@@ -215,8 +215,8 @@ auto& places(G& genome) {
 template <class G>
 concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G, std::vector<double>>;
 
-/// Exchanges the gene with another one, or reverses the whole piece between the two. For a tour a reversed
-/// piece exchanges two edges.
+/// Exchanges the gene with another gene, or reverses the piece from one gene to the other. For a tour a
+/// reversed piece exchanges two edges.
 template <bool piece>
 struct Exchange : NoParameters {
     ///@{ Members that every mutation has (Mutates).
@@ -249,8 +249,8 @@ struct Exchange : NoParameters {
 using Swap = Exchange<false>;   ///< the method of `mutate RATE swap`
 using Reverse = Exchange<true>; ///< the method of `mutate RATE reverse`
 
-/// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise permutations get a
-/// swap, real genes a gaussian step of a tenth of the width, bits and whole numbers a reset.
+/// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise it depends on the
+/// genome: `swap` for permutations, `gaussian 0.1` for real genes, `reset` for bits and whole numbers.
 struct Natural : NoParameters {
     ///@{ Members that every mutation has (Mutates).
     static Words words() {
