@@ -101,7 +101,7 @@ void validate(const CapSetup& setup);
 
 /// The engine's operators for caps.
 ga::Registry<CapProblem> cap_engine_words();
-/// The operators of text pipelines for caps: those of the engine, `round` and `exchange`.
+/// The operators of text pipelines for caps: the engine's operators, `round` and `exchange`.
 ga::Registry<CapProblem> cap_registry(const CapSetup& setup);
 /// The named pipelines for caps; `default` restarts until it has the required similarity.
 ga::Variants cap_variants(const CapSetup& setup);

@@ -31,9 +31,9 @@ struct Layering {
 /// The layers in other units of length and pressure (both > 0), with every modulus given.
 Layering in_units(Layering layering, double length, double pressure);
 
-/// The compliance u_q/p_q of the layered body, divided by that of the half-space, 2/(E* q). p_q and u_q are
-/// the amplitudes of pressure and displacement at the wavenumber q > 0. q is in the inverse of the layers'
-/// unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa.
+/// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q). p_q and u_q
+/// are the amplitudes of pressure and displacement at the wavenumber q > 0. q is in the inverse of the
+/// layers' unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa.
 ///
 /// A linear system gives the ratio, with four constants per layer and two for the half-space (Airy's stress
 /// function, plane strain). The top has a given pressure and no friction; interfaces are bonded.

@@ -13,7 +13,7 @@ namespace rough::exact {
 struct Contact {
     double load = 0;         ///< F = P L, N/mm: force per length out of the plane; periodic: per wavelength
     double displacement = 0; ///< Delta, mm
-    double stiffness = 0;    ///< dF/dDelta, MPa, equal to that of a flat punch of the same width
+    double stiffness = 0;    ///< dF/dDelta, MPa, equal to the stiffness of a flat punch of this width
 };
 
 /// A half-plane's modulus E* and datum distance d.

@@ -22,8 +22,8 @@ const std::vector<Material>& materials();
 /// Their names, in the same order.
 std::vector<std::string> material_names();
 
-/// Limit on the largest local pressure, over E*, for a material of unknown hardness. The highest ratios of
-/// hardness and E* are 0.06 to 0.09, for glass, silicon and diamond.
+/// Limit on the largest local pressure divided by E*, for a material of unknown hardness. The highest ratios
+/// of hardness and E* are 0.06 to 0.09, for glass, silicon and diamond.
 constexpr double largest_elastic_pressure = 0.1;
 
 } // namespace rough

@@ -72,14 +72,14 @@ struct ContactCurve {
 /// g0_i = max(Z) - Z_i is the gap at first touch; Z_i are the heights. The certificate (kkt_residual) is the
 /// largest relative violation of these conditions, with H p computed by a method different from the solver's.
 ///
-/// At Delta = 0 the touching nodes count as contact without pressure. The tangent stiffness K is then that of
-/// first loading. `automatic` continues with another solver if the chosen one does not converge, needs too
-/// much memory, or needs far more work than predicted.
+/// At Delta = 0 the touching nodes count as contact without pressure. The tangent stiffness K there is the
+/// stiffness at the beginning of loading. `automatic` continues with another solver if the chosen one does
+/// not converge, needs too much memory, or needs far more work than predicted.
 ///
 /// With a hardness p_H, pressures are at most p_H. Nodes at p_H (held nodes) may sink in: there u may be less
-/// than Delta - g0. K is then that of the other nodes in contact. Only `automatic` and `active_set` accept a
-/// hardness. A projected Newton method solves steps with held nodes. It ends if the residual of the gaps is
-/// 1e-11 of the approach, or if rounding limits it.
+/// than Delta - g0. K is then the stiffness of the other nodes in contact. A hardness is possible only with
+/// `automatic` and `active_set`. A projected Newton method solves steps with held nodes. It ends if the
+/// residual of the gaps is 1e-11 of the approach, or if rounding limits it.
 ///
 /// Throws InputError if a profile, body or displacement has no solution. Throws NotConverged if the
 /// certificate of a step exceeds its limit. For an iterative solver the limit is twice `tolerance`. For a
@@ -98,7 +98,7 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// to 1e-8 or better.
 ///
 /// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached. On a periodic
-/// body, a pressure above that of full contact is refused. This limit does not apply with a hardness, or with
+/// body, a pressure above full_contact_load() is refused. This limit does not apply with a hardness, or with
 /// compressible layers on a rigid base. With a hardness, a pressure must be below the mean pressure of all
 /// nodes at p_H.
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,

@@ -106,7 +106,7 @@ class GenomeStore {
 
     std::vector<Span> batches() const; ///< all stored batches, in order
     /// Ranges, pressures, contact fractions and tangents of a batch from batches(). Throws InputError if the
-    /// batch was altered or its genomes are not those of the distribution.
+    /// batch was altered or its genomes differ from the distribution.
     std::vector<Response> responses(const Span& span) const;
     /// The curves of all stored genomes, with contact fractions if requested.
     StoredCurves curves(bool with_fractions = false) const;

@@ -29,8 +29,8 @@ Genome shaped_as(const Profile& profile, const std::vector<Series>& series, doub
                  double damping = 1e-6);
 
 /// The genome for a map: two copies of the series `law`, with `ridges` directions per chromosome. Each wave
-/// vector then has two phases, which give any amplitude up to 2 G_n. Wave vectors are those of `grid`
-/// (plane_waves), which has the map's lengths but may have other nodes.
+/// vector then has two phases, which give any amplitude up to 2 G_n. plane_waves() gives the wave vectors on
+/// `grid`, which has the map's lengths but may have other nodes.
 Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& grid, double shortest,
                  double damping = 1e-4);
 

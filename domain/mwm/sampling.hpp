@@ -24,11 +24,11 @@ Eigen::MatrixXd wave_basis(const Genome& genome, const Grid& grid);
 
 /// One ridge of a chromosome on a map: -amplitude cos(k_x x + k_y y + phase), plus a constant.
 struct PlaneWave {
-    double amplitude;    ///< G_n times the genome's scale, mm; its sign is that of A
+    double amplitude;    ///< G_n times the genome's scale, mm; negative if A is negative
     double k_x;          ///< wavenumber along x, 1/mm
     double k_y;          ///< wavenumber along y, 1/mm
     double phase;        ///< phase phi of the ridge, rad
-    double moved = 0;    ///< distance by which the wave vector was moved to fit the grid, over its length
+    double moved = 0;    ///< change of the wave vector to fit the grid, divided by its length
     bool fitted = false; ///< whether the wave vector was fitted to a periodic grid, whatever the genes are
 };
 /// All ridges of a genome on a grid, in the order of its phases. On a periodic grid wave vectors are the

@@ -6,7 +6,7 @@ namespace rough {
 
 /// One cosine of a profile: offset - amplitude cos(wave_number x + phase).
 struct Wave {
-    double amplitude;   ///< G_n R_n, mm; its sign is that of A
+    double amplitude;   ///< G_n R_n, mm; negative if A is negative
     double wave_number; ///< k_n, 1/mm
     double phase;       ///< theta, rad
     double offset;      ///< G_n g1, mm
@@ -42,7 +42,7 @@ double shortest_wave(const Genome& genome);
 int last_chromosome(double lambda, double gamma, double shortest);
 
 /// The genome with only the chromosomes for which `keep` is true; empty series are removed. `keep` is called
-/// with the index of the series and that of the chromosome.
+/// with the index of the series and the index of the chromosome.
 template <class Keep>
 Genome filtered(const Genome& genome, Keep keep) {
     Genome result{genome.scale, {}};

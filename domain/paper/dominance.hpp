@@ -7,8 +7,8 @@
 
 namespace rough {
 
-/// Readings of Algorithm 1: points at which it compares the stiffness curve of a part with that of the whole.
-/// The paper does not state them; our choice is `same_pressure`.
+/// Readings of Algorithm 1: points at which it compares the stiffness curves of a part and of the whole. The
+/// paper does not state these points; our choice is `same_pressure`.
 enum class DominanceReading {
     same_pressure, ///< secants at the whole's pressures; the part's curve is constant beyond its ends
     same_step,     ///< secants at equal numbers of the load step; each part is loaded over its range

@@ -39,7 +39,8 @@ Pipeline cco(const Vocabulary& words, Form form = Form::paper);
 /// CCO with Algorithm 1 on the children instead of the parents: another reading of Algorithm 5.
 Pipeline cco_of_sums(const Vocabulary& words);
 
-/// The operators of text pipelines for the paper's problem: those of the engine and of roughness.
+/// The operators of text pipelines for the paper's problem: operators of the engine and operators for rough
+/// surfaces.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 
 /// sog, gco, cco and their minimax forms as texts.

@@ -87,11 +87,11 @@ Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loading
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine);
 
-/// Returns every `part`-th load step. Steps are equally spaced, so the displacements equal those of a coarser
-/// curve exactly.
+/// Returns every `part`-th load step. Steps are equally spaced, so a coarser curve has exactly these
+/// displacements.
 Response every(Index part, Response response);
 
-/// The rows of `above`, followed by those of `below`.
+/// The rows of `above`, followed by the rows of `below`.
 ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below);
 
 } // namespace rough

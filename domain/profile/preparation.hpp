@@ -26,8 +26,8 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// <= lambda. A cosine of wavelength l keeps 2^-(lambda/l)^2 of its amplitude, which is a half at l = lambda.
 /// Roughness is the heights minus the filtered heights.
 ///
-/// At the ends the window is cut off. There moments up to the first are kept (ISO 16610-28): the value is
-/// that of the weighted least-squares line. So a straight line does not change, and no length is lost. A map
+/// At the ends the window is cut off. There moments up to the first are kept (ISO 16610-28): the value is the
+/// value of the weighted least-squares line. So a straight line does not change, and no length is lost. A map
 /// is filtered along x and then along y. This is the areal Gaussian filter (ISO 16610-61), because its
 /// weights are products. A plane does not change.
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);

@@ -71,7 +71,7 @@ double material_height(const Eigen::VectorXd& heights, double ratio);
 /// used.
 struct CoreHeights {
     double Rk = 0;  ///< core height, mm
-    double Rpk = 0; ///< reduced peak height, mm: that of a triangle as large as the peaks above the core
+    double Rpk = 0; ///< reduced peak height, mm: height of a triangle as large as the peaks above the core
     double Rvk = 0; ///< reduced valley depth, mm
     double Mr1 = 0; ///< share of material at the core's upper limit, 0 to 1
     double Mr2 = 0; ///< share of material at the core's lower limit, 0 to 1
@@ -94,8 +94,8 @@ struct Texture {
     /// Autocorrelation length, mm. It is the distance at which the autocorrelation has fallen to 0.2, in the
     /// direction of fastest decay. NaN if it does not fall to 0.2 within half of the map.
     double Sal = 0;
-    /// Aspect ratio, 0 to 1: Sal over the corresponding length in the direction of slowest decay. Near 0 the
-    /// roughness has one direction, near 1 all directions are alike.
+    /// Aspect ratio, 0 to 1: Sal divided by the corresponding length in the direction of slowest decay. Near
+    /// 0 the roughness has one direction, near 1 all directions are alike.
     double Str = 0;
     /// Whether the autocorrelation decays so slowly that Str is only an upper bound: beyond half of the map.
     bool Str_is_bound = false;

@@ -74,9 +74,10 @@ struct CurveJacobian {
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
 
 /// The interface stiffness K_i at each load step, MPa/mm, from the tangent K; infinite at full contact. 1/K_i
-/// = 1/K - 1/K_full (Barber 2003) removes the compliance of full contact, which is in series with that of
-/// the contact. In plane strain K_i does not depend on the datum, because another datum adds the same
-/// constant to 1/K for every contact set. This holds for secants too. On a periodic half-plane K_i = K.
+/// = 1/K - 1/K_full (Barber 2003) removes the compliance of full contact, which is in series with the
+/// compliance of the contact. In plane strain K_i does not depend on the datum, because another datum adds
+/// the same constant to 1/K for every contact set. This holds for secants too. On a periodic half-plane K_i =
+/// K.
 Eigen::VectorXd interface_stiffness(const Response& response);
 
 /// The interface stiffness K_i for a stiffness K, both in MPa/mm. If K is within a relative 1e-12 of K_full,

@@ -111,7 +111,7 @@ struct Model {
     double accuracy = 0;
 };
 
-/// The model with default values in place of zeros: those of the body for the grid's length, and the reach
+/// The model with default values in place of zeros: the body's values for the grid's length, and the reach
 /// for the kernel. The grid becomes periodic if the kernel is periodic, and only then.
 inline Model completed(Model model) {
     model.grid.periodic = model.body.kernel == Kernel::periodic;

@@ -48,8 +48,9 @@ double rms_slope(const RandomSurface& surface);
 
 /// A surface of these parameters on a periodic grid; a line if `parameters` are a profile's. It is the sum of
 /// one cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between the cut-offs. Amplitudes follow
-/// the spectrum and phases are random, so that the power is exactly that of the spectrum. The same seed gives
-/// the same surface on every grid. Waves that a grid does not resolve are sampled, as by an instrument.
+/// the spectrum and phases are random, so that surface and spectrum have exactly the same power. The same
+/// seed gives the same surface on every grid. Waves that a grid does not resolve are sampled, as by an
+/// instrument.
 /// Throws InputError for parameters out of range, and if no wave fits between the cut-offs.
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed);
 
