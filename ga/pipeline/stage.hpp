@@ -87,7 +87,7 @@ class Stage {
     using Genome = typename P::Genome; ///< genome of the problem
 
     Stage() = default;
-    /// A pipeline of one operator, or of operators joined by `|`. The compiler checks those
+    /// A pipeline of one operator, or of several operators with `|` between them. The compiler checks the
     /// requirements that concepts can express. Throws UsageError if another requirement is not met.
     template <class Op>
     requires(std::derived_from<Op, Operator>) Stage(const Op& op) {

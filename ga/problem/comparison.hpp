@@ -81,7 +81,7 @@ inline std::vector<double> merits(std::span<const Fitness* const> all) {
     }
     return several ? crowded_merits(all) : ruled ? classes_by_rules(all) : merits;
 }
-/// The merits of a population, followed by those of `others`.
+/// The merits of a population, followed by the merits of `others`.
 template <class G>
 std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
     std::vector<const Fitness*> all(population.size() + others.size());

@@ -64,7 +64,7 @@ class Table {
     static constexpr std::size_t per_block = 16;
 
     Entry& entry(std::size_t i) { return blocks_[i / per_block][i % per_block]; }
-    /// The mark of a used slot; that of a free one is 0.
+    /// The mark of a used slot; a free slot has the mark 0.
     static std::uint8_t mark(const Fingerprint& print) { return static_cast<std::uint8_t>(print.high | 1); }
     std::size_t mask() const { return marks_.size() - 1; }
     /// The slot of a fingerprint, or the free slot for it.

@@ -7,7 +7,7 @@
 namespace ga {
 
 /// The words of text pipelines for one type of problem: operators, combinations and choices of genes.
-/// `vocabulary<P>()` has those of the engine; a domain adds more.
+/// `vocabulary<P>()` has the engine's words; a domain adds more.
 template <Problem P>
 class Registry {
   public:
