@@ -64,9 +64,10 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
 }
 
 /// The merit of each individual, compared with the other given individuals. Higher is better; failed
-/// individuals have minus infinity. Under one objective the merit is the fitness. If a constraint is
-/// violated, it is the class by Deb's rules. Under several objectives it is crowded_merits(). Throws
-/// UsageError if policies differ or an individual is unscored.
+/// individuals have minus infinity. Under one objective the merit is the value, with its sign changed if the
+/// objective is minimised. If any of the given individuals violates a constraint, all merits are classes by
+/// Deb's rules. Under several objectives the merits are crowded_merits(). Throws UsageError if policies
+/// differ or an individual is unscored.
 inline std::vector<double> merits(std::span<const Fitness* const> all) {
     bool several = false, ruled = false;
     std::vector<double> merits(all.size());
@@ -119,13 +120,13 @@ Population<G> best_of(const Population<G>& population, std::size_t n) {
     return chosen;
 }
 
-/// The part of a generation's start that a block stores: as many of the best individuals as its stages read.
+/// The part of a generation's start that a block keeps: the best `reads` individuals, or all for `everyone`.
 template <class G>
 Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
     return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
 }
 
-/// Removes the levels of the stage `epsilon`, so that constraints hold only without violation.
+/// Sets all levels of the stage `epsilon` to 0, so that any violation makes an individual infeasible.
 template <class G>
 Population<G> strict(Population<G> population) {
     for (auto& individual : population)
@@ -167,7 +168,7 @@ inline bool better_by_rules(const Fitness& a, const Fitness& b) {
     return dominates(a.values(), b.values());
 }
 /// Whether a is better than b by Deb's rules. Under several objectives, feasible individuals are compared by
-/// dominance. Other individuals do not matter. Throws UsageError if the policies of a and b differ.
+/// dominance. The result depends only on a and b. Throws UsageError if the policies of a and b differ.
 inline bool better(const Fitness& a, const Fitness& b) {
     const bool rules = a.several() || b.several() || !a.feasible() || !b.feasible();
     if (!rules && a.known() && b.known(a.objective_name())) // the most frequent case

@@ -5,7 +5,7 @@
 namespace ga {
 
 /// A method to mutate a genome in place, each gene by its chance. It has words() and describe() like an
-/// operator. It also has this member. The member is constrained by the members of the problem that it uses.
+/// operator. It also has this member. Its requires-clause states which members of the problem it uses.
 ///
 /// @code
 ///     bool operator()(const P&, Genome&, const Chance&, Stream&) const;   true if a gene changed
