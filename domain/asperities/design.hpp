@@ -32,7 +32,7 @@ struct CapSetup {
     std::vector<Target> targets = {};       ///< at least one target
     double required_similarity = 0.98;      ///< similarity from which an answer is reported as found
     double nodes = 1 << 20;                 ///< number of nodes of the map in the verification
-    bool positions = false;                 ///< whether the usual pipeline ends by exchanging caps
+    bool positions = false; ///< whether the pipeline `default` ends with stages that swap the places of caps
 };
 
 /// The caps of a genome.
@@ -77,8 +77,8 @@ class CapProblem {
     /// The ranges of heights and radii.
     const std::vector<ga::Variable>& bounds(const Genome&) const { return bounds_; }
     /// Random caps whose values are on the steps of their ranges. Half of the samples have a group of high
-    /// caps and a group of low caps. In the other half, depths below the top of the range are powers of
-    /// uniform draws, within a random share of the range.
+    /// caps and a group of low caps. In the other half, a cap's depth below the top is share * u^power of the
+    /// range. u is uniform for each cap; share and power are drawn once per sample.
     Genome sample(ga::Stream& random) const;
     /// Moves each gene with probability `rate`, by one or more steps of its range. If the range has no steps,
     /// the distance is normally distributed.
@@ -118,9 +118,11 @@ struct CapVerification {
 
 /// A design with caps, and its similarities.
 struct CapAnswer {
-    CapGenome genome;                  ///< genome whose values are on the steps of their ranges
-    double similarity = 0;             ///< similarity by the model
-    double difference = 1;             ///< smallest difference from the answers before it in a list
+    CapGenome genome;      ///< genome whose values are on the steps of their ranges
+    double similarity = 0; ///< similarity by the model
+    /// Smallest difference from earlier answers in the list; 1 for the first. A difference is the rms
+    /// difference of the sorted depths, over the height range.
+    double difference = 1;
     CapVerification verification = {}; ///< verification; empty for alternatives
 
     /// The lowest similarity; NaN if boundary elements have not verified it.
@@ -141,9 +143,9 @@ struct CapSearch {
     double seconds = 0;             ///< wall time without verification
 };
 
-/// Runs a pipeline on a design with caps, and verifies its best answer within the ranges by boundary
-/// elements. Throws ga::UsageError on a pipeline that cannot work, NotConverged if no curve could be
-/// computed.
+/// Runs a pipeline on a design with caps. Verifies by boundary elements the best answer whose genes have
+/// allowed values (GeneRange). Throws ga::UsageError on a pipeline that cannot work, NotConverged if no curve
+/// could be computed.
 CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options = {},
                  std::vector<ga::Observer<CapGenome>> observers = {});
 
@@ -152,19 +154,19 @@ struct AreaLimits {
     double min; ///< smallest area, mm^2
     double max; ///< largest area, mm^2
 };
-/// The limits of the area under a force (N), if the area of each cap follows from its force (hertz_area). One
-/// cap of the smallest radius has the smallest area. Equal caps with the largest radius have the largest
-/// area. For independent caps the lower limit also uses the range of heights, because no cap is farther than
-/// this range below the highest cap.
+/// The limits of the area under a force (N), if the area of each cap follows from its force (hertz_area). The
+/// area is smallest if one cap of the smallest radius carries the whole force. It is largest if all caps have
+/// the largest radius and equal forces. For independent caps the lower limit also uses the range of heights,
+/// because no cap is farther than this range below the highest cap.
 AreaLimits area_limits(const CapSetup& setup, double force);
 
 /// The reasons why no caps of the set-up can match a target A(F), each with a bound on the similarity.
 std::vector<OutOfReach> out_of_reach(const CapSetup& setup);
 
-/// The standard deviation of independent normal errors of all heights under which 95 % of draws keep a
-/// largest misfit.
+/// Largest standard deviation found for independent normal height errors under which, in 95 % of draws, no
+/// |misfit| exceeds `error`.
 struct HeightTolerance {
-    double error = 0; ///< largest relative misfit that is kept: 0.02, 0.05 or 0.1
+    double error = 0; ///< limit on the largest |misfit|: 0.02, 0.05 or 0.1
     double rms = 0;   ///< standard deviation, mm; 0 if the misfit is larger even without errors
 };
 /// The tolerances of a design under its model. All levels use the same `draws` draws.

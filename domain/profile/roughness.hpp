@@ -44,8 +44,8 @@ struct SurfaceParameters {
 };
 
 /// Parameters of a sampled profile about its mean line. They are Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm,
-/// Rdq, Rmr, Rk, Rpk, Rvk, Rmrk1, Rmrk2. If the whole profile is one section, P replaces R, because no
-/// wavelengths over lambda_c were removed. Slopes and curvatures use the seven-point formula.
+/// Rdq, Rmr, Rk, Rpk, Rvk, Rmrk1, Rmrk2. If `section_length` is 0, P replaces R, because no wavelengths
+/// over lambda_c were removed. Slopes and curvatures use the seven-point formula.
 ///
 /// Then follow the rms curvature and the spectral moments m0, m2 and m4 (mean squares of height, slope and
 /// second derivative; Nayak 1971). The last is the bandwidth alpha = m0 m4/m2^2, at least 1.
@@ -53,9 +53,9 @@ struct Roughness : SurfaceParameters {
     double section_length = 0; ///< length of a section, mm
     Index sections = 1;        ///< number of sections, which together are the evaluation length
 };
-/// Evaluates as many whole sections as the profile has, in its middle. `section_length` is in mm (lambda_c of
-/// a roughness profile); 0: the whole profile is one section. Throws InputError on fewer than ten nodes,
-/// fewer than two nodes per section, a section longer than the profile, or a constant profile.
+/// Evaluates the largest whole number of sections that fits, centred on the profile. `section_length` is in
+/// mm (lambda_c of a roughness profile); 0: the whole profile is one section. Throws InputError on fewer than
+/// ten nodes, fewer than two nodes per section, a section longer than the profile, or a constant profile.
 Roughness roughness(const Profile& profile, double section_length = 0);
 
 /// The material ratio Rmr(c) of a profile: the share of its length that is higher than `level` (mm, from the
@@ -63,7 +63,8 @@ Roughness roughness(const Profile& profile, double section_length = 0);
 double material_ratio(const Profile& profile, double level);
 
 /// The material height Smc(mr) of a map (ISO 25178-2), mm from the zero of the heights. A share `ratio` (0 to
-/// 1) of the nodes is higher. The result is linear between nodes, and the inverse of Smr(c).
+/// 1) of the nodes is higher. It interpolates linearly between the sorted heights. Smr(c) is a step function,
+/// so the result is only approximately its inverse.
 double material_height(const Eigen::VectorXd& heights, double ratio);
 
 /// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2). The line of least squares through the
@@ -79,9 +80,9 @@ struct CoreHeights {
 /// The parameters of heights at evenly spaced nodes, five or more.
 CoreHeights core_heights(const Eigen::VectorXd& heights);
 
-/// Mean sizes of the profile elements. An element is a hill above a tenth of the largest height, then a dale
-/// below a tenth of the largest depth. It extends from one crossing of the mean line to the next but one (ISO
-/// 21920-2: crossing-the-line segmentation, done from both ends).
+/// Mean sizes of the profile elements. An element is a hill and a dale next to each other. Each counts only
+/// if it exceeds a tenth of the largest height or depth. The element extends from one crossing of the mean
+/// line to the next but one (ISO 21920-2: crossing-the-line segmentation, done from both ends).
 struct ProfileElements {
     double RSm = 0; ///< mean width, mm; NaN without a whole element
     double Rc = 0;  ///< mean height from dale to hill, mm
@@ -97,13 +98,14 @@ struct Texture {
     /// Aspect ratio, 0 to 1: Sal divided by the corresponding length in the direction of slowest decay. Near
     /// 0 the roughness has one direction, near 1 all directions are alike.
     double Str = 0;
-    /// Whether the autocorrelation decays so slowly that Str is only an upper bound: beyond half of the map.
+    /// True if, in the direction of slowest decay, the autocorrelation is still above 0.2 at half of the map.
+    /// Str is then an upper bound.
     bool Str_is_bound = false;
     double Std = 0; ///< direction of the grooves, degrees from x towards y, 0 to 179
 };
 /// The texture of a levelled map. Unless the map is `periodic`, each lag is averaged over the nodes that
-/// overlap, and the spectrum is computed under a Hann window. Directions differ by one degree. Throws
-/// InputError on fewer than four nodes along a side.
+/// overlap, and the spectrum is computed under a Hann window. Directions are tried in steps of one degree.
+/// Throws InputError on fewer than four nodes along a side.
 Texture texture(const Profile& map, bool periodic = false);
 
 /// Parameters of a map about its mean plane. They are Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq, Sdr, Sal, Str, Std,

@@ -123,8 +123,8 @@ inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cw
 /// Similarity of a curve to the target.
 double similarity(const Target& target, const Curve& curve);
 
-/// Similarity of `curve` to `reference`. `curve` is stretched in x to the end of `reference`. The function
-/// compares a profile of fewer waves or nodes with the complete profile.
+/// Similarity of `curve` to `reference`. x of `curve` is first multiplied so that both curves end at the same
+/// x (Eq. 11). It is used for reduced genomes and for another datum.
 double similarity(const Curve& reference, const Curve& curve);
 
 /// The model's values on which a target's curve depends. Keys are names with units.
@@ -159,9 +159,10 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
 
 /// A profile's response as a target, with its recorded model, at evenly spaced points up to `last` (MPa or
 /// mm). If `last` is 0 or beyond the last load step, the last load step is used. Points before the curve's
-/// first secant are omitted if the linear continuation of the curve is 0 or less there. Unless `resolution`
-/// omits it, the target's band contains three curves: of the given heights, and of both interpolations
-/// (accuracy/resolution.hpp). Throws InputError if an interface stiffness is infinite at full contact.
+/// first secant are omitted if the linear continuation of the curve is 0 or less there. If `resolution`
+/// is not `off` (the default), the band spans three curves. One is for the given heights, two are for heights
+/// interpolated linearly and by a spline. `automatic` omits the band of a very large surface. Throws
+/// InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,
                    Resolution resolution = Resolution::off);
