@@ -16,9 +16,9 @@ namespace rough {
 
 /// The library of Fourier transforms in one precision: FFTW, or kissfft with -DRUGOSA_FFT=kissfft. Transforms
 /// are unnormalised. A plan is of `count` arrays of one shape, where one row means one dimension, and is
-/// never freed. Those for complex numbers are in place, `apart` numbers from each array to the next. Those of
-/// real numbers have arrays one after the other, with half-complex rows of columns/2 + 1 numbers. Planning is
-/// not thread-safe; executing is.
+/// never freed. Complex arrays stand `apart` numbers from each to the next, and their transforms in their
+/// place. Real arrays stand one after the other; their transforms have rows of columns/2 + 1 numbers and
+/// stand `apart` numbers from each to the next. Planning is not thread-safe; executing is.
 template <typename Real>
 struct FftLibrary;
 
@@ -39,7 +39,6 @@ struct FftLibrary;
                   rank(shape.rows == 1 ? 1 : 2) {}                                                           \
             const int* sides() const { return n + 2 - rank; }                                                \
             int real() const { return n[0] * n[1]; }                                                         \
-            int half() const { return n[0] * (n[1] / 2 + 1); }                                               \
         };                                                                                                   \
         static Plan complex_plan(Extent shape, Index count, Index apart, Complex* at, bool inverse) {        \
             const Size size(shape);                                                                          \
@@ -48,17 +47,17 @@ struct FftLibrary;
                                           nullptr, 1, gap, as_fftw(at), nullptr, 1, gap,                     \
                                           inverse ? FFTW_BACKWARD : FFTW_FORWARD, FFTW_ESTIMATE);            \
         }                                                                                                    \
-        static Plan forward_plan(Extent shape, Index count, Real* in, Complex* out) {                        \
+        static Plan forward_plan(Extent shape, Index count, Index apart, Real* in, Complex* out) {           \
             const Size size(shape);                                                                          \
             return prefix##_plan_many_dft_r2c(size.rank, size.sides(), static_cast<int>(count), in, nullptr, \
-                                              1, size.real(), as_fftw(out), nullptr, 1, size.half(),         \
-                                              FFTW_ESTIMATE);                                                \
+                                              1, size.real(), as_fftw(out), nullptr, 1,                      \
+                                              static_cast<int>(apart), FFTW_ESTIMATE);                       \
         }                                                                                                    \
-        static Plan backward_plan(Extent shape, Index count, Complex* in, Real* out) {                       \
+        static Plan backward_plan(Extent shape, Index count, Index apart, Complex* in, Real* out) {          \
             const Size size(shape);                                                                          \
             return prefix##_plan_many_dft_c2r(size.rank, size.sides(), static_cast<int>(count), as_fftw(in), \
-                                              nullptr, 1, size.half(), out, nullptr, 1, size.real(),         \
-                                              FFTW_ESTIMATE);                                                \
+                                              nullptr, 1, static_cast<int>(apart), out, nullptr, 1,          \
+                                              size.real(), FFTW_ESTIMATE);                                   \
         }                                                                                                    \
         static void execute(Plan plan, Complex* in, Complex* out) {                                          \
             prefix##_execute_dft(plan, as_fftw(in), as_fftw(out));                                           \
@@ -105,11 +104,11 @@ struct FftLibrary {
     static Plan complex_plan(Extent shape, Index count, Index apart, Complex*, bool inverse) {
         return new Transform(shape, count, apart, inverse);
     }
-    static Plan forward_plan(Extent shape, Index count, Real*, Complex*) {
-        return new Transform(shape, count, shape.nodes(), false);
+    static Plan forward_plan(Extent shape, Index count, Index apart, Real*, Complex*) {
+        return new Transform(shape, count, apart, false);
     }
-    static Plan backward_plan(Extent shape, Index count, Complex*, Real*) {
-        return new Transform(shape, count, shape.nodes(), true);
+    static Plan backward_plan(Extent shape, Index count, Index apart, Complex*, Real*) {
+        return new Transform(shape, count, apart, true);
     }
     static void execute(Plan plan, Complex* in, Complex* out) {
         std::vector<Complex> row(plan->columns);
@@ -124,7 +123,7 @@ struct FftLibrary {
     static void execute(Plan plan, Real* in, Complex* out) {
         const std::size_t half = plan->half();
         std::vector<Complex> row(plan->columns), transformed(plan->columns);
-        for (std::size_t k = 0; k < plan->count; ++k, out += plan->rows * half) {
+        for (std::size_t k = 0; k < plan->count; ++k, out += plan->apart) {
             for (std::size_t j = 0; j < plan->rows; ++j, in += plan->columns) {
                 std::copy_n(in, plan->columns, row.begin());
                 plan->along_row.transform(row.data(), transformed.data());
@@ -136,7 +135,7 @@ struct FftLibrary {
     static void execute(Plan plan, Complex* in, Real* out) {
         const std::size_t half = plan->half(), n = plan->columns;
         std::vector<Complex> row(n), transformed(n);
-        for (std::size_t k = 0; k < plan->count; ++k, in += plan->rows * half) {
+        for (std::size_t k = 0; k < plan->count; ++k, in += plan->apart) {
             plan->columns_of(in, half);
             for (std::size_t j = 0; j < plan->rows; ++j, out += n) {
                 for (std::size_t i = 0; i < n; ++i)

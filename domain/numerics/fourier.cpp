@@ -27,6 +27,9 @@ using ShapeKey = std::pair<Index, Index>;
 constexpr Index block = 8;
 /// From one of the columns to the next: a power of two would put them all in the same places of the cache.
 constexpr Index column_stride(Index rows) { return rows + block; }
+/// From one row of a transform to the next: blocks of columns begin and end with lines of the cache, so that
+/// threads share no line.
+constexpr Index row_stride(Index columns) { return (columns + block - 1) / block * block; }
 
 /// Memory of this thread for one transform at a time, which its operators share.
 char* shared_bytes(Index size) {
@@ -64,15 +67,16 @@ PlanPair<Real> column_plans(Index rows) {
     return complex_lines<Real>(rows, block, column_stride(rows));
 }
 
-/// Plans of real transforms of `count` rows, each of `columns` numbers.
+/// Plans of real transforms of `count` rows, each of `columns` numbers, to rows `apart` numbers apart.
 template <typename Real>
-PlanPair<Real> real_lines(Index columns, Index count) {
-    static std::map<std::array<Index, 2>, PlanPair<Real>> plans;
-    return cached({columns, count}, plans, [=] {
+PlanPair<Real> real_lines(Index columns, Index count, Index apart) {
+    static std::map<std::array<Index, 3>, PlanPair<Real>> plans;
+    return cached({columns, count, apart}, plans, [=] {
         AlignedBuffer<Real> real(count * columns);
-        AlignedBuffer<std::complex<Real>> wave(count * (columns / 2 + 1));
-        return PlanPair<Real>{FftLibrary<Real>::forward_plan({columns, 1}, count, real.data(), wave.data()),
-                              FftLibrary<Real>::backward_plan({columns, 1}, count, wave.data(), real.data())};
+        AlignedBuffer<std::complex<Real>> wave(count * apart);
+        return PlanPair<Real>{
+            FftLibrary<Real>::forward_plan({columns, 1}, count, apart, real.data(), wave.data()),
+            FftLibrary<Real>::backward_plan({columns, 1}, count, apart, wave.data(), real.data())};
     });
 }
 
@@ -106,21 +110,22 @@ void multiply_mirrored(std::complex<Real>* numbers, const Real* eigenvalues, Ind
 
 /// Takes columns to `scratch` and back, some at a time; padded with zeros to `padded` rows, and a whole block
 /// of them. turn(scratch, first, count, stride) does what is to be done to `count` columns from `first` on.
+/// Rows of `numbers` are row_stride(shape.columns) apart.
 template <typename Real, class Turn>
 void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Workspace<Real>& work, Turn turn) {
-    const Index stride = column_stride(padded);
+    const Index stride = column_stride(padded), row = row_stride(shape.columns);
     work.each_range(shape.columns, block, [&](Index first, Index count, std::complex<Real>* columns) {
         std::complex<Real>* corner = numbers + first;
         for (Index j = 0; j < shape.rows; ++j)
             for (Index c = 0; c < count; ++c)
-                columns[c * stride + j] = corner[j * shape.columns + c];
+                columns[c * stride + j] = corner[j * row + c];
         for (Index c = 0; c < block; ++c)
             std::fill(columns + c * stride + (c < count ? shape.rows : 0), columns + c * stride + padded,
                       std::complex<Real>());
         turn(columns, first, count, stride);
         for (Index j = 0; j < shape.rows; ++j)
             for (Index c = 0; c < count; ++c)
-                corner[j * shape.columns + c] = columns[c * stride + j];
+                corner[j * row + c] = columns[c * stride + j];
     });
 }
 
@@ -129,10 +134,11 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
 FourierPlan fourier_plan(Extent shape) {
     static std::map<ShapeKey, FourierPlan> plans;
     return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
+        const Index half = (shape.columns / 2 + 1) * shape.rows;
         AlignedBuffer<double> real(shape.nodes());
-        AlignedBuffer<std::complex<double>> wave((shape.columns / 2 + 1) * shape.rows);
-        return FourierPlan{FftLibrary<double>::forward_plan(shape, 1, real.data(), wave.data()),
-                           FftLibrary<double>::backward_plan(shape, 1, wave.data(), real.data())};
+        AlignedBuffer<std::complex<double>> wave(half);
+        return FourierPlan{FftLibrary<double>::forward_plan(shape, 1, half, real.data(), wave.data()),
+                           FftLibrary<double>::backward_plan(shape, 1, half, wave.data(), real.data())};
     });
 }
 
@@ -203,7 +209,7 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
     // `lines` transforms of n even numbers each; put(line, k, value) takes them for k <= n/2.
     const auto transform = [&team](Index lines, Index n, auto number, auto put) {
         const Index half = n / 2 + 1;
-        const RowPlans<double> plans(lines, [n](Index count) { return real_lines<double>(n, count); });
+        const RowPlans<double> plans(lines, [=](Index count) { return real_lines<double>(n, count, half); });
         Workspace<double>(2 * block * half, team)
             .each_range(lines, block, [&](Index first, Index count, std::complex<double>* out) {
                 double* in = reinterpret_cast<double*>(out + block * half);
@@ -262,13 +268,14 @@ BasicFourierOperator<Real>::circulant(Extent shape, const Eigen::VectorXd& eigen
 template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
     const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
-    const RowPlans<Real> plans(rows, [=](Index count) { return real_lines<Real>(longer, count); });
-    auto* const transform = shared_memory<std::complex<Real>>(half_ * rows);
+    const Index apart = row_stride(half_);
+    const RowPlans<Real> plans(rows, [=](Index count) { return real_lines<Real>(longer, count, apart); });
+    auto* const transform = shared_memory<std::complex<Real>>(apart * rows);
     // A line is padded in place, rows of an area in a workspace.
     const auto each_rows = [&](auto job) {
         work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
             job(real_.data() + first * n, rows == 1 ? real_.data() : reinterpret_cast<Real*>(memory), count,
-                plans.of(count), transform + first * half_);
+                plans.of(count), transform + first * apart);
         });
     };
     each_rows([&](const Real* from, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
@@ -338,7 +345,7 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
       whole_(is_circulant_ ? shape
                            : Extent{fast_fourier_length(shape.columns),
                                     shape.rows == 1 ? 1 : fast_fourier_length(shape.rows)}),
-      wave_(shared_memory<std::complex<double>>((whole_.columns / 2 + 1) * whole_.rows)),
+      wave_(shared_memory<std::complex<double>>(row_stride(whole_.columns / 2 + 1) * whole_.rows)),
       work_(block * std::max(2 * column_stride(whole_.rows), whole_.columns / 2 + 1), team),
       twist_x_(twists(whole_.columns / 2, whole_.columns)), twist_y_(twists(whole_.rows, whole_.rows)) {
     const Index n = whole_.columns, lines = whole_.rows / 2 + 1;
@@ -393,18 +400,18 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
 
 template <class Fill>
 void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
-    const Index n = whole_.columns, half = n / 2, columns = half + !skew_x;
+    const Index n = whole_.columns, half = n / 2, apart = row_stride(half + !skew_x);
     const RowPlans<double> plans(rows, [&](Index count) {
-        return skew_x ? complex_lines<double>(half, count, half) : real_lines<double>(n, count);
+        return skew_x ? complex_lines<double>(half, count, apart) : real_lines<double>(n, count, apart);
     });
     work_.each_range(rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
-        std::complex<double>* wave = wave_ + first * columns;
+        std::complex<double>* wave = wave_ + first * apart;
         for (Index c = 0; c < count; ++c) {
             double* numbers = row + (skew_x ? 0 : c * n);
             fill(first + c, numbers);
             for (Index j = 0; skew_x && j < half; ++j)
-                wave[c * half + j] = std::complex<double>(row[j], -row[half + j]) * twist_x_[j];
+                wave[c * apart + j] = std::complex<double>(row[j], -row[half + j]) * twist_x_[j];
         }
         const FourierPlan& plan = plans.of(count);
         if (skew_x)
@@ -416,13 +423,13 @@ void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
 
 template <class Take>
 void SplitOperator::backward(bool skew_x, Take take) {
-    const Index n = whole_.columns, half = n / 2, columns = half + !skew_x;
+    const Index n = whole_.columns, half = n / 2, apart = row_stride(half + !skew_x);
     const RowPlans<double> plans(shape_.rows, [&](Index count) {
-        return skew_x ? complex_lines<double>(half, count, half) : real_lines<double>(n, count);
+        return skew_x ? complex_lines<double>(half, count, apart) : real_lines<double>(n, count, apart);
     });
     work_.each_range(shape_.rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
-        std::complex<double>* wave = wave_ + first * columns;
+        std::complex<double>* wave = wave_ + first * apart;
         const FourierPlan& plan = plans.of(count);
         if (skew_x)
             FftLibrary<double>::execute(plan.backward, wave, wave);
@@ -430,7 +437,7 @@ void SplitOperator::backward(bool skew_x, Take take) {
             FftLibrary<double>::execute(plan.backward, wave, row);
         for (Index c = 0; c < count; ++c) {
             for (Index j = 0; skew_x && j < half; ++j) {
-                const std::complex<double> pair = wave[c * half + j] * std::conj(twist_x_[j]);
+                const std::complex<double> pair = wave[c * apart + j] * std::conj(twist_x_[j]);
                 row[j] = pair.real();
                 row[half + j] = -pair.imag();
             }
@@ -450,7 +457,7 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
                               skew);
         FftLibrary<double>::execute(plan.backward, columns, columns);
     };
-    wave_ = shared_memory<std::complex<double>>((whole_.columns / 2 + 1) * shape_.rows);
+    wave_ = shared_memory<std::complex<double>>(row_stride(whole_.columns / 2 + 1) * shape_.rows);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());
     for (const bool skew_x : {false, true}) {
         const auto& even = eigenvalues_[skew_x][0]; // no structured binding: clang 14 cannot capture it
