@@ -1,8 +1,7 @@
 # What the compiler's time is spent on in a Release build: -O3 where most of the program's time goes in plain code,
 # -O1 on words and pages, and the engine with all its operators in one piece for the problem it is compiled for.
-set_source_files_properties(domain/contact/solvers/certificate.cpp
-    domain/contact/solvers/growing_factor.cpp domain/contact/solvers/nnls.cpp domain/contact/solvers/set_solver.cpp
-    domain/mwm/sampling.cpp domain/numerics/fourier.cpp
+file(GLOB loops CONFIGURE_DEPENDS domain/contact/solvers/*.cpp)
+set_source_files_properties(${loops} domain/mwm/sampling.cpp domain/numerics/fourier.cpp
     PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
 file(GLOB words CONFIGURE_DEPENDS domain/text/*.cpp domain/scan/*.cpp domain/database/*.cpp)
 set_source_files_properties(${words} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)

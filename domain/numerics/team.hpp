@@ -77,22 +77,16 @@ class Team {
     /// The numbers i < n for which holds(i), increasing.
     template <class Holds>
     std::vector<int> where(Index n, const Holds& holds) {
-        std::vector<Index> starts(static_cast<std::size_t>((n + usual_length - 1) / usual_length));
-        const auto each_found = [&](const auto& found) {
-            each_range(n, [&](Index first, Index count, int) {
-                Index& place = starts[static_cast<std::size_t>(first / usual_length)];
-                for (Index i = first; i < first + count; ++i)
-                    if (holds(i))
-                        found(i, place++);
-            });
-        };
-        each_found([](Index, Index) {});
-        Index all = 0;
-        for (Index& start : starts)
-            all += std::exchange(start, all);
-        std::vector<int> numbers(static_cast<std::size_t>(all));
-        each_found(
-            [&](Index i, Index place) { numbers[static_cast<std::size_t>(place)] = static_cast<int>(i); });
+        std::vector<std::vector<int>> parts(static_cast<std::size_t>((n + usual_length - 1) / usual_length));
+        each_range(n, [&](Index first, Index count, int) {
+            std::vector<int>& part = parts[static_cast<std::size_t>(first / usual_length)];
+            for (Index i = first; i < first + count; ++i)
+                if (holds(i))
+                    part.push_back(static_cast<int>(i));
+        });
+        std::vector<int> numbers;
+        for (const std::vector<int>& part : parts)
+            numbers.insert(numbers.end(), part.begin(), part.end());
         return numbers;
     }
 

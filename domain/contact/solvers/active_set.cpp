@@ -65,8 +65,8 @@ class ActiveSet {
             load_.pressure = *guess * (load / guess->sum());
             set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         } else {
-            const double before = load_.pressure.sum(), growth = load / before - 1,
-                         step = (load - before) / tangent_.pressure.sum();
+            const double before = sum_of(load_), growth = load / before - 1,
+                         step = (load - before) / sum_of(tangent_);
             move(step);
             ahead_ = step * (1 - std::log1p(growth) / growth);
         }
@@ -75,13 +75,18 @@ class ActiveSet {
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
         find_tangent();
-        approach -= missing_load(problem_, approach, set_, load_, tangent_) / tangent_.pressure.sum();
+        approach -= missing_load(problem_, approach, set_, load_, tangent_) / sum_of(tangent_);
         return step_solution(set_, load_, tangent_, options_.states);
     }
     const Eigen::VectorXd& pressure() const { return load_.pressure; }
     long applies() const { return solver_.applies(); }
 
   private:
+    double sum_of(const Loaded& x) const {
+        return problem_.team->sum(problem_.nodes(),
+                                  [&](Index first, Index n) { return x.pressure.segment(first, n).sum(); });
+    }
+
     /// Finds the tangent. All nodes of a periodic area together have none: there it is that of all but the
     /// least loaded node, which is the tangent just below full contact.
     void find_tangent() {
@@ -92,7 +97,7 @@ class ActiveSet {
             set_.erase(lowest);
             set_.collect();
         }
-        tangent_blur_ = solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
+        solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
         if (lowest < problem_.nodes()) {
             set_.insert(lowest);
             set_.collect();
@@ -101,40 +106,42 @@ class ActiveSet {
 
     /// Moves the pressures along the tangent, and on an area their known product.
     void move(double by) {
-        const bool product = problem_.is_2d() && product_.pressure.size() > 0;
+        const bool product = problem_.is_2d() && load_.updated.size() > 0;
         problem_.team->each_range(problem_.nodes(), [&](Index first, Index n, int) {
             load_.pressure.segment(first, n) += by * tangent_.pressure.segment(first, n);
             if (product) {
-                product_.pressure.segment(first, n) = load_.pressure.segment(first, n);
-                product_.displacement.segment(first, n) += by * tangent_.displacement.segment(first, n);
+                load_.updated.segment(first, n) = load_.pressure.segment(first, n);
+                load_.displacement.segment(first, n) += by * tangent_.displacement.segment(first, n);
             }
         });
         if (product)
-            product_.blur += by * tangent_blur_;
+            load_.blur += by * tangent_.blur;
     }
 
     /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
     /// since then, whichever leaves the smaller residual. That growth is not negative, because no node's
     /// pressure falls with the load.
     void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
-        Loaded grown(guess ? problem_.nodes() : 0);
-        if (guess)
-            grown.pressure =
-                last_guess_ ? (load_.pressure + (*guess - *last_guess_).cwiseMax(0)).eval() : *guess;
-        KnownProduct grown_product = product_;
+        std::optional<Loaded> grown;
+        if (guess) {
+            grown = load_;
+            if (last_guess_)
+                grown->pressure += (*guess - *last_guess_).cwiseMax(0);
+            else
+                grown->pressure = *guess;
+        }
         last_guess_ = guess;
         move(approach - approach_);
         approach_ = approach;
-        solver_.load(load_, product_, rough_accuracy * approach);
+        solver_.load(load_, rough_accuracy * approach);
         stale_ = false;
-        if (!guess)
+        if (!grown)
             return;
-        solver_.load(grown, grown_product, rough_accuracy * approach);
-        const double left = residual(grown, approach);
+        solver_.load(*grown, rough_accuracy * approach);
+        const double left = residual(*grown, approach);
         if (left > residual(load_, approach))
             return;
-        load_ = std::move(grown);
-        product_ = std::move(grown_product);
+        load_ = std::move(*grown);
         set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         // The guess errs in its pressures more than in its set: those first.
         improve(approach, loosening * left);
@@ -145,7 +152,7 @@ class ActiveSet {
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
             Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
-            problem_.is_2d() ? &product_ : nullptr, sum_ ? &level : nullptr);
+            sum_ ? &level : nullptr);
         approach -= level;
         stale_ = !problem_.is_2d();
     }
@@ -166,20 +173,27 @@ class ActiveSet {
             if (const double count = sum([](int) { return 1; }); count > 0)
                 approach = sum([&](int i) { return problem_.gap[i] + load_.displacement[i]; }) / count;
         depth_.resize(problem_.nodes());
-        problem_.team->each_range(problem_.nodes(), [&](Index first, Index n, int) {
-            depth_.segment(first, n) =
+        deepest_ = problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
+            auto depth = depth_.segment(first, n);
+            depth =
                 approach - (problem_.gap.segment(first, n) + load_.displacement.segment(first, n)).array();
+            return depth.maxCoeff();
         });
     }
 
-    /// The residual of the depths found last, over the approach.
+    /// The residual of the depths found last, over the approach: the greatest depth, and gaps on the contact
+    /// set.
     double residual(double approach) const {
-        return problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
-            double worst = 0;
-            for (Index i = first; i < first + n; ++i)
-                worst = std::max(worst, load_.pressure[i] > 0 ? std::abs(depth_[i]) : depth_[i]);
-            return worst;
-        }) / approach;
+        const std::vector<int>& nodes = set_.nodes();
+        const double gap =
+            problem_.team->largest(static_cast<Index>(nodes.size()), [&](Index first, Index n) {
+                double worst = 0;
+                for (Index k = first; k < first + n; ++k)
+                    if (const int i = nodes[static_cast<std::size_t>(k)]; load_.pressure[i] > 0)
+                        worst = std::max(worst, -depth_[i]);
+                return worst;
+            });
+        return std::max(gap, deepest_) / approach;
     }
 
     double residual(const Loaded& x, double approach) const {
@@ -205,7 +219,7 @@ class ActiveSet {
                        std::min(rough_accuracy, 0.1 * target) * approach);
             double worst = residual(approach);
             if (worst <= tolerance) {
-                solver_.load(load_, product_, 0.1 * tolerance * approach); // unless it is as good already
+                solver_.load(load_, 0.1 * tolerance * approach); // unless it is as good already
                 look(approach);
                 worst = residual(approach);
             }
@@ -249,21 +263,23 @@ class ActiveSet {
     /// Drops the nodes under tension and adds those that penetrate by more than `min_depth`, with
     /// displacements known to `accuracy`. Returns false if the set stays the same.
     bool change_set(double& approach, double min_depth, double accuracy) {
-        const std::vector<int> dropped = problem_.team->where(
-            problem_.nodes(), [&](Index i) { return set_.holds(i) && !(load_.pressure[i] > 0); });
+        std::vector<int> dropped;
+        for (const int i : set_.nodes())
+            if (!(load_.pressure[i] > 0))
+                dropped.push_back(i);
         for (const int i : dropped) {
             set_.erase(i);
             load_.pressure[i] = 0;
         }
         if (sum_ && !dropped.empty()) {
-            const double growth = *sum_ / load_.pressure.sum();
-            for (Eigen::VectorXd* scaled : {&load_.pressure, &product_.pressure, &product_.displacement})
+            const double growth = *sum_ / sum_of(load_);
+            for (Eigen::VectorXd* scaled : {&load_.pressure, &load_.updated, &load_.displacement})
                 problem_.team->each_range(
                     scaled->size(), [&](Index first, Index n, int) { scaled->segment(first, n) *= growth; });
-            product_.blur *= growth;
+            load_.blur *= growth;
         }
         if (stale_ || !dropped.empty())
-            solver_.load(load_, product_, accuracy);
+            solver_.load(load_, accuracy);
         stale_ = false;
         look(approach);
         std::vector<int> added;
@@ -286,10 +302,9 @@ class ActiveSet {
     SetSolver solver_;
     ContactSet set_;
     Loaded load_, tangent_;
-    double tangent_blur_ = 0; ///< error of its displacement
-    double ahead_ = 0;        ///< excess of the last tangent step, until nodes have joined in view of it
-    KnownProduct product_;    ///< H load_
+    double ahead_ = 0; ///< excess of the last tangent step, until nodes have joined in view of it
     Eigen::ArrayXd depth_;
+    double deepest_ = 0;                        ///< the greatest depth
     std::optional<Eigen::VectorXd> last_guess_; ///< the coarser grid's pressures at the step before
     double approach_ = 0;
     std::optional<double> sum_; ///< sum of the pressures, under load control

@@ -80,6 +80,11 @@ Extension::Extension(Extent shape, std::vector<int> nodes, Team& team)
     }
 }
 
+void Extension::clear(std::vector<float>& values) {
+    team_.each_range(static_cast<Index>(values.size()),
+                     [&](Index first, Index count, int) { std::fill_n(values.data() + first, count, 0.0F); });
+}
+
 template <class Change>
 void Extension::each_node(Change change) {
     team_.each_block(static_cast<Index>(starts_.size()) - 1, [&](Index range, int) {
@@ -166,7 +171,7 @@ void Extension::coarsen(float* from, Extent shape, const float* weight, Level& i
 }
 
 void Extension::extend(float* field) {
-    std::fill(levels_[0].value.begin(), levels_[0].value.end(), 0.0F);
+    clear(levels_[0].value);
     each_node([&](std::size_t k) {
         known_[k] = field[nodes_[k]];
         levels_[0].value[static_cast<std::size_t>(parents_[k])] += shares_[k] * known_[k];
@@ -174,7 +179,7 @@ void Extension::extend(float* field) {
     for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
         const Level& fine = levels_[l];
         std::vector<float>& mean = levels_[l + 1].value;
-        std::fill(mean.begin(), mean.end(), 0.0F);
+        clear(mean);
         each_child(team_, fine.shape,
                    [&](std::size_t k, std::size_t parent) { mean[parent] += fine.share[k] * fine.value[k]; });
     }

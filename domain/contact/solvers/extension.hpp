@@ -31,6 +31,8 @@ class Extension {
         std::vector<float> share;  ///< share of a square in its parent's mean
         explicit Level(Extent below);
     };
+    /// Sets all values to 0.
+    void clear(std::vector<float>& values);
     /// Interpolates `from` linearly along x and y; with weights, blends the result with the present values.
     void refine(const Level& from, Extent shape, const float* weight, float* into);
     /// The transpose of refine; `from` keeps the part that the weights give.

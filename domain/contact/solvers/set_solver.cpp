@@ -215,41 +215,34 @@ void SetSolver::load(Loaded& x) {
     team_.copy(x.pressure, input);
     forward_.apply();
     team_.copy(input, x.displacement); // apply() has written the product to it
+    if (x.updated.size() > 0)
+        team_.copy(x.pressure, x.updated);
+    x.blur = 0;
     ++applies_;
 }
 
-void SetSolver::load(Loaded& x, KnownProduct& known, double accuracy) {
+void SetSolver::load(Loaded& x, double accuracy) {
     const Index n = x.pressure.size();
-    if (known.pressure.size() == n && known.blur < accuracy) {
+    if (x.updated.size() == n && x.blur < accuracy) {
         const double scale = team_.largest(n, [&](Index first, Index count) {
-            return (x.pressure.segment(first, count) - known.pressure.segment(first, count))
-                .cwiseAbs()
-                .maxCoeff();
+            return (x.pressure.segment(first, count) - x.updated.segment(first, count)).cwiseAbs().maxCoeff();
         });
         if (scale > 0) {
             const double inverse = 1 / scale;
             float* input = single_.input();
             team_.each_range(n, [&](Index first, Index count, int) {
                 for (Index i = first; i < first + count; ++i)
-                    input[i] = static_cast<float>((x.pressure[i] - known.pressure[i]) * inverse);
+                    input[i] = static_cast<float>((x.pressure[i] - x.updated[i]) * inverse);
+                std::copy_n(x.pressure.data() + first, count, x.updated.data() + first);
             });
-            known.blur += single_rounding * scale * add(team_, scale, single_.apply(), known.displacement);
+            x.blur += single_rounding * scale * add(team_, scale, single_.apply(), x.displacement);
             ++applies_;
         }
-        if (known.blur <= accuracy) { // false for NaN
-            team_.copy(x.pressure, known.pressure);
-            team_.copy(known.displacement, x.displacement);
+        if (x.blur <= accuracy) // false for NaN
             return;
-        }
     }
+    x.updated.resize(n);
     load(x);
-    remember(x, known);
-}
-
-void SetSolver::remember(const Loaded& x, KnownProduct& known) {
-    team_.copy(x.pressure, known.pressure);
-    team_.copy(x.displacement, known.displacement);
-    known.blur = 0;
 }
 
 std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const {
@@ -286,7 +279,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long limit, KnownProduct* known, double* level) {
+                        const Enough& enough, long limit, double* level) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -375,9 +368,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             if (!(curvature > 0))
                 break;
             const double step = rz / curvature;
-            if (known)
-                known->blur += single_rounding * std::abs(step * scale) *
-                               add(team_, step * scale, single_.applied(), known->displacement);
+            if (is_2d())
+                x.blur += single_rounding * std::abs(step * scale) *
+                          add(team_, step * scale, single_.applied(), x.displacement);
             each([&](Index from, Index count) {
                 r.segment(from, count) -= step * hq.segment(from, count);
                 for (Index k = from; k < from + count; ++k)
@@ -385,51 +378,42 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             });
             centre();
         }
-        each([&](Index first, Index count) {
-            for (Index k = first; k < first + count; ++k) {
-                const Index i = nodes[static_cast<std::size_t>(k)];
-                x.displacement[i] = target(i) - r[k] - offset;
-            }
-        });
-        if (level)
-            *level = offset;
-        if (known) {
+        const bool kept = x.updated.size() > 0;
+        if (is_2d() || !kept)
             each([&](Index first, Index count) {
                 for (Index k = first; k < first + count; ++k) {
                     const Index i = nodes[static_cast<std::size_t>(k)];
-                    known->displacement[i] = x.displacement[i];
+                    x.displacement[i] = target(i) - r[k] - offset;
                 }
             });
-            team_.copy(x.pressure, known->pressure);
-            team_.copy(known->displacement, x.displacement);
-        }
+        if (level)
+            *level = offset;
+        if (is_2d() && kept)
+            team_.copy(x.pressure, x.updated);
         if (solved || iteration >= limit || !progress)
             return solved;
         load(x);
-        if (known)
-            remember(x, *known);
     }
 }
 
-double SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
-    team_.each_range(w.pressure.size(), [&](Index first, Index count, int) {
+void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
+    const Index n = w.pressure.size();
+    team_.each_range(n, [&](Index first, Index count, int) {
         for (Index i = first; i < first + count; ++i)
             if (!set.holds(i))
                 w.pressure[i] = 0;
     });
     load(w);
-    const Enough enough =
-        each_entry ? Enough{0.1 * tolerance}
-                   : Enough{0, [&](double energy) { return energy <= 0.5 * tolerance * w.pressure.sum(); }};
-    KnownProduct known;
-    if (is_2d())
-        remember(w, known);
+    const auto good = [&](double energy) {
+        return energy <= 0.5 * tolerance * team_.sum(n, [&](Index first, Index count) {
+            return w.pressure.segment(first, count).sum();
+        });
+    };
     improve(
-        set, [](Index) { return 1.0; }, w, enough, max_iterations, is_2d() ? &known : nullptr);
-    if (tolerance >= single_stiffness)
-        return known.blur;
-    load(w);
-    return 0;
+        set, [](Index) { return 1.0; }, w, each_entry ? Enough{0.1 * tolerance} : Enough{0, good},
+        max_iterations);
+    if (tolerance < single_stiffness)
+        load(w);
 }
 
 double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,

@@ -50,15 +50,12 @@ double largest(Team& team, const Eigen::VectorXd& a);
 struct Loaded {
     Eigen::VectorXd pressure;     ///< p, N entries, in the problem's units
     Eigen::VectorXd displacement; ///< u = H p as of its last update by the solver, N entries
+    /// The pressures whose product the displacements are, so that only the product of a change is needed.
+    /// Empty if that is not wanted.
+    Eigen::VectorXd updated;
+    double blur = 0; ///< bound of the displacements' error by products in single precision
     /// No load.
     explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
-};
-
-/// The last product with H, and a bound of its rounding error.
-struct KnownProduct {
-    Eigen::VectorXd pressure;     ///< p
-    Eigen::VectorXd displacement; ///< H p
-    double blur = 0;              ///< largest error of an entry
 };
 
 /// Condition at which an improvement may end: the residual or, if given, a low enough energy.
@@ -81,18 +78,18 @@ class SetSolver {
     /// Recomputes u = H p.
     void load(Loaded& x);
     /// Updates u = H p with an error of at most `accuracy` at each node. If that is accurate enough, it adds
-    /// to the known product that of the change since then, in single precision.
-    void load(Loaded& x, KnownProduct& known, double accuracy);
-    /// Improves x until it is good enough. x.displacement is then up to date on A only, or at every node if
-    /// `known` holds its product, which is updated too. Returns false if `limit` iterations are not enough or
-    /// rounding stops it.
-    /// With a `level` the sum of x is kept and b is met up to a constant, which is written to `level`: b -
-    /// level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001).
+    /// the product of the change since the last update, in single precision.
+    void load(Loaded& x, double accuracy);
+    /// Improves x, whose displacements must be up to date, until it is good enough. On a map the
+    /// displacements are then up to date at every node. On a line they are so on A, or not changed if
+    /// x.updated is kept. Returns false if `limit` iterations are not enough or rounding stops it. With a
+    /// `level`, on a map only, the sum of x is kept and b is met up to a constant, which is written to
+    /// `level`: b - level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001).
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long limit, KnownProduct* known = nullptr, double* level = nullptr);
+                 const Enough& enough, long limit, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
-    /// entries. On a map w.displacement is then up to date at every node. The return value bounds its error.
-    double tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
+    /// entries. On a map w.displacement is then up to date at every node.
+    void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
 
     long applies() const { return applies_; } ///< products with H so far, in either precision
 
@@ -101,8 +98,6 @@ class SetSolver {
     /// extension E, E'M E.
     void multiply(SingleFourierOperator& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
                   double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
-    /// Sets the known product to that of x, which is exact.
-    void remember(const Loaded& x, KnownProduct& known);
     /// Places of nodes on the preconditioner's grid.
     std::vector<int> inverse_places(const std::vector<int>& nodes) const;
     bool is_2d() const { return sums_.size() == 0; }
