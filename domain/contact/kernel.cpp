@@ -65,7 +65,7 @@ struct Known {
 };
 
 /// Remembers the last two results of this thread. A search needs the same one many times, or those of a fine
-/// and a coarse grid in turn. make(known) may use the result before.
+/// and a coarse grid in turn.
 template <class Make>
 Eigen::VectorXd remembered(const UnitBody& body, Extent shape, Make make) {
     const std::pair key(body, shape);
@@ -73,7 +73,7 @@ Eigen::VectorXd remembered(const UnitBody& body, Extent shape, Make make) {
     if (last.of != key) {
         std::swap(last, before);
         if (last.of != key)
-            last = {key, make(before)};
+            last = {key, make()};
     }
     return last.values;
 }
@@ -91,12 +91,10 @@ double flamant_entry(double r, double datum) {
     return -(2 / pi) * (r * std::log1p(1 / (r - 0.5)) + 0.5 * std::log((r * r - 0.25) / (datum * datum)) - 1);
 }
 
-/// `known` may hold the entries of another grid of the same body.
-Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, Team& team, const Known& known) {
+/// `known` holds the entries of a grid that may be empty.
+Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, const Eigen::VectorXd& known,
+                                Extent known_shape, Team& team) {
     Eigen::VectorXd column(shape.nodes());
-    const Extent there = body.is_2d() && body.kernel == Kernel::free && known.of && known.of->first == body
-                             ? known.of->second
-                             : Extent{0, 0};
     const Eigen::VectorXd table = body.kernel == Kernel::periodic
                                       ? circulant_column(periodic_spectrum(body, shape), shape)
                                       : Eigen::VectorXd();
@@ -111,8 +109,8 @@ Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, Team& team, 
                 const Index k = mirror(i, shape.columns);
                 entry = body.is_2d() ? 0.25 * ((row[i] + row[k]) + (other[i] + other[k]))
                                      : 0.5 * (row[i] + row[k]);
-            } else if (j < there.rows && i < there.columns)
-                entry = known.values[j * there.columns + i];
+            } else if (j < known_shape.rows && i < known_shape.columns)
+                entry = known[j * known_shape.columns + i];
             else if (body.is_2d())
                 entry = cell_potential(x, body.row_spacing * static_cast<double>(j), body.row_spacing) / pi;
             else
@@ -146,7 +144,7 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing) {
 }
 
 Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
-    return remembered(body, shape, [&](const Known&) {
+    return remembered(body, shape, [&] {
         const Layering& layering = body.layering;
         const Index half = shape.columns / 2 + 1;
         Eigen::VectorXd spectrum(half * shape.rows);
@@ -171,15 +169,19 @@ Eigen::VectorXd influence_column(const UnitBody& body, Extent shape) {
 }
 
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team) {
-    return remembered(body, shape,
-                      [&](const Known& known) { return computed_column(body, shape, team, known); });
+    return remembered(body, shape, [&] { return computed_column(body, shape, {}, {0, 0}, team); });
+}
+
+Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& column, Extent from,
+                                Extent shape, Team& team) {
+    return computed_column(body, shape, column, from, team);
 }
 
 bool contact_sets_nest(const UnitBody& body, Extent shape) {
     if (body.layering.layers.empty())
         return true;
     constexpr double rounding = 1e-9; // relative to the diagonal
-    const Eigen::VectorXd highest = remembered(body, shape, [&](const Known&) {
+    const Eigen::VectorXd highest = remembered(body, shape, [&] {
         Eigen::VectorXd stiffness = periodic_spectrum(body, shape).cwiseInverse();
         if (!body.layering.carries_mean())
             stiffness[0] = 0;

@@ -44,6 +44,9 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape);
 /// The first column, computed by the threads of a team.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team);
+/// The same of a `free` or `strip` kernel on a larger grid, from the column of a grid `from`.
+Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& column, Extent from,
+                                Extent shape, Team& team);
 
 /// The eigenvalues of H for the periodic kernel in units of delta/E*: N_y rows of N_x/2 + 1. For a wave
 /// vector of length q the eigenvalue is 2/(E* q), on a layered body times relative_compliance(). The first

@@ -236,8 +236,9 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
 
 template <typename Real>
 BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded, Team& team)
-    : shape_(shape), padded_(padded), half_(padded.columns / 2 + 1), lines_(padded.rows / 2 + 1),
-      real_(shape.rows == 1 ? padded.columns : shape.nodes()), spectrum_(half_ * lines_),
+    : team_(&team), shape_(shape), padded_(padded), half_(padded.columns / 2 + 1),
+      lines_(padded.rows / 2 + 1), real_(shape.rows == 1 ? padded.columns : shape.nodes()),
+      spectrum_(half_ * lines_),
       work_(shape.rows == 1 ? 0 : block * std::max(column_stride(padded.rows), half_), team) {}
 
 template <typename Real>
@@ -458,7 +459,7 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
         FftLibrary<double>::execute(plan.backward, columns, columns);
     };
     wave_ = shared_memory<std::complex<double>>(row_stride(whole_.columns / 2 + 1) * shape_.rows);
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(shape_.nodes());
+    Eigen::VectorXd u(shape_.nodes());
     for (const bool skew_x : {false, true}) {
         const auto& even = eigenvalues_[skew_x][0]; // no structured binding: clang 14 cannot capture it
         const auto& skew = eigenvalues_[skew_x][1];
@@ -489,7 +490,10 @@ Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
                             turn([&](auto column, auto other) { column += other * twist_y_.conjugate(); });
                         });
         backward(skew_x, [&](Index j, const double* row) {
-            u.segment(j * n, n) += Eigen::Map<const Eigen::VectorXd>(row, n);
+            if (skew_x)
+                u.segment(j * n, n) += Eigen::Map<const Eigen::VectorXd>(row, n);
+            else
+                u.segment(j * n, n) = Eigen::Map<const Eigen::VectorXd>(row, n);
         });
     }
     return u;

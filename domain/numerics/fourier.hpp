@@ -77,6 +77,13 @@ class BasicFourierOperator {
     static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues,
                                           Team& team = Team::alone());
 
+    /// The same matrix in another precision.
+    template <typename Other>
+    explicit BasicFourierOperator(const BasicFourierOperator<Other>& other)
+        : BasicFourierOperator(other.shape_, other.padded_, *other.team_) {
+        std::copy_n(other.spectrum_.data(), half_ * lines_, spectrum_.data());
+    }
+
     Index nodes() const { return shape_.nodes(); } ///< N
     /// Write p (N entries) here, then call apply().
     Real* input() { return real_.data(); }
@@ -88,7 +95,10 @@ class BasicFourierOperator {
     const Real* applied() const { return real_.data(); }
 
   private:
+    template <typename>
+    friend class BasicFourierOperator;
     BasicFourierOperator(Extent shape, Extent padded, Team& team);
+    Team* team_;
     Extent shape_, padded_;
     Index half_, lines_; ///< numbers of a half-complex row; of a column's eigenvalues without mirror images
     AlignedBuffer<Real> real_, spectrum_; ///< eigenvalues column after column

@@ -23,7 +23,9 @@ constexpr int max_rounds = 200;
 /// An area's contact set swings if this many rounds in a row leave more than this share of the lowest
 /// residual.
 constexpr int max_swings = 2;
-constexpr double share_left = 0.9;
+constexpr double share_left = 0.7;
+/// Pressures whose relative sum errs by less are not scaled to it.
+constexpr double sum_rounding = 1e-13;
 constexpr long max_iterations = 2000;
 /// Up to this many nodes a dense factor is cheaper than a coarser grid. It is lower for an area, whose grids
 /// shrink faster.
@@ -149,10 +151,12 @@ class ActiveSet {
 
     void improve(double& approach, double target) {
         double level = 0;
+        // At a given approach of a singular H the mean pressure takes several steps, which a cut would end.
+        const bool cuts = problem_.is_2d() && !swinging_ && (sum_ || !problem_.is_singular());
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
             Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
-            sum_ ? &level : nullptr);
+            sum_ ? &level : nullptr, cuts);
         approach -= level;
         stale_ = !problem_.is_2d();
     }
@@ -271,8 +275,7 @@ class ActiveSet {
             set_.erase(i);
             load_.pressure[i] = 0;
         }
-        if (sum_ && !dropped.empty()) {
-            const double growth = *sum_ / sum_of(load_);
+        if (const double growth = sum_ ? *sum_ / sum_of(load_) : 1; std::abs(growth - 1) > sum_rounding) {
             for (Eigen::VectorXd* scaled : {&load_.pressure, &load_.updated, &load_.displacement})
                 problem_.team->each_range(
                     scaled->size(), [&](Index first, Index n, int) { scaled->segment(first, n) *= growth; });

@@ -44,12 +44,20 @@ Extension::Level::Level(Extent below)
     : shape{(below.columns + 1) / 2, (below.rows + 1) / 2}, value(static_cast<std::size_t>(shape.nodes())),
       weight(value.size()), share(value.size()) {}
 
-Extension::Extension(Extent shape, std::vector<int> nodes, Team& team)
-    : team_(team), shape_(shape), nodes_(std::move(nodes)), parents_(nodes_.size()), shares_(nodes_.size()),
-      known_(nodes_.size()), levels_{Level(shape)} {
-    const int columns = static_cast<int>(shape.columns), above = static_cast<int>(levels_[0].shape.columns);
-    work_.resize(static_cast<std::size_t>((3 * above + 4) * team.size()));
-    for (Index row = 0; row < shape.rows; row += 2 * rows_together)
+Extension::Extension(Extent shape, Team& team) : team_(team), shape_(shape), levels_{Level(shape)} {
+    work_.resize(static_cast<std::size_t>((3 * levels_[0].shape.columns + 4) * team.size()));
+    while (levels_.back().shape.nodes() > 1)
+        levels_.emplace_back(levels_.back().shape);
+}
+
+void Extension::know(std::vector<int> nodes) {
+    nodes_ = std::move(nodes);
+    parents_.resize(nodes_.size());
+    shares_.resize(nodes_.size());
+    known_.resize(nodes_.size());
+    const int columns = static_cast<int>(shape_.columns), above = static_cast<int>(levels_[0].shape.columns);
+    starts_.clear();
+    for (Index row = 0; row < shape_.rows; row += 2 * rows_together)
         starts_.push_back(static_cast<std::size_t>(
             std::lower_bound(nodes_.begin(), nodes_.end(), static_cast<int>(row) * columns) -
             nodes_.begin()));
@@ -57,27 +65,26 @@ Extension::Extension(Extent shape, std::vector<int> nodes, Team& team)
     const auto weight_above = [&](std::size_t k) -> float& {
         return levels_[0].weight[static_cast<std::size_t>(parents_[k])];
     };
+    clear(levels_[0].weight);
     each_node([&](std::size_t k) {
         parents_[k] = nodes_[k] / columns / 2 * above + nodes_[k] % columns / 2;
         weight_above(k) += 1;
     });
     each_node([&](std::size_t k) { shares_[k] = 1 / weight_above(k); });
-    for (;;) {
-        Level& level = levels_.back();
-        for (float& weight : level.weight)
-            weight = std::min(1.0F, weight / filling);
-        if (level.shape.nodes() == 1)
-            break;
-        Level next(level.shape);
-        each_child(team, level.shape,
-                   [&](std::size_t k, std::size_t parent) { next.weight[parent] += level.weight[k]; });
-        each_child(team, level.shape, [&](std::size_t k, std::size_t parent) {
-            if (level.weight[k] > 0)
-                level.share[k] = level.weight[k] / next.weight[parent];
+    const auto fill = [](float& weight) { weight = std::min(1.0F, weight / filling); };
+    for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+        Level &level = levels_[l], &next = levels_[l + 1];
+        clear(next.weight);
+        each_child(team_, level.shape, [&](std::size_t k, std::size_t parent) {
+            fill(level.weight[k]);
+            next.weight[parent] += level.weight[k];
+        });
+        each_child(team_, level.shape, [&](std::size_t k, std::size_t parent) {
+            level.share[k] = level.weight[k] > 0 ? level.weight[k] / next.weight[parent] : 0;
             level.weight[k] *= firmness;
         });
-        levels_.push_back(std::move(next));
     }
+    fill(levels_.back().weight[0]);
 }
 
 void Extension::clear(std::vector<float>& values) {

@@ -14,8 +14,10 @@ namespace rough {
 /// to 1.
 class Extension {
   public:
-    /// From the known nodes, in increasing order. The team shares its loops and must outlive it.
-    Extension(Extent shape, std::vector<int> nodes, Team& team = Team::alone());
+    /// No node is known. The team shares its loops and must outlive it.
+    explicit Extension(Extent shape, Team& team = Team::alone());
+    /// From now on these nodes are known, in increasing order.
+    void know(std::vector<int> nodes);
     /// E: `field` has values at the known nodes and gets them elsewhere.
     void extend(float* field);
     /// E': carries the values at all other nodes over to the known ones. The other nodes then hold no useful

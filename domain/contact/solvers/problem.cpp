@@ -142,6 +142,14 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
     return coarse;
 }
 
+FourierOperator fourier_operator(const ContactProblem& problem) {
+    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.shape.columns) &&
+        is_good_fourier_length(problem.shape.rows))
+        return FourierOperator::circulant(problem.shape, periodic_spectrum(problem, problem.shape),
+                                          *problem.team);
+    return FourierOperator::toeplitz(problem.column, problem.shape, *problem.team);
+}
+
 LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found) {
     LoadStep step;
     step.displacement = displacement;

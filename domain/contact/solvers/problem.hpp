@@ -56,15 +56,8 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
 /// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem);
 
-/// H applied by FFT, in double or single precision.
-template <typename Real = double>
-BasicFourierOperator<Real> fourier_operator(const ContactProblem& problem) {
-    if (problem.kernel == Kernel::periodic && is_good_fourier_length(problem.shape.columns) &&
-        is_good_fourier_length(problem.shape.rows))
-        return BasicFourierOperator<Real>::circulant(problem.shape, periodic_spectrum(problem, problem.shape),
-                                                     *problem.team);
-    return BasicFourierOperator<Real>::toeplitz(problem.column, problem.shape, *problem.team);
-}
+/// H applied by FFT.
+FourierOperator fourier_operator(const ContactProblem& problem);
 
 /// One step's solution in the problem's units.
 struct StepSolution {

@@ -1,7 +1,5 @@
 #include "domain/contact/solvers/set_solver.hpp"
 
-#include "domain/contact/solvers/extension.hpp"
-
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -23,6 +21,14 @@ constexpr double single_depth = 1e-4;
 constexpr double single_stiffness = 3e-7;
 /// Maximum number of iterations for the tangent, far above the number ever needed.
 constexpr long max_iterations = 5000;
+
+/// A cut step is taken whole if the energy's minimum along it is beyond this share. Half would do, because
+/// there the energy is that of the start again.
+constexpr double whole_step = 0.75;
+/// Least length of the usual step.
+constexpr double shortest_step = 0.5;
+/// Corrections of a cut step's sum. Each may cut a few more nodes.
+constexpr int max_corrections = 3;
 
 constexpr Index max_columns = 64; ///< largest number of columns of a deflation
 
@@ -138,7 +144,8 @@ Eigen::VectorXd inverse_circulant(const ContactProblem& problem, Extent shape) {
     if (problem.kernel == Kernel::periodic) {
         eigenvalues = periodic_spectrum(problem, shape);
     } else {
-        const Eigen::VectorXd h = influence_column(problem, shape, *problem.team);
+        const Eigen::VectorXd h =
+            extended_column(problem, problem.column, problem.shape, shape, *problem.team);
         Eigen::ArrayXXd column(shape.columns, shape.rows);
         // Blends h with its mirror image; the first entry has none.
         const auto blended = [](const auto& entry, Index j, Index m) {
@@ -205,10 +212,12 @@ void ContactSet::collect() {
 SetSolver::SetSolver(const ContactProblem& problem)
     : team_(*problem.team), shape_(problem.shape),
       sums_(problem.is_2d() ? Eigen::VectorXd() : cumulative(problem.column)),
-      forward_(fourier_operator(problem)), single_(fourier_operator<float>(problem)),
-      inverse_shape_(circulant_shape(problem)),
+      forward_(fourier_operator(problem)), single_(forward_), inverse_shape_(circulant_shape(problem)),
       inverse_(SingleFourierOperator::circulant(inverse_shape_, inverse_circulant(problem, inverse_shape_),
-                                                team_)) {}
+                                                team_)) {
+    if (problem.is_2d())
+        extension_.emplace(inverse_shape_, team_);
+}
 
 void SetSolver::load(Loaded& x) {
     Eigen::Map<Eigen::VectorXd> input(forward_.input(), x.pressure.size());
@@ -279,16 +288,16 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long limit, double* level) {
+                        const Enough& enough, long limit, double* level, bool nonnegative) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
         return true;
     const Deflation deflation(nodes, sums_);
     const std::vector<int> places = inverse_places(nodes);
-    std::optional<Extension> extension;
-    if (is_2d())
-        extension.emplace(inverse_shape_, places, team_);
+    Extension* const extension = is_2d() ? &*extension_ : nullptr;
+    if (extension)
+        extension->know(places);
     Eigen::VectorXd r(m), z(m), q = Eigen::VectorXd::Zero(m), hq(m),
                                 even; // even: like what the preconditioner makes of a constant
     if (level) {                      // continued it is a constant, and so is a circulant times it
@@ -317,7 +326,43 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         each([&](Index first, Index count) { r.segment(first, count).array() -= middle; });
         offset += middle;
     };
-    bool solved = false;
+    const auto pressure = [&](Index k) -> double& { return x.pressure[nodes[static_cast<std::size_t>(k)]]; };
+    const auto sum = [&](auto value) {
+        return team_.sum(m, [&](Index first, Index count) {
+            double all = 0;
+            for (Index k = first; k < first + count; ++k)
+                all += value(k);
+            return all;
+        });
+    };
+    // Makes q the usual step along q, cut so that no pressure falls below 0. With a level the nodes that are
+    // not cut make up for it, so that the step sums nearly to zero. False, and q stays, if none would fall.
+    const auto cut = [&] {
+        const double fall = team_.largest(m, [&](Index first, Index count) {
+            double most = 0;
+            for (Index k = first; k < first + count; ++k)
+                most = std::max(most, -(pressure(k) + usual_step_ * q[k]));
+            return most;
+        });
+        if (!(fall > 0))
+            return false;
+        const auto is_free = [&](Index k) { return q[k] > -pressure(k); };
+        each([&](Index first, Index count) {
+            for (Index k = first; k < first + count; ++k)
+                q[k] = std::max(usual_step_ * q[k], -pressure(k));
+        });
+        for (int round = 0; level && round < max_corrections; ++round) {
+            const double excess =
+                sum([&](Index k) { return q[k]; }) / sum([&](Index k) { return is_free(k) ? even[k] : 0; });
+            each([&](Index first, Index count) {
+                for (Index k = first; k < first + count; ++k)
+                    if (is_free(k))
+                        q[k] = std::max(q[k] - excess * even[k], -pressure(k));
+            });
+        }
+        return true;
+    };
+    bool solved = false, is_cut = false;
     double before = std::numeric_limits<double>::infinity();
     for (long iteration = 0;;) {
         each([&](Index first, Index count) {
@@ -343,12 +388,11 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             solved = residual <= enough.residual;
             if (solved)
                 break;
-            multiply(inverse_, places, r, scale > 0 ? scale : 1, z, extension ? &*extension : nullptr);
+            multiply(inverse_, places, r, scale > 0 ? scale : 1, z, extension);
             if (level) {
-                const double sum =
-                    team_.sum(m, [&](Index first, Index count) { return z.segment(first, count).sum(); });
+                const double share = sum([&](Index k) { return z[k]; }) / even_sum;
                 each([&](Index first, Index count) {
-                    z.segment(first, count) -= sum / even_sum * even.segment(first, count);
+                    z.segment(first, count) -= share * even.segment(first, count);
                 });
             }
             const double energy = dot(team_, r, z);
@@ -362,21 +406,28 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 part = z.segment(from, count) + growth * part;
             });
             rz = energy;
+            is_cut = nonnegative && cut();
             multiply(single_, nodes, q, scale, hq);
             ++applies_;
             const double curvature = dot(team_, q, hq);
             if (!(curvature > 0))
                 break;
-            const double step = rz / curvature;
+            double step = (is_cut ? dot(team_, r, q) : rz) / curvature;
+            if (nonnegative && first)
+                usual_step_ = std::clamp(is_cut ? step * usual_step_ : step, shortest_step, 1.0);
+            if (is_cut && step > whole_step)
+                step = 1;
             if (is_2d())
                 x.blur += single_rounding * std::abs(step * scale) *
                           add(team_, step * scale, single_.applied(), x.displacement);
             each([&](Index from, Index count) {
                 r.segment(from, count) -= step * hq.segment(from, count);
                 for (Index k = from; k < from + count; ++k)
-                    x.pressure[nodes[static_cast<std::size_t>(k)]] += step * q[k];
+                    pressure(k) += step * q[k];
             });
             centre();
+            if (is_cut)
+                break;
         }
         const bool kept = x.updated.size() > 0;
         if (is_2d() || !kept)
@@ -390,7 +441,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             *level = offset;
         if (is_2d() && kept)
             team_.copy(x.pressure, x.updated);
-        if (solved || iteration >= limit || !progress)
+        if (solved || is_cut || iteration >= limit || !progress)
             return solved;
         load(x);
     }

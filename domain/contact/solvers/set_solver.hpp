@@ -1,12 +1,12 @@
 #pragma once
 
+#include "domain/contact/solvers/extension.hpp"
 #include "domain/contact/solvers/problem.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace rough {
-
-class Extension;
 
 /// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.
 class ContactSet {
@@ -85,8 +85,12 @@ class SetSolver {
     /// x.updated is kept. Returns false if `limit` iterations are not enough or rounding stops it. With a
     /// `level`, on a map only, the sum of x is kept and b is met up to a constant, which is written to
     /// `level`: b - level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001).
+    /// If `nonnegative`, on a map only, an improvement ends with a step that would take a pressure below
+    /// zero. Such a step has the usual length and is projected: those pressures become 0 (projected Newton's
+    /// method, Bertsekas 1982). So one product serves the step and the nodes that leave contact. With a level
+    /// the sum of x then has to be restored.
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long limit, double* level = nullptr);
+                 const Enough& enough, long limit, double* level = nullptr, bool nonnegative = false);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries. On a map w.displacement is then up to date at every node.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
@@ -109,7 +113,9 @@ class SetSolver {
     SingleFourierOperator single_;
     Extent inverse_shape_; ///< grid of the circulant; the surface is a part at its origin
     SingleFourierOperator inverse_;
+    std::optional<Extension> extension_; ///< on a map
     long applies_ = 0;
+    double usual_step_ = 0.9; ///< length of the first step of the last nonnegative improvement
 };
 
 /// Error of the load sum p that the remaining residual r on A causes: w'r.

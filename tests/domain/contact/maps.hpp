@@ -33,26 +33,37 @@ inline double rms_slope(const rough::Profile& map) {
     return std::sqrt(squares / static_cast<double>(map.nodes()));
 }
 
-/// An isotropic periodic map of 1 mm with the Hurst exponent H. Waves from L/4 down to 8 nodes have random
-/// phases; heights are scaled to an rms slope.
-inline rough::Profile self_affine(rough::Index n, double H, unsigned seed, double slope) {
+/// An isotropic periodic map with square cells, 1 mm long, with the Hurst exponent H. Waves from a quarter of
+/// the shorter side down to 8 nodes have random phases; heights are scaled to an rms slope.
+inline rough::Profile self_affine(rough::Extent shape, double H, unsigned seed, double slope) {
     using rough::Index;
-    const Index half = n / 2 + 1;
-    Eigen::ArrayXXcd spectrum(half, n);
+    const auto [columns, rows] = shape;
+    const Index half = columns / 2 + 1;
+    Eigen::ArrayXXcd spectrum(half, rows);
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
-    for (Index j = 0; j < n; ++j)
+    const double side = static_cast<double>(std::min(columns, rows));
+    const auto waves = [side](Index k, Index n) { // on the shorter side
+        return static_cast<double>(k) * (side / static_cast<double>(n));
+    };
+    for (Index j = 0; j < rows; ++j)
         for (Index i = 0; i < half; ++i) {
-            const double q = std::hypot(static_cast<double>(i), static_cast<double>(std::min(j, n - j)));
+            const double q = std::hypot(waves(i, columns), waves(std::min(j, rows - j), rows));
             const double angle = phase(random);
             const double amplitude =
-                q < 4 || q > static_cast<double>(n) / 8 || (i == 0 && 2 * j > n) ? 0 : std::pow(q, -1 - H);
+                q < 4 || q > side / 8 || (i == 0 && 2 * j > rows) ? 0 : std::pow(q, -1 - H);
             spectrum(i, j) = std::polar(amplitude, angle);
         }
-    const double spacing = 1 / static_cast<double>(n);
-    rough::Profile map{rough::inverse_fourier_transform(spectrum, n).reshaped(), spacing, n, spacing};
+    const double spacing = 1 / static_cast<double>(columns);
+    rough::Profile map{rough::inverse_fourier_transform(spectrum, columns).reshaped(), spacing, rows,
+                       spacing};
     map.heights *= slope / rms_slope(map);
     return map;
+}
+
+/// A square one.
+inline rough::Profile self_affine(rough::Index n, double H, unsigned seed, double slope) {
+    return self_affine({n, n}, H, seed, slope);
 }
 
 } // namespace maps

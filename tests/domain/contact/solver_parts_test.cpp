@@ -40,7 +40,9 @@ TEST_CASE("a continued field keeps its values at the nodes and stays within thei
             lowest = std::min(lowest, field[static_cast<std::size_t>(i)]);
             largest = std::max(largest, field[static_cast<std::size_t>(i)]);
         }
-        Extension(shape, scene.nodes).extend(field.data());
+        Extension extension(shape);
+        extension.know(scene.nodes);
+        extension.extend(field.data());
         for (const int i : scene.nodes)
             CHECK(field[static_cast<std::size_t>(i)] == before[static_cast<std::size_t>(i)]);
         const auto [low, high] = std::minmax_element(field.begin(), field.end());
@@ -59,7 +61,8 @@ TEST_CASE("Extension::transpose is the transpose of extend", "[contact][areas]")
         for (float& value : load)
             value = static_cast<float>(random() % 100);
         std::vector<float> continued = given, carried = load;
-        Extension extension(shape, scene.nodes);
+        Extension extension(shape);
+        extension.know(scene.nodes);
         extension.extend(continued.data());
         extension.transpose(carried.data());
         double all = 0, there = 0;
