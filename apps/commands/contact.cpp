@@ -93,6 +93,7 @@ std::vector<Setting> contact_settings() {
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
     model.accuracy = accuracy_from(settings);
     model.contact.threads = ga::thread_count(settings.whole<int>("threads"));
+    model.contact.spots = !settings.has("genome");
     if (model.accuracy > 0 && !settings.given("tolerance"))
         model.contact.tolerance = 0.01;
     return model;
@@ -125,7 +126,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
         pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
         const rough::Profile surface = pressed_surface(pressed);
         pressed.spot_width = spot_width(contact, surface.shape(), pressed.model.grid.periodic);
-        pressed.unresolved = resolution_warning(surface, pressed.model, response);
+        pressed.unresolved = resolution_warning(response);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::find(touching.begin(), touching.end(), node) != touching.end();

@@ -4,6 +4,7 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "domain/accuracy/resolution.hpp"
+#include "domain/contact/interface.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
@@ -20,7 +21,6 @@ namespace app {
 namespace {
 
 constexpr rough::Index max_stl_nodes = 1'000'000, max_3mf_nodes = 100'000;
-constexpr rough::Index large_map = 1'000'000;
 constexpr double rounding = 1e-9;
 constexpr double min_nodes = 8; ///< nodes per wavelength
 constexpr double max_step = 3;  ///< step at the ends of a periodic surface, over that from node to node
@@ -58,33 +58,23 @@ std::string jump_note(const rough::Profile& surface) {
     return "";
 }
 
-std::string resolution_warning(const rough::Profile& surface, const rough::Model& model,
-                               const rough::Response& response) {
-    const rough::Index steps = response.steps(), stride = surface.nodes() > large_map ? (steps + 3) / 4 : 1;
-    std::vector<double> displacements, pressures;
-    for (rough::Index j = (steps - 1) % stride; j < steps; j += stride) {
-        displacements.push_back(response.displacement[j]);
-        pressures.push_back(response.pressure[j]);
-    }
-    rough::ContactOptions options = model.contact;
-    options.states = true;
-    const rough::ContactCurve curve =
-        solve_contact(surface, completed(model.body, model.grid.length), displacements, options);
-    std::size_t unresolved = 0;
+std::string resolution_warning(const rough::Response& response) {
+    int known = 0, unresolved = 0;
     double pressure = 0;
     rough::Index widest = 0;
-    for (std::size_t j = 0; j < pressures.size(); ++j) {
-        const rough::Index width = spot_width(curve.states[j].nodes, surface.shape(), model.grid.periodic);
-        if (width >= rough::resolved_spot_nodes)
+    for (rough::Index j = 0; j < response.steps(); ++j) {
+        const auto width = static_cast<rough::Index>(response.spot_width[j]);
+        known += width > 0;
+        if (width == 0 || width >= rough::resolved_spot_nodes)
             continue;
         ++unresolved;
-        pressure = pressures[j];
+        pressure = response.pressure[j];
         widest = std::max(widest, width);
     }
-    if (2 * unresolved < pressures.size()) // the first touch is never resolved
+    if (unresolved == 0 || 2 * unresolved < known) // the first touch is never resolved
         return "";
     return "contact spots are not resolved at " + std::to_string(unresolved) + " of " +
-           std::to_string(pressures.size()) + " loads, up to " + readable(pressure) +
+           std::to_string(known) + " loads, up to " + readable(pressure) +
            " MPa: half of the contact area is in spots at most " + nodes_in_words(widest) +
            " wide, so the area depends on the node spacing; measure with a finer node spacing";
 }

@@ -18,10 +18,9 @@ std::string jump_note(const rough::Genome& genome, double length, double range);
 std::string jump_note(const rough::Profile& surface);
 
 /// A warning that the contact spots of a measured surface are narrower than resolved_spot_nodes at half of
-/// the load steps of its response or more. "" if they are not. Solves the load steps again, about four of a
-/// large map.
-std::string resolution_warning(const rough::Profile& surface, const rough::Model& model,
-                               const rough::Response& response);
+/// the load steps of its response or more. "" if they are not, or if their widths are not known
+/// (ContactOptions::spots).
+std::string resolution_warning(const rough::Response& response);
 
 /// This warning for a surface that is not pressed, from the highest 1 % of its nodes.
 std::string resolution_warning(const rough::Profile& surface, bool periodic);

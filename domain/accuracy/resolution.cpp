@@ -91,15 +91,6 @@ const std::vector<std::string>& resolution_names() {
     return names;
 }
 
-Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic) {
-    std::vector<Index> sizes = contact_spots(contact, shape, periodic);
-    std::size_t below = 0;
-    while (!sizes.empty() && 2 * (below += static_cast<std::size_t>(sizes.back())) < contact.size())
-        sizes.pop_back();
-    const double nodes = sizes.empty() ? 0 : static_cast<double>(sizes.back());
-    return std::lround(shape.rows > 1 ? std::sqrt(nodes) : nodes);
-}
-
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution) {
     std::vector<Response> responses;
@@ -164,6 +155,8 @@ ElasticEnd elastic_end(const Profile& surface, const Model& model, const Respons
     options.states = true;
     const Body body = completed(model.body, model.grid.length);
     const auto largest_at = [&](Index step) {
+        if (const double known = response.largest_pressure[step]; known > 0)
+            return known;
         return solve_contact(surface, body, {response.displacement[step]}, options)
             .states.front()
             .pressure.maxCoeff();

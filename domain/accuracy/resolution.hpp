@@ -29,10 +29,6 @@ const std::vector<std::string>& resolution_names();
 /// node spacing.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Usual width w of the contact spots (contact/interface.hpp) in nodes; 0 without contact. Half of the
-/// touching nodes are in spots of at most w nodes on a line, or of at most w^2 nodes on a map.
-Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
-
 /// Two responses of a scan or map whose heights are interpolated on a grid 4 times finer. The first is for
 /// linear interpolation, the second for a spline. Empty if `resolution` omits them. The displacements are
 /// those of the measured response, so that the pressures are nearly equal, too. Throws as solve_contact().
@@ -76,7 +72,7 @@ struct ElasticEnd {
 };
 /// The elastic end of a response that was computed without a hardness; `limit` in MPa. If no pressure exceeds
 /// the limit, `step` is the number of load steps. Local pressures grow with the load, so the step is found by
-/// bisection. This takes 1 + log2(load steps) solutions, each of one load step. Throws as solve_contact().
+/// bisection. A load step whose largest pressure is not known is solved again. Throws as solve_contact().
 ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit);
 
 /// The effect of outliers: values without them divided by values with them, at the load step at which the

@@ -2,6 +2,8 @@
 
 #include "domain/contact/solvers/set_solver.hpp"
 
+#include <cmath>
+
 namespace rough {
 
 std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic) {
@@ -23,6 +25,15 @@ std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, 
     }
     std::sort(sizes.begin(), sizes.end(), std::greater<>());
     return sizes;
+}
+
+Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic) {
+    std::vector<Index> sizes = contact_spots(contact, shape, periodic);
+    std::size_t below = 0;
+    while (!sizes.empty() && 2 * (below += static_cast<std::size_t>(sizes.back())) < contact.size())
+        sizes.pop_back();
+    const double nodes = sizes.empty() ? 0 : static_cast<double>(sizes.back());
+    return std::lround(shape.rows > 1 ? std::sqrt(nodes) : nodes);
 }
 
 Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,

@@ -25,6 +25,10 @@ void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
 /// touch, in any order. If `periodic`, opposite ends of the grid are neighbours.
 std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic);
 
+/// Usual width w of the contact spots in nodes; 0 without contact. Half of the touching nodes are in spots of
+/// at most w nodes on a line, or of at most w^2 nodes on a map.
+Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
+
 /// Pressure and gap between a surface and the body at one load step, along a profile or at a map's nodes.
 struct Interface {
     Eigen::VectorXd pressure; ///< pressure at every node, MPa; 0 at nodes that do not touch

@@ -1,5 +1,6 @@
 #include "domain/contact/solve.hpp"
 
+#include "domain/contact/interface.hpp"
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
@@ -29,6 +30,9 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
         curve.steps.push_back(load_step(
             problem, problem.load.empty() ? displacements[j] : found.approach * problem.displacement_unit,
             found));
+        if (options.spots)
+            curve.steps.back().spot_width =
+                spot_width(found.nodes, problem.shape, problem.kernel == Kernel::periodic);
         if (options.states) {
             // w = H_AA^-1 1 in MPa/mm, so that dP/dDelta = sum w over L/delta, on a map over N
             const double tangent_unit = problem.stiffness_unit * problem.elements;
@@ -253,7 +257,7 @@ ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profi
 }
 
 /// Largest residual of H w = 1. The stiffness 2 sum w - w'Hw has only its square as an error.
-constexpr double full_contact_tolerance = 1e-8;
+constexpr double full_contact_tolerance = 1e-6;
 
 /// The sum of H^-1 1.
 double sum_of_tangents(const ContactProblem& problem) {

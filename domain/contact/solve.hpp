@@ -26,6 +26,7 @@ struct ContactOptions {
     double memory_limit = 2e9; ///< bytes; a factorisation that is predicted to need more is refused
     int threads = 1; ///< threads for a map of 16,384 nodes or more; the curve does not depend on their number
     std::function<bool()> stop = {}; ///< called repeatedly if set; true ends the solution with NotConverged
+    bool spots = false;              ///< whether LoadStep::spot_width is computed
 };
 
 /// Whether `stop` is set and returns true.
@@ -44,6 +45,8 @@ struct LoadStep {
     Index contact_nodes = 0;      ///< number of nodes that touch
     Index held_nodes = 0;         ///< number of nodes whose pressure is limited by the hardness
     double contact_fraction = 0;  ///< contact_nodes/N
+    double largest_pressure = 0;  ///< highest pressure of a node, MPa; 0 if it is not known
+    Index spot_width = 0;         ///< usual width of the contact spots in nodes; 0 if it is not known
 };
 
 /// The contact set A of one load step, with the values that derivatives need (adjoint).

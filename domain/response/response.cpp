@@ -8,10 +8,10 @@
 namespace rough {
 
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range, double full_stiffness) {
-    const auto column = [&](double LoadStep::*member) {
+    const auto column = [&](auto LoadStep::*member) {
         Eigen::VectorXd values(static_cast<Index>(steps.size()));
         for (Index j = 0; j < values.size(); ++j)
-            values[j] = steps[static_cast<std::size_t>(j)].*member;
+            values[j] = static_cast<double>(steps[static_cast<std::size_t>(j)].*member);
         return values;
     };
     return {range,
@@ -22,7 +22,9 @@ Response response_of(const std::vector<LoadStep>& steps, Solver solver, double r
             column(&LoadStep::kkt_residual),
             solver,
             full_stiffness,
-            steps.empty() ? 0 : steps.back().held_nodes};
+            steps.empty() ? 0 : steps.back().held_nodes,
+            column(&LoadStep::largest_pressure),
+            column(&LoadStep::spot_width)};
 }
 
 double displacement_range(const Profile& profile, Kernel kernel) {

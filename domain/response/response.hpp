@@ -39,6 +39,9 @@ struct Response {
     /// periodic half-plane and NaN if it is not known.
     double full_stiffness = std::numeric_limits<double>::quiet_NaN();
     Index held_nodes = 0; ///< nodes at the hardness at the last load step
+    /// Highest pressure of a node, MPa, and usual width of the contact spots in nodes, for each load step. 0
+    /// if it is not known.
+    Eigen::VectorXd largest_pressure = {}, spot_width = {};
 
     Index steps() const { return displacement.size(); } ///< number of load steps
 };

@@ -228,9 +228,11 @@ DesignRun design_from(const Settings& settings,
     rough::DesignSetup& setup = run.setup;
     take(settings, fields_of(setup));
     take_targets(settings, run);
-    if (setup.like)
-        run.warning = resolution_warning(*setup.like, completed(setup.model),
-                                         respond(*setup.like, completed(setup.model)));
+    if (setup.like) {
+        rough::Model model = completed(setup.model);
+        model.contact.spots = true;
+        run.warning = resolution_warning(respond(*setup.like, model));
+    }
     const rough::Grid& grid = setup.model.grid;
     if (grid.is_2d() && settings.has("database"))
         settings.refuse("database", "given with a map; omit it, as it is for profiles only");

@@ -160,6 +160,7 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
         refuse("displacement ", displacement, " mm: mean pressure ", step.pressure, " MPa or stiffness ",
                step.tangent_stiffness,
                " MPa/mm is beyond double precision; change the modulus, heights or node spacing");
+    step.largest_pressure = found.pressure.size() ? found.pressure.maxCoeff() * problem.pressure_unit : 0;
     step.contact_nodes = static_cast<Index>(found.nodes.size());
     step.held_nodes = found.held;
     step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());

@@ -1,4 +1,5 @@
 #include "domain/accuracy/resolution.hpp"
+#include "domain/contact/interface.hpp"
 #include "domain/contact/materials.hpp"
 #include "domain/numerics/fourier.hpp"
 
