@@ -38,10 +38,9 @@ struct Response {
     /// Stiffness K_full with all nodes in contact (full_contact_stiffness), MPa/mm. It is infinite on a
     /// periodic half-plane and NaN if it is not known.
     double full_stiffness = std::numeric_limits<double>::quiet_NaN();
-    Index held_nodes = 0; ///< nodes at the hardness at the last load step
-    /// Highest pressure of a node, MPa, and usual width of the contact spots in nodes, for each load step. 0
-    /// if it is not known.
-    Eigen::VectorXd largest_pressure = {}, spot_width = {};
+    Index held_nodes = 0;                  ///< nodes at the hardness at the last load step
+    Eigen::VectorXd largest_pressure = {}; ///< highest pressure of a node, MPa; 0 if it is not known
+    Eigen::VectorXd spot_width = {};       ///< usual width of the contact spots, nodes; 0 if it is not known
 
     Index steps() const { return displacement.size(); } ///< number of load steps
 };

@@ -23,7 +23,7 @@ constexpr int max_rounds = 200;
 /// An area's contact set swings if this many rounds in a row leave more than this share of the lowest
 /// residual.
 constexpr int max_swings = 2;
-constexpr double share_left = 0.7;
+constexpr double share_left = 0.9;
 /// Pressures whose relative sum errs by less are not scaled to it.
 constexpr double sum_rounding = 1e-13;
 constexpr long max_iterations = 2000;
@@ -151,12 +151,10 @@ class ActiveSet {
 
     void improve(double& approach, double target) {
         double level = 0;
-        // At a given approach of a singular H the mean pressure takes several steps, which a cut would end.
-        const bool cuts = problem_.is_2d() && !swinging_ && (sum_ || !problem_.is_singular());
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
             Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
-            sum_ ? &level : nullptr, cuts);
+            sum_ ? &level : nullptr);
         approach -= level;
         stale_ = !problem_.is_2d();
     }

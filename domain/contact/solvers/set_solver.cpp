@@ -288,7 +288,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long limit, double* level, bool nonnegative) {
+                        const Enough& enough, long limit, double* level) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -335,8 +335,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             return all;
         });
     };
-    // Makes q the usual step along q, cut so that no pressure falls below 0. With a level the nodes that are
-    // not cut make up for it, so that the step sums nearly to zero. False, and q stays, if none would fall.
+    // Makes q the usual step along q, cut so that no pressure falls below 0. The nodes that are not cut make
+    // up for it, so that the step sums nearly to zero. False, and q stays, if no pressure would fall below 0.
     const auto cut = [&] {
         const double fall = team_.largest(m, [&](Index first, Index count) {
             double most = 0;
@@ -351,7 +351,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             for (Index k = first; k < first + count; ++k)
                 q[k] = std::max(usual_step_ * q[k], -pressure(k));
         });
-        for (int round = 0; level && round < max_corrections; ++round) {
+        for (int round = 0; round < max_corrections; ++round) {
             const double excess =
                 sum([&](Index k) { return q[k]; }) / sum([&](Index k) { return is_free(k) ? even[k] : 0; });
             each([&](Index first, Index count) {
@@ -406,14 +406,14 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 part = z.segment(from, count) + growth * part;
             });
             rz = energy;
-            is_cut = nonnegative && cut();
+            is_cut = level && cut();
             multiply(single_, nodes, q, scale, hq);
             ++applies_;
             const double curvature = dot(team_, q, hq);
             if (!(curvature > 0))
                 break;
             double step = (is_cut ? dot(team_, r, q) : rz) / curvature;
-            if (nonnegative && first)
+            if (level && first)
                 usual_step_ = std::clamp(is_cut ? step * usual_step_ : step, shortest_step, 1.0);
             if (is_cut && step > whole_step)
                 step = 1;

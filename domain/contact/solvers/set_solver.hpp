@@ -82,15 +82,16 @@ class SetSolver {
     void load(Loaded& x, double accuracy);
     /// Improves x, whose displacements must be up to date, until it is good enough. On a map the
     /// displacements are then up to date at every node. On a line they are so on A, or not changed if
-    /// x.updated is kept. Returns false if `limit` iterations are not enough or rounding stops it. With a
-    /// `level`, on a map only, the sum of x is kept and b is met up to a constant, which is written to
-    /// `level`: b - level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001).
-    /// If `nonnegative`, on a map only, an improvement ends with a step that would take a pressure below
-    /// zero. Such a step has the usual length and is projected: those pressures become 0 (projected Newton's
-    /// method, Bertsekas 1982). So one product serves the step and the nodes that leave contact. With a level
-    /// the sum of x then has to be restored.
+    /// x.updated is kept. Returns false if `limit` iterations are not enough or rounding stops it.
+    ///
+    /// With a `level`, on a map only, the sum of x is kept and b is met up to a constant, which is written to
+    /// `level`: b - level = H x, by gradients that sum to zero (Gould, Hribar & Nocedal 2001). No pressure
+    /// then falls below zero: the improvement ends with a step that would take one there. This step has the
+    /// usual length and is projected, so that those pressures become 0 (projected Newton's method, Bertsekas
+    /// 1982). One product serves the step and the nodes that leave contact. Afterwards the sum has to be
+    /// restored.
     bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                 const Enough& enough, long limit, double* level = nullptr, bool nonnegative = false);
+                 const Enough& enough, long limit, double* level = nullptr);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries. On a map w.displacement is then up to date at every node.
     void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
@@ -115,7 +116,7 @@ class SetSolver {
     SingleFourierOperator inverse_;
     std::optional<Extension> extension_; ///< on a map
     long applies_ = 0;
-    double usual_step_ = 0.9; ///< length of the first step of the last nonnegative improvement
+    double usual_step_ = 0.9; ///< length of the first step of the last improvement with a level
 };
 
 /// Error of the load sum p that the remaining residual r on A causes: w'r.
