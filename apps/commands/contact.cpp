@@ -108,7 +108,6 @@ struct Pressed {
     bool is_measured;                        ///< a scan or map, not a genome
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
     rough::ResolutionBand band = {};         ///< for a scan or map
-    rough::Index spot_width = 0;             ///< usual width at the last load in nodes; for a scan or map
     std::string unresolved = {};             ///< warning of a scan or map; "": every contact is resolved
     std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
 };
@@ -124,8 +123,6 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     const auto& [response, account, contact] = pressed.result;
     if (pressed.is_measured) {
         pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
-        const rough::Profile surface = pressed_surface(pressed);
-        pressed.spot_width = spot_width(contact, surface.shape(), pressed.model.grid.periodic);
         pressed.unresolved = resolution_warning(response);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
@@ -155,14 +152,19 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
             " MPa); use --hardness to limit pressures");
 }
 
+/// Usual width of the contact spots at the last load of a scan or map, nodes.
+Index last_spot_width(const Pressed& pressed) {
+    return static_cast<Index>(pressed.result.response.spot_width.tail<1>()[0]);
+}
+
 /// The contact of a scan or map at the last load in words, and whether its spots are resolved.
 std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
-    const std::string width = "half of the contact is in spots at most " +
-                              std::to_string(pressed.spot_width) +
-                              (pressed.spot_width == 1 ? " node" : " nodes") + " wide, which are " +
-                              (pressed.spot_width < rough::resolved_spot_nodes ? "not " : "") + "resolved";
+    const Index nodes = last_spot_width(pressed);
+    const std::string width = "half of the contact is in spots at most " + std::to_string(nodes) +
+                              (nodes == 1 ? " node" : " nodes") + " wide, which are " +
+                              (nodes < rough::resolved_spot_nodes ? "not " : "") + "resolved";
     if (!pressed.band.is_computed())
         return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
     return "at the last load the contact fraction is " + readable(100 * low_area[last]) + " to " +
@@ -172,7 +174,7 @@ std::string resolution_note(const Pressed& pressed) {
 }
 
 nlohmann::json resolution_json(const Pressed& pressed) {
-    nlohmann::json values{{"spot_width_nodes", pressed.spot_width},
+    nlohmann::json values{{"spot_width_nodes", last_spot_width(pressed)},
                           {"is_resolved", pressed.unresolved.empty()},
                           {"words", resolution_note(pressed)}};
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
