@@ -20,8 +20,6 @@ Plan cached(const std::type_identity_t<Key>& key, std::map<Key, Plan>& plans, Ma
     return known != plans.end() ? known->second : plans.emplace(key, make()).first->second;
 }
 
-using ShapeKey = std::pair<Index, Index>;
-
 /// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of
 /// the rows.
 constexpr Index block = 8;
@@ -132,8 +130,8 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
 } // namespace
 
 FourierPlan fourier_plan(Extent shape) {
-    static std::map<ShapeKey, FourierPlan> plans;
-    return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
+    static std::map<std::pair<Index, Index>, FourierPlan> plans;
+    return cached({shape.columns, shape.rows}, plans, [shape] {
         const Index half = (shape.columns / 2 + 1) * shape.rows;
         AlignedBuffer<double> real(shape.nodes());
         AlignedBuffer<std::complex<double>> wave(half);
@@ -143,8 +141,8 @@ FourierPlan fourier_plan(Extent shape) {
 }
 
 FourierPlan complex_fourier_plan(Extent shape) {
-    static std::map<ShapeKey, FourierPlan> plans;
-    return cached(ShapeKey(shape.columns, shape.rows), plans, [shape] {
+    static std::map<std::pair<Index, Index>, FourierPlan> plans;
+    return cached({shape.columns, shape.rows}, plans, [shape] {
         AlignedBuffer<std::complex<double>> work(shape.nodes());
         const auto plan = [&](bool inverse) {
             return FftLibrary<double>::complex_plan(shape, 1, shape.nodes(), work.data(), inverse);

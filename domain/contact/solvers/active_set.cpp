@@ -84,9 +84,19 @@ class ActiveSet {
     long applies() const { return solver_.applies(); }
 
   private:
+    /// The sum of value(node) over the contact set.
+    template <class Value>
+    double sum_over_set(Value value) const {
+        const std::vector<int>& nodes = set_.nodes();
+        return problem_.team->sum(static_cast<Index>(nodes.size()), [&](Index first, Index n) {
+            double all = 0;
+            for (Index k = first; k < first + n; ++k)
+                all += value(nodes[static_cast<std::size_t>(k)]);
+            return all;
+        });
+    }
     double sum_of(const Loaded& x) const {
-        return problem_.team->sum(problem_.nodes(),
-                                  [&](Index first, Index n) { return x.pressure.segment(first, n).sum(); });
+        return sum_over_set([&](int i) { return x.pressure[i]; });
     }
 
     /// Finds the tangent. All nodes of a periodic area together have none: there it is that of all but the
@@ -161,19 +171,13 @@ class ActiveSet {
 
     /// Finds the depth of every node; under load control first the approach, the mean over the contact nodes.
     void look(double& approach) {
-        const std::vector<int>& nodes = set_.nodes();
-        const auto sum = [&](auto value) {
-            return problem_.team->sum(static_cast<Index>(nodes.size()), [&](Index first, Index n) {
-                double all = 0;
-                for (Index k = first; k < first + n; ++k)
-                    if (const int i = nodes[static_cast<std::size_t>(k)]; load_.pressure[i] > 0)
-                        all += value(i);
-                return all;
-            });
-        };
+        const auto is_loaded = [&](int i) { return load_.pressure[i] > 0; };
         if (sum_)
-            if (const double count = sum([](int) { return 1; }); count > 0)
-                approach = sum([&](int i) { return problem_.gap[i] + load_.displacement[i]; }) / count;
+            if (const double count = sum_over_set(is_loaded); count > 0)
+                approach = sum_over_set([&](int i) {
+                               return is_loaded(i) ? problem_.gap[i] + load_.displacement[i] : 0;
+                           }) /
+                           count;
         depth_.resize(problem_.nodes());
         deepest_ = problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
             auto depth = depth_.segment(first, n);
