@@ -29,6 +29,9 @@ constexpr Index column_stride(Index rows) { return rows + block; }
 /// threads share no line.
 constexpr Index row_stride(Index columns) { return (columns + block - 1) / block * block; }
 
+/// Rows by which the numbers of columns are fetched ahead, because another core may hold them.
+constexpr Index ahead = 16;
+
 /// Memory of this thread for one transform at a time, which its operators share.
 char* shared_bytes(Index size) {
     thread_local Index held = 0;
@@ -114,16 +117,20 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
     const Index stride = column_stride(padded), row = row_stride(shape.columns);
     work.each_range(shape.columns, block, [&](Index first, Index count, std::complex<Real>* columns) {
         std::complex<Real>* corner = numbers + first;
-        for (Index j = 0; j < shape.rows; ++j)
+        for (Index j = 0; j < shape.rows; ++j) {
+            __builtin_prefetch(corner + std::min(j + ahead, shape.rows - 1) * row);
             for (Index c = 0; c < count; ++c)
                 columns[c * stride + j] = corner[j * row + c];
+        }
         for (Index c = 0; c < block; ++c)
             std::fill(columns + c * stride + (c < count ? shape.rows : 0), columns + c * stride + padded,
                       std::complex<Real>());
         turn(columns, first, count, stride);
-        for (Index j = 0; j < shape.rows; ++j)
+        for (Index j = 0; j < shape.rows; ++j) {
+            __builtin_prefetch(corner + std::min(j + ahead, shape.rows - 1) * row);
             for (Index c = 0; c < count; ++c)
                 corner[j * row + c] = columns[c * stride + j];
+        }
     });
 }
 

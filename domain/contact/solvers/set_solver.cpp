@@ -298,19 +298,24 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     Extension* const extension = is_2d() ? &*extension_ : nullptr;
     if (extension)
         extension->know(places);
-    Eigen::VectorXd r(m), z(m), q = Eigen::VectorXd::Zero(m), hq(m),
-                                even; // even: like what the preconditioner makes of a constant
-    if (level) {                      // continued it is a constant, and so is a circulant times it
-        float* full = inverse_.input();
-        std::fill_n(full, inverse_.nodes(), 1.0F);
-        extension->transpose(full);
-        even = Eigen::VectorXf::Map(full, inverse_.nodes())(places).cast<double>();
-    }
-    const double even_sum = even.sum();
     // change(first, count) of each range of the nodes
     const auto each = [&](auto change) {
         team_.each_range(m, [&](Index first, Index count, int) { change(first, count); });
     };
+    Eigen::VectorXd r(m), z(m), q = Eigen::VectorXd::Zero(m), hq(m),
+                                even; // even: like what the preconditioner makes of a constant
+    if (level) {                      // continued it is a constant, and so is a circulant times it
+        float* full = inverse_.input();
+        team_.each_range(inverse_.nodes(),
+                         [=](Index first, Index count, int) { std::fill_n(full + first, count, 1.0F); });
+        extension->transpose(full);
+        even.resize(m);
+        each([&](Index first, Index count) {
+            for (Index k = first; k < first + count; ++k)
+                even[k] = static_cast<double>(full[places[static_cast<std::size_t>(k)]]);
+        });
+    }
+    const double even_sum = even.sum();
     double offset = 0; // subtracted from r, which any constant may be
     const auto centre = [&] {
         if (!level)
