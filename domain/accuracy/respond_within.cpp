@@ -131,11 +131,11 @@ struct Ladder {
     }
 };
 
-/// The curve of one surface, sampled on the resolved grid as `whole`.
+/// The curve of one surface, sampled on the resolved grid as `whole`, which must outlive it.
 class Question {
   public:
-    Question(Profile whole, const Model& resolved)
-        : model_(tolerant(resolved)), accuracy_(model_.accuracy), whole_(std::move(whole)),
+    Question(const Profile& whole, const Model& resolved)
+        : model_(tolerant(resolved)), accuracy_(model_.accuracy), whole_(whole),
           pressed_(model_.loading.pressures.empty()
                        ? LoadRows{}
                        : rows_of(press(whole_, model_.body, model_.loading, model_.contact))) {
@@ -346,7 +346,7 @@ class Question {
     ga::Stopwatch clock_;
     Model model_;
     double accuracy_;
-    Profile whole_;
+    const Profile& whole_;
     LoadRows pressed_; ///< the load steps at given pressures
     std::vector<double> rows_;
     Index count_;

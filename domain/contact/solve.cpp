@@ -402,11 +402,12 @@ double full_contact_stiffness(const Profile& surface, const Body& given, int thr
     at_length.datum = length;
     Team team(useful_threads(flat, threads));
     const ContactProblem problem = make_problem(flat, at_length, {}, team);
+    flat.heights.resize(0); // a large map needs its memory below
     const bool strip = body.kernel == Kernel::strip;
     const double other = strip ? problem.strip_width : problem.row_spacing;
-    const double stiffness =
-        problem.stiffness_unit * known_sum({body.kernel, flat.nodes(), flat.rows, other}, problem);
-    if (strip || flat.is_2d())
+    const double stiffness = problem.stiffness_unit *
+                             known_sum({body.kernel, problem.nodes(), problem.shape.rows, other}, problem);
+    if (strip || problem.is_2d())
         return stiffness;
     // 1/K(d) = 1/K(L) + (2 L/(pi E*)) ln(d/L)
     return 1 / (1 / stiffness -

@@ -18,6 +18,7 @@ class Extension {
     explicit Extension(Extent shape, Team& team = Team::alone());
     /// From now on these nodes are known, in increasing order.
     void know(std::vector<int> nodes);
+    const std::vector<int>& known() const { return nodes_; } ///< the known nodes
     /// E: `field` has values at the known nodes and gets them elsewhere.
     void extend(float* field);
     /// E': carries the values at all other nodes over to the known ones. The other nodes then hold no useful

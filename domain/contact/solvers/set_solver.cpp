@@ -294,10 +294,11 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     if (m == 0)
         return true;
     const Deflation deflation(nodes, sums_);
-    const std::vector<int> places = inverse_places(nodes);
+    std::vector<int> inverse = inverse_places(nodes);
     Extension* const extension = is_2d() ? &*extension_ : nullptr;
     if (extension)
-        extension->know(places);
+        extension->know(std::move(inverse));
+    const std::vector<int>& places = extension ? extension->known() : inverse;
     // change(first, count) of each range of the nodes
     const auto each = [&](auto change) {
         team_.each_range(m, [&](Index first, Index count, int) { change(first, count); });
