@@ -18,7 +18,7 @@ struct Ended {
     int code;
     std::string out, err;
     double seconds; ///< wall time
-    long error_lines() const { return std::count(err.begin(), err.end(), '\n'); }
+    long error_lines() const { return std::ranges::count(err, '\n'); }
 };
 
 /// Requires exit code 2 and one line that contains `words`.

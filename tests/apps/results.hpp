@@ -5,9 +5,19 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <regex>
 #include <sstream>
 
 namespace app::testing {
+
+/// The first group of each match of a regular expression in a text.
+inline std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::vector<std::string> all;
+    for (std::sregex_iterator i(text.begin(), text.end(), expression), end; i != end; ++i)
+        all.push_back((*i)[1]);
+    return all;
+}
 
 inline nlohmann::json json_in(const std::filesystem::path& file) {
     return nlohmann::json::parse(rough::read_whole(file));
@@ -22,6 +32,11 @@ inline nlohmann::json result_in(const std::filesystem::path& folder) {
 inline nlohmann::json result_of(const Ended& ended, const std::filesystem::path& folder) {
     answered(ended);
     return result_in(folder);
+}
+
+/// Runs the program with its results in the folder r; the result.json of a run that ended well.
+inline nlohmann::json result_of(const Folder& folder, const std::string& words) {
+    return result_of(rugosa(words + " --out r", folder.path()), folder / "r");
 }
 
 /// A value without its times, at any depth.

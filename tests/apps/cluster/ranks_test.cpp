@@ -1,8 +1,6 @@
 #include "domain/database/store.hpp"
 #include "domain/numerics/vector_loops.hpp"
 #include "ga/base/stopwatch.hpp"
-#include "tests/apps/found.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <thread>

@@ -25,9 +25,7 @@ void write_law(const Folder& folder) {
 TEST_CASE("a design of caps writes its array, spots, solids and page") {
     const Folder folder;
     write_law(folder);
-    const json result =
-        result_of(rugosa(caps + "--reach-similarity 0.9 --seed 2 --evaluations 400 --out r", folder.path()),
-                  folder / "r");
+    const json result = result_of(folder, caps + "--reach-similarity 0.9 --seed 2 --evaluations 400");
     const json& best = result["variants"]["default"];
     CHECK(result["summary"]["found"] == true);
     CHECK(best["similarity_worst"] <= best["similarity"]);

@@ -110,16 +110,14 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
         target += std::to_string(pressures[k]) + "," + std::to_string(stiffnesses[k]) + "\n";
     folder.write("K.csv", target);
     const json result = result_of(
-        rugosa("design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 --out r "
-               "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'",
-               folder.path()),
-        folder / "r");
+        folder, "design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 "
+                "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'");
     const json &variant = result["variants"]["pipeline"], &summary = result["summary"];
     const Recomputed design{variant["genome"]};
     const Eigen::VectorXd z = design.heights(nodes), fine = design.heights(4 * nodes - 3);
     const std::vector<double> checks{design.similarity(z), design.similarity(fine), design.similarity(z, 4),
                                      design.similarity(fine, 4)};
-    const double lowest = *std::min_element(checks.begin(), checks.end());
+    const double lowest = std::ranges::min(checks);
     const auto says = [&](const char* fact, const std::vector<double>& expected,
                           double error = 6e-3) { // three digits
         const std::string text = std::string(fact) == "verdict" ? result["verdict"] : summary[fact];

@@ -1,4 +1,3 @@
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,16 +16,19 @@ class Desk : public Folder {
     }
     Ended optimise(const std::string& words) const { return rugosa("optimise " + words, path()); }
     json result(const std::string& folder) const { return result_in(path() / folder); }
+    /// The result of a run that succeeds.
+    json found(const std::string& words, const std::string& folder = "out") const {
+        succeeded(optimise(words + " --out " + folder));
+        return result(folder);
+    }
 };
 
 } // namespace
 
 TEST_CASE("optimise minimises a program over real vectors") {
     const Desk desk;
-    const Ended ended = desk.optimise("--genes real:5:-5:5 --evaluate './child sphere' --minimise "
-                                      "--evaluations 4000 --out out");
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
+    const Ended ended = succeeded(desk.optimise(
+        "--genes real:5:-5:5 --evaluate './child sphere' --minimise --evaluations 4000 --out out"));
     const json result = desk.result("out");
     CHECK_THAT(ended.out, Catch::StartsWith("out: best ") &&
                               Catch::Contains(" after " + result["evaluations"].dump() + " evaluations ("));
@@ -43,53 +45,45 @@ TEST_CASE("optimise minimises a program over real vectors") {
 TEST_CASE("real vectors have the variants bipop-cma-es, ipop-cma-es and lshade") {
     const Desk desk;
     for (const std::string variant : {"bipop-cma-es", "ipop-cma-es", "lshade"}) {
-        const Ended ended =
-            desk.optimise("--genes real:5:-5:5 --evaluate './child sphere' --minimise --variant " + variant +
-                          " --evaluations 2500 --out " + variant);
-        INFO(ended.err);
-        REQUIRE(ended.code == 0);
-        CHECK(desk.result(variant)["best"]["objectives"][0] < (variant == "lshade" ? 1e-3 : 1e-10));
-        CHECK(desk.result(variant)["evaluations"] <= 2500);
+        const json result =
+            desk.found("--genes real:5:-5:5 --evaluate './child sphere' --minimise --evaluations 2500 "
+                       "--variant " +
+                           variant,
+                       variant);
+        CHECK(result["best"]["objectives"][0] < (variant == "lshade" ? 1e-3 : 1e-10));
+        CHECK(result["evaluations"] <= 2500);
     }
 }
 
 TEST_CASE("optimise maximises over bits, and finds a permutation by a pipeline") {
     const Desk desk;
-    REQUIRE(desk.optimise("--genes bits:40 --evaluate './child ones' --evaluations 4000 --out bits").code ==
-            0);
-    CHECK(desk.result("bits")["best"]["objectives"][0] == 40);
-    CHECK(desk.result("bits")["best"]["genes"] == json(std::vector<int>(40, 1)));
-    REQUIRE(
-        desk.optimise("--genes permutation:8 --evaluate './child order' --out order --pipeline 'sample "
-                      "60 | score | until fitness 7 generations 100 { tournament 3 | cross order | mutate "
-                      "0.1 reverse | score | elite 2 } | best 1'")
-            .code == 0);
-    CHECK(desk.result("order")["best"]["genes"] == json({0, 1, 2, 3, 4, 5, 6, 7}));
+    const json best = desk.found("--genes bits:40 --evaluate './child ones' --evaluations 4000")["best"];
+    CHECK(best["objectives"][0] == 40);
+    CHECK(best["genes"] == json(std::vector<int>(40, 1)));
+    const json order =
+        desk.found("--genes permutation:8 --evaluate './child order' --pipeline 'sample 60 | score | until "
+                   "fitness 7 generations 100 { tournament 3 | cross order | mutate 0.1 reverse | score | "
+                   "elite 2 } | best 1'",
+                   "order");
+    CHECK(order["best"]["genes"] == json({0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
 TEST_CASE("genomes of whole numbers, reals and words are evaluated once if rounded alike") {
     const Desk desk;
-    const Ended ended =
-        desk.optimise("--genes int:1:0:12,real:1:-5:5,choice:1:a:b:c --evaluate './child mixed' "
-                      "--evaluations 3000 --out out");
-    INFO(ended.err);
-    REQUIRE(ended.code == 0);
-    const json best = desk.result("out")["best"];
+    const json best = desk.found("--genes int:1:0:12,real:1:-5:5,choice:1:a:b:c --evaluate './child mixed' "
+                                 "--evaluations 3000")["best"];
     CHECK(best["genes"][0] == 7);
     CHECK(best["genes"][1].get<double>() == Approx(0.5).margin(0.05));
     CHECK(best["genes"][2] == "b");
-    REQUIRE(desk.optimise("--genes int:2:0:3 --evaluate './child ones' --evaluations 2000 --out few").code ==
-            0);
-    CHECK(desk.result("few")["best"]["objectives"][0] == 6);
-    CHECK(desk.result("few")["evaluations"] <= 17); // 16 genomes, and the one that tells the objectives
+    const json few = desk.found("--genes int:2:0:3 --evaluate './child ones' --evaluations 2000", "few");
+    CHECK(few["best"]["objectives"][0] == 6);
+    CHECK(few["evaluations"] <= 17); // 16 genomes, and the one that tells the objectives
 }
 
 TEST_CASE("several objectives give a front and the best by the first") {
     const Desk desk;
-    REQUIRE(desk.optimise("--genes real:1:-10:10 --evaluate './child schaffer' --minimise 1,2 "
-                          "--evaluations 3000 --out out")
-                .code == 0);
-    const json result = desk.result("out");
+    const json result = desk.found("--genes real:1:-10:10 --evaluate './child schaffer' --minimise 1,2 "
+                                   "--evaluations 3000");
     CHECK(result["variant"] == "nsga2");
     CHECK(result["best"] == result["front"][0]);
     CHECK(result["front"].size() > 50);
@@ -103,9 +97,7 @@ TEST_CASE("several objectives give a front and the best by the first") {
 
 TEST_CASE("genomes that break constraints rank after those that hold them") {
     const Desk desk;
-    REQUIRE(desk.optimise("--genes real:1:0:1 --evaluate './child held' --evaluations 1000 --out out").code ==
-            0);
-    const json best = desk.result("out")["best"];
+    const json best = desk.found("--genes real:1:0:1 --evaluate './child held' --evaluations 1000")["best"];
     CHECK(best["objectives"][0] <= 0.25);
     CHECK(best["objectives"][0] > 0.249);
     CHECK(best["violation"] <= 0);
@@ -114,32 +106,28 @@ TEST_CASE("genomes that break constraints rank after those that hold them") {
 TEST_CASE("the result depends on the seed but not on the number of children") {
     const Desk desk;
     const std::string words = "--genes real:3:-5:5 --evaluate './child sphere' --minimise --evaluations 600 ";
-    for (const char* more : {"--threads 1 --out 1", "--threads 2 --out 2", "--threads 3 --out 3",
-                             "--threads 1 --seed 2 --out other"})
-        REQUIRE(desk.optimise(words + more).code == 0);
-    CHECK(timeless(desk.result("1")) == timeless(desk.result("2")));
-    CHECK(timeless(desk.result("1")) == timeless(desk.result("3")));
-    CHECK(desk.result("1")["best"] != desk.result("other")["best"]);
+    const json one = desk.found(words + "--threads 1", "1");
+    CHECK(timeless(one) == timeless(desk.found(words + "--threads 2", "2")));
+    CHECK(timeless(one) == timeless(desk.found(words + "--threads 3", "3")));
+    CHECK(one["best"] != desk.found(words + "--threads 1 --seed 2", "other")["best"]);
 }
 
 TEST_CASE("each counted evaluation reaches a child once") {
     const Desk desk;
     desk.write("counted.sh", "tee sent | ./child sphere\n");
-    REQUIRE(desk.optimise(
-                    "--genes real:2:-5:5 --evaluate 'sh counted.sh' --threads 1 --evaluations 200 --out out")
-                .code == 0);
+    const json result =
+        desk.found("--genes real:2:-5:5 --evaluate 'sh counted.sh' --threads 1 --evaluations 200");
     const std::string sent = rough::read_whole(desk / "sent");
-    CHECK(std::count(sent.begin(), sent.end(), '\n') == desk.result("out")["evaluations"]);
+    CHECK(std::count(sent.begin(), sent.end(), '\n') == result["evaluations"]);
 }
 
 TEST_CASE("a run out of evaluations resumes to the result of an uninterrupted one") {
     const Desk desk;
     const std::string words = "--genes bits:60 --evaluate './child ones' ";
-    REQUIRE(desk.optimise(words + "--evaluations 900 --out whole").code == 0);
-    REQUIRE(desk.optimise(words + "--evaluations 350 --out cut").code == 0);
+    const json whole = desk.found(words + "--evaluations 900", "whole");
+    desk.found(words + "--evaluations 350", "cut");
     CHECK(desk.optimise(words + "--evaluations 900 --out cut").code == 2);
-    REQUIRE(desk.optimise(words + "--evaluations 900 --out cut --resume").code == 0);
-    CHECK(timeless(desk.result("cut")) == timeless(desk.result("whole")));
+    CHECK(timeless(desk.found(words + "--evaluations 900 --resume", "cut")) == timeless(whole));
 }
 
 TEST_CASE("a child that ends stops the run with one line and the best so far") {

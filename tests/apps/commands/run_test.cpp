@@ -1,7 +1,6 @@
 #include "domain/mwm/genome.hpp"
 #include "domain/paper/variants.hpp"
 #include "domain/target/target.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -26,7 +25,7 @@ TEST_CASE(
     for (const char* place : {"r", "r/heldout"}) {
         const json result = result_in(folder / place);
         const std::string curves = rough::read_whole(folder / place / "curves.csv");
-        CHECK(std::count(curves.begin(), curves.end(), '\n') ==
+        CHECK(std::ranges::count(curves, '\n') ==
               1 + result["steps"].get<long>() * static_cast<long>(result["variants"].size()));
         CHECK(rows_of(folder / place / "scores.csv", "id,similarity,similarity_low,similarity_high").size() ==
               30); // five genomes of each of the six pairs
@@ -79,8 +78,7 @@ TEST_CASE("variants of an experiment, written as text, run with the paper's") {
         " --set paper.sweep-points=0 --set 'variants.mine=score | best 6 | repeat 2 { tournament 2 "
         "| cross uniform | mutate 0.1 | score | refine lm 5 | elite 2 } | best 1'"
         " --set 'variants.more=mine | refine minimax 3'";
-    const json variants =
-        result_of(rugosa(paper + coarse + own + " --out r", folder.path()), folder / "r")["variants"];
+    const json variants = result_of(folder, paper + coarse + own)["variants"];
     CHECK(variants.size() == 8);
     CHECK(variants["more"]["similarity"] >= variants["mine"]["similarity"]);
     CHECK(variants["mine"]["stages"][2]["path"] == "mine/repeat.1/tournament.1");

@@ -1,6 +1,4 @@
 #include "apps/report/csv.hpp"
-#include "tests/apps/found.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,13 +12,13 @@ namespace {
 
 const std::string small = "run '" RUGOSA_SOURCE "/experiments/accuracy.ini' --set accuracy.surfaces=1 --set "
                           "accuracy.accuracies=3e-2,1e-2 --set accuracy.rough-waves=32 --set "
-                          "accuracy.design-budget=40 --set model.nodes=128 ";
+                          "accuracy.design-budget=40 --set model.nodes=128";
 
 } // namespace
 
 TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budget") {
     const Folder folder;
-    const json result = result_of(rugosa(small + "--out e", folder.path()), folder / "e");
+    const json result = result_of(folder, small);
     CHECK(result["accuracy"] == 0.01);
     REQUIRE(result["savings"].size() == 16); // two surfaces, kernels, loads and accuracies
     for (const json& row : result["savings"]) {
@@ -35,10 +33,10 @@ TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budg
     const json& design = result["variants"]["default"];
     CHECK(result["error_budget"].back()["size"].get<double>() ==
           Approx(1 - design["similarity_refined"].get<double>()));
-    CHECK(std::filesystem::exists(folder / "e/budget.csv"));
-    const std::string page = rough::read_whole(folder / "e/report.html");
+    CHECK(std::filesystem::exists(folder / "r/budget.csv"));
+    const std::string page = rough::read_whole(folder / "r/report.html");
     CHECK(found(page, "<figure id=\"figure-(\\d)\"") == std::vector<std::string>{"1", "2", "3"});
-    for (const auto& row : app::csv_rows(rough::read_whole(folder / "e/coverage.csv")))
+    for (const auto& row : app::csv_rows(rough::read_whole(folder / "r/coverage.csv")))
         if (row[0] == "0.01") {
             double covered = 0;
             for (const json& one : result["savings"])

@@ -1,6 +1,4 @@
 #include "apps/experiments/solvers/chart.hpp"
-#include "tests/apps/found.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -125,7 +123,7 @@ TEST_CASE("rugosa chart ends in time, and its line and page report the settings 
     CHECK(ended.code == 0);
     CHECK(ended.err.empty());
     CHECK_THAT(ended.out, Catch::Contains("left out: "));
-    CHECK(std::count(ended.out.begin(), ended.out.end(), '\n') == 1);
+    CHECK(std::ranges::count(ended.out, '\n') == 1);
     const std::string page = rough::read_whole(folder / "r" / "chart.html");
     CHECK(page.find("No picture") == std::string::npos);
     CHECK(app::testing::found(page, "<figure id=\"([^\"]*)\"").size() == 6);

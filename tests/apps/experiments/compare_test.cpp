@@ -1,5 +1,4 @@
 #include "apps/report/csv.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -49,7 +48,7 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
         }
     const json& first = sphere["variants"]["ga"]["runs"][0];
     const json& spent = first["evaluations_to_targets"];
-    const auto missed = static_cast<std::size_t>(std::count(spent.begin(), spent.end(), json()));
+    const auto missed = static_cast<std::size_t>(std::ranges::count(spent, json()));
     for (const auto& row : app::csv_rows(rough::read_whole(folder / "t1/runs.csv")))
         if (row[0] == "bbob5-1" && row[1] == "ga" && row[2] == "1") {
             CHECK(row[3] == first["evaluations"].dump());
@@ -60,18 +59,16 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
 
 TEST_CASE("variants given by flag or by file run in the place of the usual ones") {
     const Folder folder;
-    const Ended ended =
-        rugosa("compare --problems bbob5-1 --seeds 2 --budget 500 --variants \"ga, mine=sample 9 | "
-               "pair(score, score, union) | best 1\" --out r",
-               folder.path());
-    INFO(ended.err);
-    CHECK(ended.code == 2); // a comma within brackets parts nothing: it is `union` that is not known
-    CHECK_THAT(ended.err, Catch::Contains("union"));
+    // A comma within brackets parts nothing: it is `union` that is not known.
+    check_refused(rugosa("compare --problems bbob5-1 --seeds 2 --budget 500 --variants \"ga, mine=sample 9 | "
+                         "pair(score, score, union) | best 1\" --out r",
+                         folder.path()),
+                  "union");
     folder.write("c.ini",
                  "[experiment]\nkind = compare\n[compare]\nproblems = tsp14\nseeds = 2\nbudget = 300\n"
                  "[tours]\nmine = sample 9 | score | best 1\nga = ga\n");
-    REQUIRE(rugosa("compare c.ini --budget 400 --out c", folder.path()).code == 0);
-    REQUIRE(rugosa("run c.ini --pictures off --out d", folder.path()).code == 0);
+    done(folder, "compare c.ini --budget 400 --out c");
+    done(folder, "run c.ini --pictures off --out d");
     const json result = result_in(folder / "c")["problems"]["tsp14"];
     CHECK(result["variants"].size() == 2);
     CHECK(result["variants"].count("mine") == 1);
@@ -82,11 +79,9 @@ TEST_CASE("variants given by flag or by file run in the place of the usual ones"
 TEST_CASE("the roughness problem is compared by curves, with similarity for precision") {
     const Folder folder;
     const json result = result_of(
-        rugosa("compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
-               "--max-pressure 1.6e-4 --seeds 2 --curves 60 --variants plain,\"mine=sample 20 | score | "
-               "best 1\" --out r",
-               folder.path()),
-        folder / "r")["problems"]["roughness"];
+        folder, "compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
+                "--max-pressure 1.6e-4 --seeds 2 --curves 60 --variants plain,\"mine=sample 20 | score | "
+                "best 1\"")["problems"]["roughness"];
     for (const auto& [name, variant] : result["variants"].items())
         for (const json& run : variant["runs"]) {
             CHECK(run["evaluations"] <= 60);
@@ -97,13 +92,11 @@ TEST_CASE("the roughness problem is compared by curves, with similarity for prec
 
 TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for each variant") {
     const Folder folder;
-    REQUIRE(rugosa("compare --variants ga,bipop-cma-es --seeds 2 --budget 200*D --coco --out c "
-                   "--problems bbob2-1,bbob5-1,bbob2-8",
-                   folder.path())
-                .code == 0);
-    const json result = result_in(folder / "c");
+    const json result =
+        result_of(folder, "compare --variants ga,bipop-cma-es --seeds 2 --budget 200*D --coco "
+                          "--problems bbob2-1,bbob5-1,bbob2-8");
     for (const std::string variant : {"ga", "bipop-cma-es"}) {
-        const auto in = folder / ("c/coco/" + variant);
+        const auto in = folder / ("r/coco/" + variant);
         const std::string info = rough::read_whole(in / "bbobexp_f1.info");
         for (const std::string D : {"2", "5"}) {
             CHECK_THAT(info, Catch::Contains("funcId = 1, DIM = " + D + ", Precision = 1.000e-08, algId = '" +

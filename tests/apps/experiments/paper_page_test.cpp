@@ -1,5 +1,4 @@
 #include "apps/prompt/units.hpp"
-#include "tests/apps/found.hpp"
 #include "tests/apps/results.hpp"
 
 #include <set>
@@ -12,10 +11,6 @@ namespace {
 const std::string small =
     "run '" RUGOSA_SOURCE "/experiments/paper.ini' --seed 11 --set model.nodes=64 --set database.pairs=";
 
-json run_paper(const std::string& settings, const Folder& folder) {
-    return result_of(rugosa(small + settings + " --out r", folder.path()), folder / "r");
-}
-
 std::string page_in(const Folder& folder) { return rough::read_whole(folder / "r/report.html"); }
 
 std::vector<std::string> figures_in(const std::string& html) {
@@ -26,7 +21,7 @@ std::vector<std::string> figures_in(const std::string& html) {
 
 TEST_CASE("the paper's report shows every number, verdict and figure of the result, and needs nothing else") {
     const Folder folder;
-    const json result = run_paper("6 --set paper.sweep-points=2", folder);
+    const json result = result_of(folder, small + "6 --set paper.sweep-points=2");
     const std::string html = page_in(folder);
     const json second = result_in(folder / "r/heldout");
     const auto tiles = found(html, "<dd>([^<]*)</dd></div>");
@@ -69,7 +64,7 @@ TEST_CASE("a report on a handful of nodes, another body, the other reading or on
           "--set paper.dominance=step", "--set heldout.file= --set paper.sweep-points=0"}) {
         const Folder folder;
         INFO(other);
-        run_paper("2 --set paper.sweep-points=1 " + other, folder);
+        result_of(folder, small + "2 --set paper.sweep-points=1 " + other);
         const std::string html = page_in(folder);
         CHECK(figures_in(html).size() == 11);
     }

@@ -1,8 +1,7 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/contact/solvers/problem.hpp"
-#include "tests/apps/found.hpp"
-#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 #include "tests/domain/contact/oracle.hpp"
 
 #include <catch2/catch.hpp>
@@ -159,7 +158,7 @@ TEST_CASE("rugosa stability writes its table and its page") {
     CHECK(ended.err.empty());
     const std::string table = rough::read_whole(folder / "s" / "stability.csv");
     CHECK(table.rfind("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n", 0) == 0);
-    CHECK(std::count(table.begin(), table.end(), '\n') == 16);
+    CHECK(std::ranges::count(table, '\n') == 16);
     const std::string page = rough::read_whole(folder / "s" / "stability.html");
     CHECK(found(page, "(<tr><td>spike</td>)").size() == 3); // one row per kernel
 }
@@ -183,6 +182,6 @@ TEST_CASE("rugosa stability breeds scenes, and every solver tries the worst") {
     CAPTURE(ended.err);
     CHECK(ended.code == 0);
     const std::string table = rough::read_whole(folder / "s" / "stability.csv");
-    CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 10 * 5);
+    CHECK(std::ranges::count(table, '\n') == 1 + 10 * 5);
     CHECK_THAT(table, Catch::Contains("bred 0."));
 }

@@ -1,5 +1,4 @@
 #include "apps/report/csv.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,10 +10,9 @@ using nlohmann::json;
 
 TEST_CASE("pipelines are compared on the same targets with the same budget and seeds") {
     const Folder folder;
-    succeeded(rugosa("run '" RUGOSA_SOURCE
-                     "/experiments/variants.ini' --pictures off --set experiment.budget=150 --set "
-                     "experiment.seeds=2 --set model.nodes=64 --set targets.shortest-wave=0.06 --out r",
-                     folder.path()));
+    done(folder,
+         "run '" RUGOSA_SOURCE "/experiments/variants.ini' --pictures off --set experiment.budget=150 --set "
+         "experiment.seeds=2 --set model.nodes=64 --set targets.shortest-wave=0.06 --out r");
     for (const char* place : {"r", "r/heldout"}) {
         const json result = result_in(folder / place);
         CHECK(result["variants"].size() == 9);
@@ -59,10 +57,9 @@ TEST_CASE("a pipeline that cannot search is refused before any other one starts"
 
 TEST_CASE("the paper's algorithms run on maps and on profiles, and the page shows both", "[areas]") {
     const Folder folder;
-    succeeded(rugosa("run '" RUGOSA_SOURCE "/experiments/surface.ini' --set experiment.budget=120 --set "
-                     "'model.nodes=16x16, 32' --set model.steps=6 --set targets.shortest-wave=0.2 "
-                     "--set variants.cco= --out r",
-                     folder.path()));
+    done(folder, "run '" RUGOSA_SOURCE "/experiments/surface.ini' --set experiment.budget=120 --set "
+                 "'model.nodes=16x16, 32' --set model.steps=6 --set targets.shortest-wave=0.2 "
+                 "--set variants.cco= --out r");
     CHECK(result_in(folder / "r")["nodes"] == json({16, 16}));
     CHECK(result_in(folder / "r" / "drawn-32")["nodes"] == 32);
     const std::string page = rough::read_whole(folder / "r" / "report.html");
@@ -75,8 +72,6 @@ TEST_CASE("names of files, folders and pipelines may have bytes that are not UTF
     folder.write("e\xE9.ini",
                  "[experiment]\nkind = variants\nseeds = 1\nbudget = 20\n[targets]\nfiles = t\xE9.csv\n"
                  "[model]\nnodes = 32\n[variants]\nw\xE9 = sample 4 | score | best 1\n");
-    const Ended raced = rugosa("run e\xE9.ini --pictures off --out r\xE9", folder.path());
-    INFO(raced.err);
-    CHECK(raced.code == 0);
+    done(folder, "run e\xE9.ini --pictures off --out r\xE9");
     CHECK(result_in(folder / "r\xE9")["variants"].count("w\xEF\xBF\xBD") == 1);
 }

@@ -1,7 +1,6 @@
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/zip.hpp"
-#include "tests/apps/found.hpp"
-#include "tests/apps/program.hpp"
+#include "tests/apps/results.hpp"
 #include "tests/sanitized.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,5 @@
 #include "domain/database/store.hpp"
 #include "ga/base/random.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
@@ -37,13 +36,6 @@ bool whole_or_none(const fs::path& result) {
 
 json of_run(const fs::path& folder) { return timeless(result_in(folder / "o")); }
 
-json of_search(const fs::path& folder) {
-    json result = result_in(folder / "o");
-    for (const char* name : {"threads", "command", "seconds"})
-        result.erase(name);
-    return result;
-}
-
 json of_database(const fs::path& folder) {
     const rough::GenomeStore store = rough::GenomeStore::open(folder / "g.db");
     const rough::StoredCurves curves = store.curves();
@@ -72,7 +64,7 @@ std::vector<Work> all_work() {
     const std::string database = "database build g.db --genomes 300 --batch 10 --nodes 128";
     return {{"design", design, design + " --resume", of_run},
             {"run", run, run + " --resume", of_run},
-            {"optimise", optimise, optimise + " --resume", of_search},
+            {"optimise", optimise, optimise + " --resume", of_run},
             {"database", database, database, of_database}};
 }
 

@@ -1,5 +1,4 @@
 #include "apps/report/output.hpp"
-#include "tests/apps/program.hpp"
 #include "tests/apps/results.hpp"
 #include "tests/sanitized.hpp"
 

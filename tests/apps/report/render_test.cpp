@@ -1,8 +1,7 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/render.hpp"
 #include "domain/errors.hpp"
-#include "tests/apps/found.hpp"
-#include "tests/folder.hpp"
+#include "tests/apps/results.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -89,8 +88,8 @@ TEST_CASE("a line of a million points is drawn through its visible extremes") {
         const auto rows = rows_to_draw(x, {y}, logarithmic);
         CHECK(rows.size() <= 4000);
         CHECK(rows.size() > 1000);
-        CHECK(std::is_sorted(rows.begin(), rows.end()));
-        CHECK(std::count(rows.begin(), rows.end(), 345'678) == 1); // the single high point is kept
+        CHECK(std::ranges::is_sorted(rows));
+        CHECK(std::ranges::count(rows, 345'678) == 1); // the single high point is kept
         CHECK(y(rows).minCoeff() < -0.999);
     }
     CHECK(rows_to_draw(x.head(4000), {y.head(4000)}).size() == 4000);
@@ -105,5 +104,5 @@ TEST_CASE("a large map is drawn as block means, at most 256 along an axis") {
     map.heights.segment(1200, 3) << 2, 5, NAN;
     const std::string table = map_csv(map, {"height_mm"}, {map.heights});
     CHECK_THAT(table, Catch::StartsWith("x_mm,y_mm,height_mm\n0.5,1,3.5\n2,1,2\n"));
-    CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 200);
+    CHECK(std::ranges::count(table, '\n') == 1 + 200);
 }
