@@ -23,20 +23,6 @@ constexpr double longest_wave = 0.84942; ///< mm
 
 bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }
 
-/// A truth with a point at 0 and `points` more: displacement, pressure, stiffness and contact fraction.
-ChartTruth truth_through(int points, const std::function<std::array<double, 4>(int)>& at) {
-    ChartTruth truth;
-    const std::array columns{&truth.displacement, &truth.pressure, &truth.stiffness, &truth.fraction};
-    for (VectorXd* column : columns)
-        *column = VectorXd::Zero(points + 1);
-    for (int k = 1; k <= points; ++k) {
-        const auto values = at(k);
-        for (std::size_t c = 0; c < values.size(); ++c)
-            (*columns[c])[k] = values[c];
-    }
-    return truth;
-}
-
 /// A scene over 1 mm with an exact solution, given for each half-width of the contact (mm) up to 0.4.
 ChartScene exact_scene(const std::string& name, const std::string& words, rough::Kernel kernel,
                        const std::function<double(double)>& height,
@@ -47,14 +33,17 @@ ChartScene exact_scene(const std::string& name, const std::string& words, rough:
     scene.body.datum = 1;
     scene.exact = [contact] {
         constexpr int points = 20000;
-        ChartTruth truth = truth_through(points, [&](int k) -> std::array<double, 4> {
+        std::vector<rough::LoadStep> steps(points + 1);
+        for (int k = 1; k <= points; ++k) {
             const double a = widest * k / points;
             const rough::exact::Contact c = contact(a);
-            return {c.displacement, c.load, c.stiffness, 2 * a};
-        });
-        truth.origin = "the exact solution";
-        truth.finest_verified = std::numeric_limits<Index>::max();
-        return truth;
+            steps[static_cast<std::size_t>(k)] = {.displacement = c.displacement,
+                                                  .pressure = c.load,
+                                                  .tangent_stiffness = c.stiffness,
+                                                  .contact_fraction = 2 * a};
+        }
+        return ChartTruth{rough::response_of(steps, Solver::automatic, 0), "the exact solution",
+                          std::numeric_limits<Index>::max()};
     };
     return scene;
 }
@@ -70,14 +59,10 @@ ChartScene of_waves(const std::string& name, const std::string& words, std::vect
 ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::function<bool()>& stop) {
     rough::ContactOptions options;
     options.stop = stop;
-    const rough::ContactCurve curve =
+    rough::ContactCurve curve =
         solve_contact(scene.profile(nodes), scene.body, even_steps(scene.last, steps), options);
-    ChartTruth truth = truth_through(steps, [&](int j) -> std::array<double, 4> {
-        const rough::LoadStep& step = curve.steps[static_cast<std::size_t>(j - 1)];
-        return {step.displacement, step.pressure, step.tangent_stiffness, step.contact_fraction};
-    });
-    truth.stiffness[0] = truth.stiffness[1];
-    return truth;
+    curve.steps.insert(curve.steps.begin(), {.tangent_stiffness = curve.steps[0].tangent_stiffness});
+    return {rough::response_of(curve.steps, curve.solver, 0), {}};
 }
 
 /// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number of
@@ -93,14 +78,14 @@ std::optional<LeftOutFor> barred(const ChartSetting& setting, const ChartRun* co
 }
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
-    static const ChartExtent quick_extent{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1},
-        whole_extent{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
-                     {512, 2048},
-                     {5, 10, 40, 80, 160},
-                     {1e-3, 1e-4, 1e-6, 1e-8},
-                     65537,
-                     5};
-    const bool quick = settings.is_on("chart.quick");
+    static const ChartExtent quick{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1, 128},
+        whole{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
+              {512, 2048},
+              {5, 10, 40, 80, 160},
+              {1e-3, 1e-4, 1e-6, 1e-8},
+              65537,
+              5,
+              256};
     ga::Stopwatch since_written;
     const auto watch = [&](const ChartData& so_far, const std::string& where) {
         conditions.progress.show(where);
@@ -109,9 +94,9 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
         rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
         since_written = {};
     };
-    const ChartData data = charted(chart_scenes(), quick ? quick_extent : whole_extent,
-                                   {60 * settings.number("chart.minutes"), quick ? 128 : 256,
-                                    [&] { return conditions.stop.load(); }, watch});
+    const ChartData data = charted(
+        chart_scenes(), settings.is_on("chart.quick") ? quick : whole, 60 * settings.number("chart.minutes"),
+        [&] { return conditions.stop.load(); }, watch);
     if (data.runs.empty())
         return {};
     const std::string left_out = left_out_in_a_line(data);
@@ -143,7 +128,7 @@ std::vector<ChartSetting> chart_plan(const ChartExtent& extent) {
                 plan.push_back(setting);
                 plan.back().tolerance = tolerance;
             }
-            if (std::count(extent.nodes_with_steps.begin(), extent.nodes_with_steps.end(), nodes))
+            if (std::ranges::count(extent.nodes_with_steps, nodes))
                 for (const int steps : extent.steps) {
                     plan.push_back(setting);
                     plan.back().steps = steps;
@@ -204,14 +189,14 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
         return at.unaryExpr([&](double where) { return through.at(where); });
     };
     const VectorXd pressure = read(truth.displacement, truth.pressure, found.displacement),
-                   fraction = read(truth.displacement, truth.fraction, found.displacement);
+                   fraction = read(truth.displacement, truth.contact_fraction, found.displacement);
     run.error_pressure = root_mean_square(found.pressure.array() / pressure.array() - 1);
     run.error_contact = root_mean_square(found.contact_fraction - fraction);
     constexpr int samples = 20;
     const double last = truth.pressure.tail(1)[0];
     const VectorXd at = VectorXd::LinSpaced(samples, last / samples, last);
     run.error_stiffness = root_mean_square(read(found.pressure, found.tangent_stiffness, at).array() /
-                                               read(truth.pressure, truth.stiffness, at).array() -
+                                               read(truth.pressure, truth.tangent_stiffness, at).array() -
                                            1);
 }
 
@@ -245,29 +230,29 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
     return run;
 }
 
-ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
-                  const ChartBounds& bounds) {
+ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
+                  const std::function<bool()>& stop,
+                  const std::function<void(const ChartData&, const std::string&)>& watch) {
     const ga::Stopwatch clock;
     const std::vector<ChartSetting> plan = chart_plan(extent);
     ChartData data;
     data.limit = extent.limit;
-    const auto stopped = [&] { return bounds.stop && bounds.stop(); };
+    const auto stopped = [&] { return stop && stop(); };
     const auto tell = [&](const std::string& what) {
-        if (bounds.watch)
-            bounds.watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
-                                   std::to_string(plan.size() * scenes.size()) + ", at most " +
-                                   duration_words(std::max(0.0, bounds.seconds - clock.seconds())) +
-                                   " left: " + what);
+        if (watch)
+            watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
+                            std::to_string(plan.size() * scenes.size()) + ", at most " +
+                            duration_words(std::max(0.0, seconds - clock.seconds())) + " left: " + what);
     };
-    if (bounds.finest_map > 0) {
+    if (extent.finest_map > 0) {
         tell("theories, profiles and maps");
-        data.models = charted_models(bounds.finest_map, bounds.stop);
+        data.models = charted_models(extent.finest_map, stop);
     }
     std::vector<ChartTruth> truths;
     for (const ChartScene& scene : scenes) {
         tell("reference of " + scene.name);
         try {
-            truths.push_back(truth_of(scene, extent.max_for_truth, bounds.stop));
+            truths.push_back(truth_of(scene, extent.max_for_truth, stop));
         } catch (const rough::NotConverged&) {
             if (!stopped())
                 throw;
@@ -278,7 +263,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
     }
     std::map<ChartSetting, ChartRun> last; // the run on the last grid, by the setting without its nodes
     for (ChartSetting setting : plan) {
-        const bool is_late = setting.nodes > plan.front().nodes && clock.seconds() > bounds.seconds;
+        const bool is_late = setting.nodes > plan.front().nodes && clock.seconds() > seconds;
         for (setting.scene = 0; setting.scene < scenes.size(); ++setting.scene) {
             ChartSetting key = setting;
             key.nodes = 0;
@@ -287,8 +272,8 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
                                  : barred(setting, coarser == last.end() ? nullptr : &coarser->second,
                                           extent.limit, is_late);
             if (!why) {
-                const ChartRun run = run_chart(scenes[setting.scene], truths[setting.scene], setting,
-                                               extent.limit, bounds.stop);
+                const ChartRun run =
+                    run_chart(scenes[setting.scene], truths[setting.scene], setting, extent.limit, stop);
                 if (stopped()) {
                     why = LeftOutFor::interrupt;
                 } else {

@@ -2,6 +2,8 @@
 
 #include "apps/experiments/solvers/trial.hpp"
 #include "apps/report/csv.hpp"
+#include "domain/response/response.hpp"
+#include "domain/theory/theory.hpp"
 
 #include <cmath>
 #include <compare>
@@ -29,6 +31,7 @@ struct ChartExtent {
     std::vector<double> tolerances;             ///< for the iterative methods, including 1e-6
     rough::Index max_for_truth;                 ///< maximum number of nodes of a reference
     double limit;                               ///< maximum time of one curve, s
+    rough::Index finest_map = 0;                ///< nodes along each side of the exact maps; 0: no models
 };
 
 constexpr int usual_steps = 20;
@@ -38,12 +41,8 @@ ChartSetting usual_setting(std::size_t scene, rough::Solver method, rough::Index
 /// All trials of a chart on each scene, from the coarsest grid to the finest.
 std::vector<ChartSetting> chart_plan(const ChartExtent& extent);
 
-/// A fine curve that other curves are measured against, linear between its points.
-struct ChartTruth {
-    Eigen::VectorXd displacement;     ///< mm, increasing from 0
-    Eigen::VectorXd pressure;         ///< MPa
-    Eigen::VectorXd stiffness;        ///< tangent, MPa/mm
-    Eigen::VectorXd fraction;         ///< contact fraction
+/// A fine response that curves are measured against, linear between its load steps. The first step is at 0.
+struct ChartTruth : rough::Response {
     std::string origin;               ///< "the exact solution", or a description of the refinement
     rough::Index finest_verified = 0; ///< finer grids are too close to the reference to have an error
 };
@@ -93,11 +92,11 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
 
 /// The prediction of a model for a scene: a theory, one line instead of the map, or a coarser grid.
 struct ModelRun {
-    std::string family;     ///< theories, one line or solved
-    std::string model;      ///< name
-    rough::Index nodes = 0; ///< 0 for a theory
-    double seconds = 0;     ///< time of the whole curve on one core, the lowest of a few
-    Eigen::VectorXd contact_fraction = {}, stiffness = {};   ///< at the loads; NaN without an answer
+    std::string family;            ///< theories, one line or solved
+    std::string model;             ///< name
+    rough::Index nodes = 0;        ///< 0 for a theory
+    double seconds = 0;            ///< time of the whole curve on one core, the lowest of a few
+    rough::TheoryCurve curve = {}; ///< at the loads; NaN without an answer
     Eigen::VectorXd area_errors = {}, stiffness_errors = {}; ///< relative, at each load
     double area_error = 0, stiffness_error = 0;              ///< root mean squares of these
 };
@@ -105,12 +104,11 @@ struct ModelRun {
 /// A periodic random surface, its exact curve and the models that are measured against it.
 struct ModelScene {
     std::string name, words;
-    std::string reference;                                 ///< origin of the exact curve
-    double rms_slope = 0;                                  ///< h'; for a map the rms gradient
-    double rms_height = 0;                                 ///< mm
-    double aspect_ratio = 0;                               ///< Str; 0 for a line
-    Eigen::VectorXd pressure = {};                         ///< loads, MPa; E* is 1 MPa
-    Eigen::VectorXd contact_fraction = {}, stiffness = {}; ///< exact, MPa/mm
+    std::string reference;         ///< origin of the exact curve
+    double rms_slope = 0;          ///< h'; for a map the rms gradient
+    double rms_height = 0;         ///< mm
+    double aspect_ratio = 0;       ///< Str; 0 for a line
+    rough::TheoryCurve exact = {}; ///< at the loads; E* is 1 MPa
     std::vector<ModelRun> runs = {};
 };
 
@@ -148,21 +146,14 @@ struct ChartData {
     double contact(std::size_t scene) const;
 };
 
-/// Further limits of a chart, and its observer.
-struct ChartBounds {
-    double seconds = 0;          ///< wall time
-    rough::Index finest_map = 0; ///< nodes along each side of the exact maps; 0: no models
-    std::function<bool()> stop;  ///< called often; true ends the chart, which keeps its results
-    /// Called after each setting and reference with the results so far and with words such as "12 of 740, at
-    /// most 3 min left".
-    std::function<void(const ChartData&, const std::string&)> watch;
-};
-
 /// Works through the plan, one setting on all scenes before the next. The references and the coarsest grid
-/// are always done; after the time is over no setting starts. A setting is left out if the coarser grid was
-/// not solved, or if its curve would take longer than the limit.
-ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent,
-                  const ChartBounds& bounds);
+/// are always done; after `seconds` of wall time no setting starts. A setting is left out if the coarser grid
+/// was not solved, or if its curve would take longer than the limit. `stop` is called often; true ends the
+/// chart, which keeps its results. `watch` is called after each setting and reference. It gets the results so
+/// far and words such as "12 of 740, at most 3 min left".
+ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
+                  const std::function<bool()>& stop = {},
+                  const std::function<void(const ChartData&, const std::string&)>& watch = {});
 
 /// chart.csv: one row per run of solvers and of models.
 Csv chart_table(const ChartData& data);

@@ -1,7 +1,6 @@
 #include "apps/experiments/solvers/chart.hpp"
 #include "domain/errors.hpp"
 #include "domain/profile/roughness.hpp"
-#include "domain/theory/theory.hpp"
 
 #include <cmath>
 
@@ -68,21 +67,17 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
                      is_map ? texture(surface, true).Str : 0};
     constexpr int loads = 12;
     constexpr double lightest = 0.005, heaviest = 1.6; // erf of it over sqrt 2 is what touches
-    scene.pressure = scene.rms_slope / 2 *
-                     (VectorXd::LinSpaced(loads, std::log(lightest), std::log(heaviest)).array().exp());
-    const auto exact = pressed(surface, scene.pressure);
-    scene.contact_fraction = exact.contact_fraction;
-    scene.stiffness = exact.stiffness;
+    const VectorXd pressure =
+        scene.rms_slope / 2 *
+        VectorXd::LinSpaced(loads, std::log(lightest), std::log(heaviest)).array().exp();
+    scene.exact = pressed(surface, pressure);
     const auto measure = [&](const char* family, const std::string& model, Index nodes, auto work) {
         if (stop && stop())
             return;
-        rough::TheoryCurve curve;
         ModelRun run{.family = family, .model = model, .nodes = nodes};
-        run.seconds = lowest_seconds([&] { curve = work(); });
-        run.contact_fraction = curve.contact_fraction;
-        run.stiffness = curve.stiffness;
-        run.area_errors = run.contact_fraction.array() / scene.contact_fraction.array() - 1;
-        run.stiffness_errors = run.stiffness.array() / scene.stiffness.array() - 1;
+        run.seconds = lowest_seconds([&] { run.curve = work(); });
+        run.area_errors = run.curve.contact_fraction.array() / scene.exact.contact_fraction.array() - 1;
+        run.stiffness_errors = run.curve.stiffness.array() / scene.exact.stiffness.array() - 1;
         run.area_error = root_mean_square(run.area_errors);
         run.stiffness_error = root_mean_square(run.stiffness_errors);
         scene.runs.push_back(std::move(run));
@@ -90,19 +85,19 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
     for (const std::string& theory : rough::theory_names()) {
         const auto which = static_cast<rough::Theory>(&theory - rough::theory_names().data());
         if (holds_for(which, is_map))
-            measure("theories", theory, 0, [&] { return predicted_curve(which, random, 1, scene.pressure); });
+            measure("theories", theory, 0, [&] { return predicted_curve(which, random, 1, pressure); });
     }
     if (is_map) {
         const auto [columns, rows] = surface.shape();
         const Profile section{surface.heights.head(columns), surface.spacing},
             mean_line{surface.heights.reshaped(columns, rows).rowwise().mean(), surface.spacing};
-        measure("one line", "section", finest, [&] { return pressed(section, scene.pressure); });
-        measure("one line", "mean-line", finest, [&] { return pressed(mean_line, scene.pressure); });
+        measure("one line", "section", finest, [&] { return pressed(section, pressure); });
+        measure("one line", "mean-line", finest, [&] { return pressed(mean_line, pressure); });
     }
     for (const Index nodes : coarser) {
         const Profile coarse = on(nodes);
         measure("solved", is_map ? "map" : "profile", coarse.nodes(),
-                [&] { return pressed(coarse, scene.pressure); });
+                [&] { return pressed(coarse, pressure); });
     }
     return scene;
 }

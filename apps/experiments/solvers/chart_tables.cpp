@@ -53,9 +53,8 @@ std::set<Index> grids_of(const ChartData& data) {
 /// Sorts runs by time, and puts nested first if it is about as fast as the fastest: it needs no tolerance.
 void fastest_first(std::vector<const ChartRun*>& runs) {
     constexpr double same_time = 1.1;
-    std::stable_sort(runs.begin(), runs.end(),
-                     [](const ChartRun* a, const ChartRun* b) { return a->seconds < b->seconds; });
-    const auto nested = std::find_if(runs.begin(), runs.end(), [&](const ChartRun* run) {
+    std::ranges::stable_sort(runs, {}, &ChartRun::seconds);
+    const auto nested = std::ranges::find_if(runs, [&](const ChartRun* run) {
         return run->setting.method == Solver::nested && run->seconds <= same_time * runs.front()->seconds;
     });
     if (nested != runs.end())
@@ -127,7 +126,7 @@ json left_out_rows(const ChartData& data) {
     for (const auto& [key, nodes] : all)
         rows.push_back({{"method", rough::name_of(key.second)},
                         {"settings", nodes.size()},
-                        {"from_nodes", *std::min_element(nodes.begin(), nodes.end())},
+                        {"from_nodes", std::ranges::min(nodes)},
                         {"why", why[static_cast<std::size_t>(key.first)]}});
     return rows;
 }
@@ -158,8 +157,8 @@ json theory_rows(const std::vector<ModelScene>& scenes) {
                 rows.push_back({{"scene", of.name},
                                 {"theory", run.model},
                                 {"seconds", run.seconds},
-                                {"area", fair_range(run.area_errors, of.contact_fraction)},
-                                {"stiffness", fair_range(run.stiffness_errors, of.contact_fraction)}});
+                                {"area", fair_range(run.area_errors, of.exact.contact_fraction)},
+                                {"stiffness", fair_range(run.stiffness_errors, of.exact.contact_fraction)}});
     return rows;
 }
 
@@ -202,8 +201,7 @@ json losses_of_auto(const ChartData& data) {
                 losses.push_back(taken->seconds / std::min(nested->seconds, active->seconds));
         }
     return losses.empty() ? json()
-                          : json{{"median", rough::median(losses)},
-                                 {"largest", *std::max_element(losses.begin(), losses.end())}};
+                          : json{{"median", rough::median(losses)}, {"largest", std::ranges::max(losses)}};
 }
 
 } // namespace
@@ -230,8 +228,9 @@ Csv chart_table(const ChartData& data) {
     for (const ModelScene& scene : data.models)
         for (const ModelRun& run : scene.runs) // errors of the fraction itself, as above
             table.row(scene.name, name_of(rough::Kernel::periodic), run.model, run.nodes,
-                      scene.pressure.size(), 0.0, run.seconds, std::optional<double>(), run.stiffness_error,
-                      root_mean_square(run.contact_fraction - scene.contact_fraction), 0,
+                      scene.exact.pressure.size(), 0.0, run.seconds, std::optional<double>(),
+                      run.stiffness_error,
+                      root_mean_square(run.curve.contact_fraction - scene.exact.contact_fraction), 0,
                       name_of(Outcome::solved));
     return table;
 }
@@ -242,9 +241,9 @@ Csv models_table(const std::vector<ModelScene>& scenes) {
               6);
     for (const ModelScene& scene : scenes)
         for (const ModelRun& run : scene.runs)
-            for (Index j = 0; j < run.stiffness.size(); ++j)
-                table.row(scene.name, run.model, run.nodes, run.seconds, scene.pressure[j],
-                          run.contact_fraction[j], run.stiffness[j], run.area_errors[j],
+            for (Index j = 0; j < run.area_errors.size(); ++j)
+                table.row(scene.name, run.model, run.nodes, run.seconds, scene.exact.pressure[j],
+                          run.curve.contact_fraction[j], run.curve.stiffness[j], run.area_errors[j],
                           run.stiffness_errors[j]);
     return table;
 }
@@ -257,9 +256,8 @@ Csv points_table(const ChartData& data) {
             for (const ChartRun& run : data.runs)
                 if (run.setting.scene == scene && kind.compares(run) && run.*kind.value > 0)
                     runs.push_back(&run);
-            std::stable_sort(runs.begin(), runs.end(), [&](const ChartRun* a, const ChartRun* b) {
-                return std::pair(a->seconds, a->*kind.value) < std::pair(b->seconds, b->*kind.value);
-            });
+            std::ranges::stable_sort(
+                runs, {}, [&](const ChartRun* run) { return std::pair(run->seconds, run->*kind.value); });
             double lowest = HUGE_VAL; // lowest error of the faster runs: any method, and each method
             std::map<Solver, double> lowest_of;
             for (const ChartRun* run : runs) {
@@ -281,7 +279,7 @@ Csv model_errors_table(const std::vector<ModelScene>& scenes) {
     for (const ModelScene& scene : scenes)
         for (const ModelRun& run : scene.runs)
             table.row(scene.name, run.family, run.model, run.nodes,
-                      run.contact_fraction.array().isFinite().count(), run.contact_fraction.size(),
+                      run.curve.contact_fraction.array().isFinite().count(), run.area_errors.size(),
                       run.area_error, run.stiffness_error, run.seconds);
     return table;
 }
@@ -296,19 +294,18 @@ std::string left_out_in_a_line(const ChartData& data) {
 }
 
 json chart_facts(const ChartData& data) {
-    json facts{
-        {"fastest_by_grid", fastest_by_grid(data)},
-        {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
-        {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
-        {"left_out", left_out_rows(data)},
-        {"tried", data.runs.size()},
-        {"not_tried", data.left_out.size()},
-        {"late", std::count_if(data.runs.begin(), data.runs.end(), [](const auto& run) { return run.late; })},
-        {"limit_seconds", data.limit},
-        {"auto_over_fastest", losses_of_auto(data)},
-        {"theories", theory_rows(data.models)},
-        {"lines", line_rows(data.models)},
-        {"failures", json::array()}};
+    json facts{{"fastest_by_grid", fastest_by_grid(data)},
+               {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
+               {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
+               {"left_out", left_out_rows(data)},
+               {"tried", data.runs.size()},
+               {"not_tried", data.left_out.size()},
+               {"late", std::ranges::count(data.runs, true, &ChartRun::late)},
+               {"limit_seconds", data.limit},
+               {"auto_over_fastest", losses_of_auto(data)},
+               {"theories", theory_rows(data.models)},
+               {"lines", line_rows(data.models)},
+               {"failures", json::array()}};
     for (const LeftOut& each : data.left_out)
         if (each.why == LeftOutFor::time || each.why == LeftOutFor::interrupt) {
             facts["ended_early"] = {{"nodes", each.setting.nodes}};

@@ -2,6 +2,7 @@
 
 #include "apps/experiments/experiment.hpp"
 #include "domain/contact/solvers/problem.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <cmath>
 #include <limits>
@@ -119,7 +120,7 @@ std::vector<StabilityScene> scenes_from(const Settings& settings, const Conditio
         return scenes;
     std::vector<std::string> names;
     for (const StabilityScene& scene : scenes)
-        if (std::find(names.begin(), names.end(), scene.name) == names.end())
+        if (std::ranges::find(names, scene.name) == names.end())
             names.push_back(scene.name);
     const std::string name = names[settings.one_of("stability.scene", names)];
     std::erase_if(scenes, [&](const StabilityScene& scene) { return scene.name != name; });
@@ -194,10 +195,8 @@ void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance) 
         if (reference.steps.empty())
             continue;
         const auto span = [&](auto value) {
-            const auto [low, high] =
-                std::minmax_element(reference.steps.begin(), reference.steps.end(),
-                                    [&](const auto& a, const auto& b) { return value(a) < value(b); });
-            return std::pair(value(*low), value(*high));
+            const auto values = rough::column(reference.steps, value);
+            return std::pair(std::ranges::min(values), std::ranges::max(values));
         };
         const Span expected{
             span([&](const rough::LoadStep& step) { return displacement > 0 ? step.pressure : 0; }),

@@ -35,8 +35,8 @@ TEST_CASE("a curve measured against itself has no error, and a tenth more gives 
         rough::LoadStep step;
         step.displacement = truth.displacement[k];
         step.pressure = truth.pressure[k];
-        step.tangent_stiffness = truth.stiffness[k];
-        step.contact_fraction = truth.fraction[k];
+        step.tangent_stiffness = truth.tangent_stiffness[k];
+        step.contact_fraction = truth.contact_fraction[k];
         curve.steps.push_back(step);
     }
     ChartRun run;
@@ -55,9 +55,8 @@ TEST_CASE("a curve measured against itself has no error, and a tenth more gives 
 
 TEST_CASE("a chart without time left has the coarsest grid of every scene, and says what it left out") {
     std::vector<std::string> words;
-    const ChartData data =
-        charted(chart_scenes(), small,
-                {0, 0, {}, [&](const ChartData&, const std::string& text) { words.push_back(text); }});
+    const ChartData data = charted(chart_scenes(), small, 0, {},
+                                   [&](const ChartData&, const std::string& text) { words.push_back(text); });
     REQUIRE(data.scenes.size() == 5);
     CHECK_FALSE(data.runs.empty());
     for (const ChartRun& run : data.runs)
@@ -79,7 +78,7 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
 TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and this is reported") {
     ChartExtent impatient = small;
     impatient.limit = 0;
-    const ChartData data = charted({chart_scenes().front()}, impatient, {1000, 0, {}, {}});
+    const ChartData data = charted({chart_scenes().front()}, impatient, 1000);
     for (const ChartRun& run : data.runs) {
         CHECK(run.outcome == Outcome::not_converged);
         CHECK(run.late);
