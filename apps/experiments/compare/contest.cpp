@@ -31,10 +31,7 @@ RuntimeShare share_of(const std::vector<std::vector<double>>& of_seed, std::uint
     RuntimeShare result;
     for (std::size_t at = 0; at < of_seed.front().size(); ++at) {
         const auto mean_of = [&](const std::vector<std::size_t>& picks) {
-            double sum = 0;
-            for (const std::size_t pick : picks)
-                sum += of_seed[pick][at];
-            return sum / static_cast<double>(picks.size());
+            return rough::mean(rough::column(picks, [&](std::size_t pick) { return of_seed[pick][at]; }));
         };
         const rough::Interval interval =
             rough::bootstrap_interval(of_seed.size(), mean_of, resamples, 0.95, seed);
@@ -120,14 +117,13 @@ bool is_listed(const std::vector<double>& targets, std::size_t k) {
 }
 
 long reached(const Reached& run) {
-    return std::count_if(run.evaluations.begin(), run.evaluations.end(),
-                         [](double e) { return !std::isnan(e); });
+    return std::ranges::count_if(run.evaluations, [](double e) { return !std::isnan(e); });
 }
 
 /// Whether a variant is better than another over the group ("") or on a problem, after the correction.
 bool beats(const GroupResult& group, const std::string& problem, std::size_t better, std::size_t worse) {
     constexpr double significant = 0.05;
-    return std::any_of(group.duels.begin(), group.duels.end(), [&](const Duel& duel) {
+    return std::ranges::any_of(group.duels, [&](const Duel& duel) {
         return duel.problem == problem && duel.corrected <= significant &&
                ((duel.first == better && duel.second == worse && duel.difference > 0) ||
                 (duel.first == worse && duel.second == better && duel.difference < 0));
@@ -201,8 +197,8 @@ json bout_json(const Bout& bout) {
 } // namespace
 
 long successes(const std::vector<Reached>& runs, std::size_t target) {
-    return std::count_if(runs.begin(), runs.end(),
-                         [&](const Reached& run) { return !std::isnan(run.evaluations[target]); });
+    return std::ranges::count_if(runs,
+                                 [&](const Reached& run) { return !std::isnan(run.evaluations[target]); });
 }
 
 double expected_runtime(const std::vector<Reached>& runs, std::size_t target) {
@@ -247,8 +243,8 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
     }
     for (const auto& [name, functions] : of_variant) {
         std::string plain = name;
-        std::replace_if(
-            plain.begin(), plain.end(), [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '_');
+        std::ranges::replace_if(
+            plain, [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '_');
         ga::write_coco(folder / plain, plain, functions);
     }
 }

@@ -1,4 +1,3 @@
-
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/problem/stored.hpp"
@@ -74,8 +73,7 @@ std::vector<std::string> parts_of(const std::string& text) {
 Contestants contestants_of(const Settings& settings, const std::string& kind) {
     const Contestants& usual = usual_contestants().at(kind);
     const auto meaning = [&](const std::string& text) {
-        const auto found =
-            std::find_if(usual.begin(), usual.end(), [&](const auto& each) { return each.first == text; });
+        const auto found = std::ranges::find_if(usual, [&](const auto& each) { return each.first == text; });
         return found == usual.end() ? text : found->second;
     };
     Contestants given;
@@ -113,8 +111,8 @@ std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
 Contest contest_from(const Settings& settings, const Origin& origin) {
     Contest contest;
     contest.origin = origin;
-    contest.seeds = static_cast<long>(
-        rough::number_from(text_of(settings, "compare.seeds", "15", "5"), settings.place("compare.seeds")));
+    contest.seeds = settings.is_on("compare.quick") ? 5 : 15;
+    settings.take("compare.seeds", contest.seeds);
     contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);

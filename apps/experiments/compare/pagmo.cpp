@@ -24,7 +24,7 @@ void expect_pagmos(const RealInstance& instance, const std::string& variant) {
     if (names.empty())
         throw ga::UsageError("\"" + variant +
                              "\" needs a build with libpagmo; install Debian's libpagmo-dev and build again");
-    if (std::find(names.begin(), names.end(), variant) == names.end())
+    if (std::ranges::find(names, variant) == names.end())
         throw ga::UsageError("\"" + variant + "\" is not an algorithm of libpagmo" +
                              ga::suggestion(variant, names));
     if (instance.objectives > 1)

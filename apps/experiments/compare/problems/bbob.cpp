@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <numeric>
 
 namespace app {
 
@@ -163,12 +162,9 @@ double katsuura(const Array& z) {
 
 /// Indices in ascending order of the numbers.
 std::vector<double> order_of(const std::vector<double>& numbers) {
-    std::vector<double> order(numbers.size());
-    std::iota(order.begin(), order.end(), 0.0);
-    std::sort(order.begin(), order.end(), [&](double a, double b) {
-        return numbers[static_cast<std::size_t>(a)] < numbers[static_cast<std::size_t>(b)];
-    });
-    return order;
+    const auto order =
+        ga::in_order(numbers.size(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+    return {order.begin(), order.end()};
 }
 
 } // namespace

@@ -21,43 +21,39 @@ TourInstance tour_instance(std::vector<Town> towns, double best) {
     return instance;
 }
 
+/// The highest value of things that fit together, by dynamic programming.
+int best_packing(const std::vector<int>& weights, const std::vector<int>& values, int capacity) {
+    std::vector<int> highest(static_cast<std::size_t>(capacity) + 1, 0); // value for each total weight
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const auto weight = static_cast<std::size_t>(weights[i]);
+        for (auto room = highest.size(); room-- > weight;)
+            highest[room] = std::max(highest[room], highest[room - weight] + values[i]);
+    }
+    return highest.back();
+}
+
 } // namespace
 
-Knapsack::Knapsack(std::size_t things, std::uint64_t seed) {
+BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
     ga::Stream stream(seed);
+    std::vector<int> weights, values;
     for (std::size_t i = 0; i < things; ++i) {
         weights.push_back(1 + static_cast<int>(stream.below(100)));
         values.push_back(std::clamp(weights.back() - 20 + static_cast<int>(stream.below(41)), 1, 100));
     }
-    capacity = std::accumulate(weights.begin(), weights.end(), 0) / 2;
-}
-
-int Knapsack::best() const {
-    std::vector<int> values_by_weight(static_cast<std::size_t>(capacity) + 1,
-                                      0); // highest value for each weight
-    for (std::size_t i = 0; i < weights.size(); ++i)
-        for (auto room = values_by_weight.size(); room-- > static_cast<std::size_t>(weights[i]);)
-            values_by_weight[room] =
-                std::max(values_by_weight[room],
-                         values_by_weight[room - static_cast<std::size_t>(weights[i])] + values[i]);
-    return values_by_weight.back();
-}
-
-BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
-    const Knapsack knapsack(things, seed);
+    const int capacity = std::accumulate(weights.begin(), weights.end(), 0) / 2;
     BitsInstance instance;
     instance.genes = things;
-    instance.scale = knapsack.best();
+    instance.scale = best_packing(weights, values, capacity);
     instance.best = -instance.scale;
-    instance.evaluate = [knapsack](const std::vector<bool>& taken) {
-        int weight = 0, value = 0;
+    instance.evaluate = [weights, values, capacity](const std::vector<bool>& taken) {
+        int excess = -capacity, value = 0;
         for (std::size_t i = 0; i < taken.size(); ++i)
             if (taken[i]) {
-                weight += knapsack.weights[i];
-                value += knapsack.values[i];
+                excess += weights[i];
+                value += values[i];
             }
-        return Answer{{static_cast<double>(-value)},
-                      {static_cast<double>(std::max(0, weight - knapsack.capacity))}};
+        return Answer{{static_cast<double>(-value)}, {static_cast<double>(std::max(0, excess))}};
     };
     return instance;
 }

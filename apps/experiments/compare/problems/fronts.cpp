@@ -80,8 +80,7 @@ constexpr int across = 31; // divisions of an edge of a surface: 528 points
 Points undominated(const Points& points) {
     Points kept;
     for (const ga::Point& a : points)
-        if (std::none_of(points.begin(), points.end(),
-                         [&](const ga::Point& b) { return ga::dominates(a, b); }))
+        if (std::ranges::none_of(points, [&](const ga::Point& b) { return ga::dominates(a, b); }))
             kept.push_back(a);
     return kept;
 }
@@ -93,29 +92,24 @@ Points curve(double (*f2)(double, double), double from = 0) {
     }
     return undominated(points);
 }
-/// On the triangle of three shares whose sum is 1 (Das and Dennis 1998).
-Points shares() {
+/// Points of the triangle of three shares whose sum is 1 (Das and Dennis 1998), each over its size.
+Points shares(double (*size)(const ga::Point&)) {
     Points points;
     for (int i = 0; i <= across; ++i)
-        for (int j = 0; i + j <= across; ++j)
-            points.push_back({i / double(across), j / double(across), (across - i - j) / double(across)});
+        for (int j = 0; i + j <= across; ++j) {
+            ga::Point point{i / double(across), j / double(across), (across - i - j) / double(across)};
+            const double divisor = size(point);
+            for (double& f : point)
+                f /= divisor;
+            points.push_back(point);
+        }
     return points;
 }
 Points plane() {
-    Points points = shares();
-    for (ga::Point& point : points)
-        for (double& f : point)
-            f /= 2;
-    return points;
+    return shares([](const ga::Point&) { return 2.0; });
 }
 Points sphere() {
-    Points points = shares();
-    for (ga::Point& point : points) {
-        const double length = std::hypot(point[0], point[1], point[2]);
-        for (double& f : point)
-            f /= length;
-    }
-    return points;
+    return shares([](const ga::Point& f) { return std::hypot(f[0], f[1], f[2]); });
 }
 Points four_pieces() {
     Points points;

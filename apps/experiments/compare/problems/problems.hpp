@@ -44,15 +44,7 @@ class Bbob {
 };
 
 /// A random knapsack of Pisinger's weakly correlated kind. Weights and values are whole, 1 to 100, and a
-/// value is within 20 of its weight. The capacity is half of all weight.
-struct Knapsack {
-    std::vector<int> weights, values;
-    int capacity = 0;
-
-    Knapsack(std::size_t things, std::uint64_t seed);
-    int best() const; ///< the highest value that fits, by dynamic programming
-};
-/// An instance of a knapsack with relative precision.
+/// value is within 20 of its weight. The capacity is half of all weight. The precision is relative.
 BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed);
 
 using Town = std::array<double, 2>;
