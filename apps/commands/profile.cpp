@@ -250,7 +250,6 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
 
 /// Writes all files of a description; a picture that cannot be drawn is left out.
 void write_description(const Description& of, const Settings& settings, const rough::Extrusion& extrusion) {
-    const Solids solids = solids_of(*of.surface, extrusion);
     const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
                                                        : settings.has("profile") ? "profile"
                                                                                  : "surface");
@@ -265,10 +264,11 @@ void write_description(const Description& of, const Settings& settings, const ro
     const auto write = [&](const std::string& name, const std::string& content) {
         rough::write_atomically(out.path() / name, content);
     };
+    const auto solids = write_solids(*of.surface, extrusion, out.path(), of.kind); // may refuse the extrusion
     std::vector<std::string> files{of.kind + ".json", "bearing.csv", of.kind + ".x3p", of.kind + ".sur"};
     for (const auto& [name, content] : of.tables) {
         write(name, content());
-        if (std::find(of.unlisted.begin(), of.unlisted.end(), name) == of.unlisted.end())
+        if (std::ranges::find(of.unlisted, name) == of.unlisted.end())
             files.push_back(name);
     }
     write(of.kind + ".x3p", x3p(*of.surface));
@@ -276,8 +276,7 @@ void write_description(const Description& of, const Settings& settings, const ro
     write("bearing.csv", bearing_csv(of.surface->heights));
     write("spectrum-drawn.csv", drawn_csv({"wave_number_rad_per_mm", "density"},
                                           {of.spectrum.wave_number, of.spectrum.density}, true));
-    for (const auto& written : {write_solids(solids, out.path(), of.kind),
-                                write_height_image(*of.surface, extrusion, out.path(), of.kind)})
+    for (const auto& written : {solids, write_height_image(*of.surface, extrusion, out.path(), of.kind)})
         files.insert(files.end(), written.begin(), written.end());
     write_json(out.path() / (of.kind + ".json"),
                numbers_of(of, settings, source.filename().string(), files, extrusion));

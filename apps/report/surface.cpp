@@ -105,12 +105,6 @@ std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
            " nodes long, under 8: light contact depends on the grid";
 }
 
-Solids solids_of(const rough::Profile& surface, const rough::Extrusion& extrusion) {
-    const rough::Index nodes = surface.nodes();
-    return {nodes <= max_stl_nodes ? binary_stl(surface, extrusion) : "",
-            nodes <= max_3mf_nodes ? three_mf(surface, extrusion) : ""};
-}
-
 std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion) {
     if (surface.nodes() > max_stl_nodes)
         return "no solid is written, because the surface has too many nodes";
@@ -135,17 +129,19 @@ std::string print_note(const rough::Profile& surface, const rough::Extrusion& ex
     return all;
 }
 
-std::vector<std::string> write_solids(const Solids& solids, const std::filesystem::path& folder,
-                                      const std::string& name) {
+std::vector<std::string> write_solids(const rough::Profile& surface, const rough::Extrusion& extrusion,
+                                      const std::filesystem::path& folder, const std::string& name) {
     std::vector<std::string> files;
-    const auto write = [&](const std::string& file, const std::string& content, const char* why) {
-        if (content.empty())
+    const auto write = [&](const std::string& file, auto content, rough::Index max_nodes, const char* why) {
+        if (surface.nodes() > max_nodes)
             return say("note: " + file + " is left out, because " + why);
-        rough::write_atomically(folder / file, content);
+        rough::write_atomically(folder / file, content(surface, extrusion));
         files.push_back(file);
     };
-    write(name + ".stl", solids.stl, "no printer can use a solid of more than 1e6 nodes");
-    write(name + ".3mf", solids.three_mf, "it takes 500 bytes per node and there are over 1e5 nodes");
+    write(name + ".stl", rough::binary_stl, max_stl_nodes,
+          "no printer can use a solid of more than 1e6 nodes");
+    write(name + ".3mf", rough::three_mf, max_3mf_nodes,
+          "it takes 500 bytes per node and there are over 1e5 nodes");
     return files;
 }
 

@@ -28,18 +28,13 @@ std::string resolution_warning(const rough::Profile& surface, bool periodic);
 /// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid);
 
-/// The solid of a surface as contents of files, each empty if the surface has too many nodes for it.
-struct Solids {
-    std::string stl, three_mf;
-};
-Solids solids_of(const rough::Profile& surface, const rough::Extrusion& extrusion);
-
 /// The size of a solid, the layer steps of its relief, and the effect of its magnification on stiffness.
 std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion);
 
-/// Writes NAME.stl and NAME.3mf, and prints which is left out and why. Returns the names of those written.
-std::vector<std::string> write_solids(const Solids& solids, const std::filesystem::path& folder,
-                                      const std::string& name);
+/// Writes the solid of a surface as NAME.stl and NAME.3mf. If the surface has too many nodes for a file,
+/// prints that it is left out. Returns the names of the written files.
+std::vector<std::string> write_solids(const rough::Profile& surface, const rough::Extrusion& extrusion,
+                                      const std::filesystem::path& folder, const std::string& name);
 
 /// Writes NAME.png, the heights in 16 bits, and NAME-scale.json, its scale. Prints why they are left out if
 /// there are too many nodes. Returns the names of those written.

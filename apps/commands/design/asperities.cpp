@@ -250,12 +250,12 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "curves.csv", curves.text());
     rough::write_atomically(folder / "points.csv", points.text());
     rough::Profile tile = map_of(caps, solid_nodes, true, base_depth * caps.radii.minCoeff());
-    write_solids(solids_of(tile, {}), folder, "tile");
+    write_solids(tile, {}, folder, "tile");
     const rough::Index columns = tile.shape().columns; // the mould is turned over, about y
     for (rough::Index row = 0; row < tile.rows; ++row)
         tile.heights.segment(row * columns, columns).reverseInPlace();
     tile.heights *= -1;
-    write_solids(solids_of(tile, {}), folder, "mould");
+    write_solids(tile, {}, folder, "mould");
 }
 
 } // namespace

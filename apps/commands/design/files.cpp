@@ -246,7 +246,7 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
     if (run.setup.model.grid.is_2d())
         try { // a design is of use, even if its tile cannot be printed
             const rough::Profile tile = sample(run.found.best.genome, run.setup.model.grid);
-            write_solids(solids_of(tile, {}), folder, "surface");
+            write_solids(tile, {}, folder, "surface");
             write_height_image(tile, {}, folder, "surface");
             say(print_note(tile, {}));
         } catch (const rough::InputError& error) {
