@@ -33,12 +33,26 @@ std::vector<Setting> Experiment::all_settings() const {
          settings});
 }
 
+namespace {
+
+/// Makes a folder in a run's folder if it is missing. Throws rough::InputError on a symbolic link.
+void make_folder(const std::filesystem::path& folder) {
+    const std::filesystem::path path = ga::held(folder);
+    std::error_code error;
+    if (!std::filesystem::is_symlink(path, error))
+        std::filesystem::create_directory(path, error);
+    if (std::filesystem::is_symlink(path, error) || !std::filesystem::is_directory(path, error))
+        rough::refuse(folder.string(), ": it is a file or symbolic link; remove it or choose another folder");
+}
+
+} // namespace
+
 void write(Findings& found, const Origin& origin, const std::filesystem::path& folder) {
     for (const auto& [name, table] : found.tables)
         found.files[name] = table.text();
     for (const auto& [name, text] : found.files) {
         if (const auto parent = std::filesystem::path(name).parent_path(); !parent.empty())
-            subfolder(folder, parent.string());
+            make_folder(folder / parent);
         rough::write_atomically(folder / name, text);
     }
     found.result.update(origin_json(origin));

@@ -16,7 +16,6 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
-#include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <thread>
@@ -31,8 +30,8 @@ namespace {
 
 bool is_among(const fs::path& file, const std::vector<fs::path>& files) {
     std::error_code error;
-    return std::any_of(files.begin(), files.end(),
-                       [&](const fs::path& other) { return fs::equivalent(file, other, error); });
+    return std::ranges::any_of(files,
+                               [&](const fs::path& other) { return fs::equivalent(file, other, error); });
 }
 
 /// The files in the folder that have these names.
@@ -150,26 +149,6 @@ const fs::path& OutputFolder::restored() const {
             fs::read_symlink("/proc/self/fd/" + std::to_string(locked_), error).string());
     }
     return path_;
-}
-
-fs::path subfolder(const fs::path& folder, const std::string& name) {
-    const fs::path path = ga::held(folder / name);
-    std::error_code error;
-    if (!fs::is_symlink(path, error))
-        fs::create_directory(path, error);
-    if (fs::is_symlink(path, error) || !fs::is_directory(path, error))
-        refuse((folder / name).string(),
-               ": it is a file or symbolic link; remove it or choose another folder");
-    return folder / name;
-}
-
-void expect_distinct(const std::vector<std::string>& names, const std::vector<std::string>& written,
-                     const std::string& where) {
-    std::set<std::string> seen(written.begin(), written.end());
-    seen.insert({"", ".", ".."});
-    for (const std::string& name : names)
-        if (!seen.insert(name).second)
-            refuse(where, ": '", name, "' is given as a name twice or used by the run; choose another name");
 }
 
 nlohmann::json inputs_json(const std::vector<fs::path>& files) {

@@ -40,15 +40,6 @@ class OutputFolder {
     int locked_ = -1;                         ///< a descriptor of the folder
 };
 
-/// The folder of that name in a run's folder, made if it is missing. Throws rough::InputError on a symbolic
-/// link.
-std::filesystem::path subfolder(const std::filesystem::path& folder, const std::string& name);
-
-/// Checks names of folders or of rows of a table. Throws rough::InputError, which begins with `where`, if a
-/// name occurs twice, leads out of the folder, or is in `written`.
-void expect_distinct(const std::vector<std::string>& names, const std::vector<std::string>& written,
-                     const std::string& where);
-
 /// Names of files and fingerprints of their contents, as `inputs` of result.json.
 nlohmann::json inputs_json(const std::vector<std::filesystem::path>& files);
 /// The fingerprints, which a resumed run must share.

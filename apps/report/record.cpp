@@ -64,15 +64,10 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
     json stages = variant.stages;
     for (json& stage : stages)
         stage.erase("spent");
-    json result = {{"similarity", variant.similarity},
-                   {"similarity_refined", variant.similarity_refined},
-                   {"similarity_worst", variant.similarity_worst},
-                   {"genome", genome_to_json(variant.answer.genome)},
+    json result = numbers_json(variant);
+    result.update({{"genome", genome_to_json(variant.answer.genome)},
                    {"stages", std::move(stages)},
-                   {"notes", variant.notes},
-                   {"seconds", variant.seconds},
-                   {"curves", variant.curves},
-                   {"gradients", variant.gradients}};
+                   {"notes", variant.notes}});
     if (!variant.pipeline.empty())
         result["pipeline"] = variant.pipeline;
     for (rough::Model model : loaded) {
@@ -158,14 +153,24 @@ json origin_json(const Origin& origin) {
             {"inputs", origin.inputs}};
 }
 
-json result_json(const Record& record) {
-    json result = model_json(record.model);
-    result.update(origin_json(record.origin));
-    result["max_pressure_MPa"] = record.max_pressure ? json(*record.max_pressure) : json();
-    result["target"] = target_json(record.target);
+json numbers_json(const VariantRun& variant) {
+    return {{"similarity", variant.similarity},
+            {"similarity_refined", variant.similarity_refined},
+            {"similarity_worst", variant.similarity_worst},
+            {"seconds", variant.seconds},
+            {"curves", variant.curves},
+            {"gradients", variant.gradients}};
+}
+
+json result_json(const Origin& origin, const rough::DesignSetup& setup,
+                 const std::vector<VariantRun>& variants) {
+    json result = model_json(setup.model);
+    result.update(origin_json(origin));
+    result["max_pressure_MPa"] = setup.max_pressure ? json(*setup.max_pressure) : json();
+    result["target"] = target_json(setup.targets.front());
     result["variants"] = json::object();
-    for (const VariantRun& variant : record.variants)
-        result["variants"][variant.name] = variant_json(variant, record.loaded);
+    for (const VariantRun& variant : variants)
+        result["variants"][variant.name] = variant_json(variant, loaded_models(setup));
     return result;
 }
 

@@ -53,18 +53,6 @@ struct VariantRun {
     double similarity_worst = 0;   ///< lowest of these and of four times the load steps on either grid
     double seconds = 0;            ///< wall time
     long curves = 0, gradients = 0;
-
-    double lowest() const { return similarity_worst; } ///< The similarity that an answer is verified by.
-};
-
-/// The runs of one or several variants for one target.
-struct Record {
-    Origin origin;
-    rough::Model model;                 ///< model of the search
-    std::vector<rough::Model> loaded;   ///< this model with each kind of load of the target
-    std::optional<double> max_pressure; ///< p_max of Eq. 11, MPa; none: amplitude is a gene
-    rough::Target target;
-    std::vector<VariantRun> variants;
 };
 
 /// Number of candidates up to which every generation is kept. Then the record of a stage replaces its last
@@ -117,9 +105,14 @@ nlohmann::json target_json(const rough::Target& target);
 /// The keys of every result.json: version, command, seed and threads.
 nlohmann::json origin_json(const Origin& origin);
 
-/// result.json of a record, to which a kind of run adds keys. Each variant has its stages, its answer, and an
-/// account of the answer's model per kind of load. On the free half-plane it has dK/d ln d per load step.
-nlohmann::json result_json(const Record& record);
+/// The similarities and the cost of a run.
+nlohmann::json numbers_json(const VariantRun& variant);
+
+/// result.json of the runs of one or several variants, to which a kind of run adds keys. The set-up is that
+/// of the searches. Each variant has its stages, its answer, and an account of the answer's model per kind of
+/// load. On the free half-plane it has dK/d ln d per load step.
+nlohmann::json result_json(const Origin& origin, const rough::DesignSetup& setup,
+                           const std::vector<VariantRun>& variants);
 
 /// An account as in CURVE.json and result.json. It has nodes, steps, used and dropped chromosomes with their
 /// bound, solver, tolerance, seconds, estimated errors, and a description in words.

@@ -53,15 +53,14 @@ rough::GeneRange range_from(const Settings& settings, const std::string& name) {
 
 /// Throws if a setting is given that has no effect on caps.
 void expect_only_caps(const Settings& settings) {
-    std::vector<std::string> others = names_of(joined({scan_settings(), {resolution_setting()}}));
-    for (const char* name :
-         {"like",         "from",          "control",     "largest-change", "database",   "max-pressure",
-          "ridges",       "shortest-wave", "max-slope",   "max-height",     "min-radius", "hurst-from",
-          "hurst-to",     "gamma-from",    "gamma-to",    "lambda-from",    "lambda-to",  "noise",
-          "noise-length", "tilt",          "hardness",    "quantity",       "points",     "length",
-          "kernel",       "datum",         "strip-width", "layer",          "base",       "steps",
-          "reach",        "solver",        "tolerance"})
-        others.emplace_back(name);
+    auto others = names_of(joined({scan_settings(), {resolution_setting()}, search_settings()}));
+    others.insert(others.end(), {"like", "from", "control", "largest-change"});
+    std::erase_if(others, [](const std::string& name) {
+        return rough::is_in(
+            " variant pipeline seconds evaluations alternatives seed threads reach-similarity "
+            "nodes material modulus poisson accuracy ",
+            name);
+    });
     expect_none(settings, others, "given with --asperities; omit it, as it is for sums of cosines only");
 }
 
@@ -238,8 +237,7 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
         drawn.x = Eigen::VectorXd::LinSpaced(drawn_points, 0.2 * target.x[0], target.last());
         const Eigen::VectorXd values = curve_of(setup, drawn, best.genome, setup.model).values,
                               at = curve_of(setup, target, best.genome, setup.model).values;
-        for (rough::Index k = 0; k < drawn.points(); ++k)
-            curves.row(t + 1, "answer", drawn.x[k], values[k]);
+        curves.points(drawn.x, values, t + 1, "answer");
         for (rough::Index k = 0; k < target.points(); ++k)
             points.row(t + 1, target.x[k], target.y[k], target.has_band() ? target.lower[k] : NAN,
                        target.has_band() ? target.upper[k] : NAN, misfit(target, k, at[k]) / target.weight,

@@ -89,15 +89,21 @@ json morph_json(const DesignRun& run) {
     return result;
 }
 
+/// `summary` of result.json.
+json summary_json(const DesignRun& run) {
+    const Summary& summary = run.summary;
+    json result{{"found", summary.found}, {"lowest", summary.verified}, {"not_asked", json::object()}};
+    for (const auto& [name, share] : run.not_asked.value_or(Shares()))
+        result["not_asked"][name] = share;
+    for (const Fact& fact : summary.facts)
+        result[fact.key] = fact.text;
+    return result;
+}
+
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.found.name, run.found, run.stages, run.seconds);
     variant.answer.response = run.response.responses.front();
-    json result = result_json({run.origin,
-                               run.searched.model,
-                               loaded_models(run.searched),
-                               run.setup.max_pressure,
-                               run.setup.targets.front(),
-                               {variant}});
+    json result = result_json(run.origin, run.searched, {variant});
     result["target"]["weight"] = run.setup.targets.front().weight;
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t)
         result["targets"].push_back(
@@ -160,8 +166,7 @@ void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
         Eigen::VectorXd designed, finer = Eigen::VectorXd::Constant(target.points(), NAN);
         for (const auto& [name, response] : responses) {
             const rough::Curve curve = to_its_end(response.curves[t]);
-            for (rough::Index k = 0; k < curve.x.size(); ++k)
-                curves.row(t + 1, name, curve.x[k], curve.y[k]);
+            curves.points(curve.x, curve.y, t + 1, name);
             if (name != "before")
                 (name == "finer" ? finer : designed) = misfit(target, response.curves[t]) / target.weight;
         }

@@ -143,8 +143,6 @@ bool is_found(const DesignRun& run);
 Summary summary_of(const DesignRun& run);
 /// The quantities of a scan's response that were not requested, and how far the answer's are off at most.
 Shares off_unasked(const DesignRun& run);
-/// `summary` of result.json.
-nlohmann::json summary_json(const DesignRun& run);
 
 /// Writes result.json, and tolerance.csv if the tolerance is known.
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder);

@@ -16,16 +16,8 @@ using rough::Quantity;
 constexpr double nearly_rigid = 1e6;
 
 std::string in_words(Quantity quantity) {
-    switch (quantity) {
-    case Quantity::stiffness:
-        return "stiffness";
-    case Quantity::interface_stiffness:
-        return "interface stiffness";
-    case Quantity::load_at_displacement:
-        return "load";
-    default:
-        return "contact area";
-    }
+    static const std::array words{"stiffness", "contact area", "contact area", "load", "interface stiffness"};
+    return words[static_cast<std::size_t>(quantity)];
 }
 
 /// A number with at least 4 digits, and as many as show that it is below another.
@@ -60,7 +52,7 @@ double verified_of(const DesignRun& run) {
         return run.found.best.similarity;
     const double lowest = run.found.best.lowest();
     const auto decides = [](const rough::Check& check) { return check.decides; };
-    if (!run.trust || std::none_of(run.trust->checks.begin(), run.trust->checks.end(), decides))
+    if (!run.trust || std::ranges::none_of(run.trust->checks, decides))
         return lowest;
     return std::isnan(run.trust->under) ? -HUGE_VAL : std::min(lowest, run.trust->under);
 }
@@ -222,7 +214,7 @@ std::string yielding(const DesignRun& run) {
 std::string in_words(const rough::Margin& margin) {
     const std::string unit = margin.name.ends_with("_mm") ? " mm" : "";
     std::string name = margin.name.substr(0, margin.name.size() - unit.size());
-    std::replace(name.begin(), name.end(), '_', ' ');
+    std::ranges::replace(name, '_', ' ');
     name += " " + readable(margin.value) + unit;
     if (margin.limit <= 0)
         return name;
@@ -297,9 +289,7 @@ std::string in_the_way(const DesignRun& run) {
         if (missed.empty())
             return "";
         const auto largest =
-            *std::max_element(missed.begin(), missed.end(), [](const auto& a, const auto& b) {
-                return std::abs(a.misfit) < std::abs(b.misfit);
-            });
+            std::ranges::max(missed, {}, [](const rough::PointOff& off) { return std::abs(off.misfit); });
         const rough::Target& target = targets[largest.target];
         return "these chromosomes cannot match " + std::to_string(missed.size()) +
                " points within the largest permitted change; the largest misfit is " +
@@ -353,8 +343,8 @@ Shares off_unasked(const DesignRun& run) {
     setup.targets.clear();
     for (const Quantity quantity :
          {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
-        if (std::any_of(requested.begin(), requested.end(),
-                        [&](const rough::Target& target) { return target.quantity == quantity; }))
+        if (std::ranges::any_of(requested,
+                                [&](const rough::Target& target) { return target.quantity == quantity; }))
             continue;
         rough::Target target = requested.front();
         target.quantity = quantity;
@@ -388,17 +378,6 @@ Summary summary_of(const DesignRun& run) {
                      {"in_the_way", "Obstacles", summary.found ? "" : in_the_way(run)}};
     std::erase_if(summary.facts, [](const Fact& fact) { return fact.text.empty(); });
     return summary;
-}
-
-nlohmann::json summary_json(const DesignRun& run) {
-    const Summary& summary = run.summary;
-    nlohmann::json result{{"found", summary.found}, {"not_asked", nlohmann::json::object()}};
-    result["lowest"] = std::isfinite(summary.verified) ? nlohmann::json(summary.verified) : nlohmann::json();
-    for (const auto& [name, share] : run.not_asked.value_or(Shares()))
-        result["not_asked"][name] = share;
-    for (const Fact& fact : summary.facts)
-        result[fact.key] = fact.text;
-    return result;
 }
 
 } // namespace app

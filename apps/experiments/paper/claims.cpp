@@ -54,7 +54,7 @@ std::string Claim::rule() const {
 
 Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers) {
     const auto all = [&](const auto& holds) {
-        return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), [&](double number) {
+        return !numbers.empty() && std::ranges::all_of(numbers, [&](double number) {
             return !std::isnan(number) && holds(number);
         });
     };

@@ -1,4 +1,3 @@
-
 #include "apps/cluster/evaluator.hpp"
 #include "apps/experiments/paper/paper.hpp"
 #include "apps/report/output.hpp"
@@ -66,8 +65,7 @@ std::vector<rough::Genome> database_of(const PaperRun& run) {
 
 /// The first record at the path, or null.
 const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path) {
-    const auto found = std::find_if(stages.begin(), stages.end(),
-                                    [&](const StageRecord& stage) { return stage.path == path; });
+    const auto found = std::ranges::find(stages, path, &StageRecord::path);
     return found == stages.end() ? nullptr : &*found;
 }
 
@@ -77,23 +75,19 @@ ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
         const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
         return stage ? stage->candidates.size() : 0;
     };
-    ThresholdRow row;
-    row.p_bar = p_bar;
-    row.variant = run.name;
-    row.u1 = size("pair.1/left/above.1");
-    row.u2 = size("pair.1/right/above.1");
-    row.at_least_used = !run.notes.empty();
-    row.children = size("score.1");
-    row.best_child = -INFINITY;
-    double above = 0;
-    for (const Candidate& child : stage_at(run.stages, run.name + "/score.1")->candidates) {
-        above += child.similarity > 0.95;
-        row.best_child = std::max(row.best_child, child.similarity);
-    }
-    row.share_above = above / static_cast<double>(row.children);
-    row.parents = run.stages.back().candidates.front().parents;
-    row.similarity = run.similarity;
-    return row;
+    const auto children =
+        rough::column(stage_at(run.stages, run.name + "/score.1")->candidates, &Candidate::similarity);
+    const auto is_above = [](double similarity) { return similarity > 0.95; };
+    return {.p_bar = p_bar,
+            .variant = run.name,
+            .u1 = size("pair.1/left/above.1"),
+            .u2 = size("pair.1/right/above.1"),
+            .at_least_used = !run.notes.empty(),
+            .children = children.size(),
+            .share_above = rough::mean(rough::column(children, is_above)),
+            .best_child = std::ranges::max(children),
+            .parents = run.stages.back().candidates.front().parents,
+            .similarity = run.similarity};
 }
 
 /// Each genome's scores on a target whose low part ends at p_bar.

@@ -23,9 +23,9 @@ using Numbers = std::vector<double>;
 
 /// The least or greatest number; NaN if the list is empty or a number is unknown.
 double lowest(const Numbers& numbers) {
-    const bool is_known = !numbers.empty() && std::none_of(numbers.begin(), numbers.end(),
-                                                           [](double number) { return std::isnan(number); });
-    return is_known ? *std::min_element(numbers.begin(), numbers.end()) : unknown;
+    const bool is_known =
+        !numbers.empty() && std::ranges::none_of(numbers, [](double number) { return std::isnan(number); });
+    return is_known ? std::ranges::min(numbers) : unknown;
 }
 double highest(const Numbers& numbers) { return -lowest(column(numbers, std::negate<>())); }
 double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers); }
@@ -197,7 +197,7 @@ double peaks_without_waves(Run run, const VariantRun& variant) {
         const bool peak = density[k] > density[k - 1] && density[k] > density[k + 1] &&
                           density[k] > std::max(2 * std::max(density[k - 2], density[k + 2]), floor);
         peaks +=
-            peak && std::none_of(lines.begin(), lines.end(), [&](const rough::SpectralLine& line) {
+            peak && std::ranges::none_of(lines, [&](const rough::SpectralLine& line) {
                 return std::abs(line.wave_number - spectrum.wave_number[k]) <= 2 * spectrum.wave_number[0];
             });
     }
@@ -334,7 +334,7 @@ const std::map<std::string, Measure>& measures() {
              std::set<std::vector<std::uint64_t>> pairs;
              for (const ThresholdRow& row : target.thresholds) {
                  auto parents = row.parents;
-                 std::sort(parents.begin(), parents.end());
+                 std::ranges::sort(parents);
                  if (row.variant == "cco")
                      pairs.insert(parents);
              }
@@ -406,7 +406,7 @@ std::vector<Refinement> refinements(const VariantRun& variant) {
                 return candidate.similarity;
         return unknown;
     };
-    const auto first = std::find_if(stages.begin(), stages.end(), is_refinement);
+    const auto first = std::ranges::find_if(stages, is_refinement);
     if (first == stages.end() || first == stages.begin())
         return {};
     const auto second = std::find_if(first + 1, stages.end(), is_refinement);
@@ -417,9 +417,8 @@ std::vector<Refinement> refinements(const VariantRun& variant) {
             {start.id,
              {start.similarity, once, second == stages.end() ? once : similarity_of(*second, start.id)}});
     }
-    std::stable_sort(result.begin(), result.end(), [](const Refinement& a, const Refinement& b) {
-        return a.similarity[0] > b.similarity[0];
-    });
+    std::ranges::stable_sort(result, std::greater<>(),
+                             [](const Refinement& one) { return one.similarity[0]; });
     return result;
 }
 

@@ -86,7 +86,6 @@ struct ChromosomeExample {
     Eigen::VectorXd sum;                 ///< mm
     double misfit; ///< largest distance of the sum from the best cosine of that wavelength, over its range
 };
-ChromosomeExample chromosome_example(int n, std::uint64_t seed);
 
 /// Figure 2: how often the paper's condition (10), |g1| <= sqrt(M + 2 g3), holds for random phases.
 struct RidgeCount {

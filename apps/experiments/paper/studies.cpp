@@ -115,8 +115,6 @@ Contacts contacts_of(const Answered& member, const rough::Model& model) {
     return contacts;
 }
 
-} // namespace
-
 ChromosomeExample chromosome_example(int n, std::uint64_t seed) {
     const rough::Series series{1e-2, 0.8, 1.5, 0.1, {}};
     constexpr std::size_t ridges = 8;
@@ -139,6 +137,8 @@ ChromosomeExample chromosome_example(int n, std::uint64_t seed) {
         (example.sum - best).cwiseAbs().maxCoeff() / (example.sum.maxCoeff() - example.sum.minCoeff());
     return example;
 }
+
+} // namespace
 
 std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int sets, std::uint64_t seed) {
     std::vector<RidgeCount> counts;
@@ -202,7 +202,7 @@ double relative_gap(const Curve& a, const Curve& b) {
 
 double gap(const Curve& a, const Curve& b) {
     const auto all = differences(a, b, [](double here, double there) { return std::abs(there - here); });
-    return all.empty() ? unknown : *std::max_element(all.begin(), all.end());
+    return all.empty() ? unknown : std::ranges::max(all);
 }
 
 } // namespace app

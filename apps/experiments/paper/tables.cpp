@@ -11,9 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-bool is_papers(const std::string& name) {
-    return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
-}
+bool is_papers(const std::string& name) { return std::ranges::find(algorithms, name) != algorithms.end(); }
 
 /// Whether figures show an answer: all except the minimax forms.
 bool is_shown(const std::string& name) { return is_papers(name) || !name.ends_with("-minimax"); }
@@ -29,13 +27,6 @@ std::string shown_name(const std::string& name) {
     return result + (name == algorithm ? "" : ", minimax");
 }
 
-/// Adds the points of a curve, each after the keys.
-template <class... Keys>
-void add_points(Csv& table, const Eigen::VectorXd& x, const Eigen::VectorXd& y, const Keys&... keys) {
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-        table.row(keys..., x[i], y[i]);
-}
-
 void add_database_tables(const PaperRun& run, Findings& found) {
     Csv &genomes =
             found.table("genomes.csv", "id,H,gamma,phase_column,chromosomes,amplitude_after_rescaling"),
@@ -45,16 +36,16 @@ void add_database_tables(const PaperRun& run, Findings& found) {
         genomes.row(i, series.H, series.gamma, i % static_cast<std::size_t>(run.layout.phase_columns) + 1,
                     series.chromosomes.size(), series.A * run.database[i].genome.scale);
         const rough::Curve K = to_its_end(secant_stiffness(run.database[i].response));
-        add_points(curves, K.x, K.y, i);
+        curves.points(K.x, K.y, i);
     }
 }
 
 void add_study_tables(const Studies& studies, Findings& found) {
     Csv& chromosomes = found.table("chromosomes.csv", "n,ridge,x_mm,height_mm", 8);
     for (const ChromosomeExample& example : studies.chromosomes) {
-        add_points(chromosomes, example.x, example.sum, example.n, 0);
+        chromosomes.points(example.x, example.sum, example.n, 0);
         for (std::size_t m = 0; m < example.ridges.size(); ++m)
-            add_points(chromosomes, example.x, example.ridges[m], example.n, m + 1);
+            chromosomes.points(example.x, example.ridges[m], example.n, m + 1);
     }
     Csv& ridges = found.table("ridges.csv", "ridges,as_printed,last_missing,right_phase");
     for (const RidgeCount& row : studies.ridges)
@@ -73,7 +64,7 @@ void add_study_tables(const Studies& studies, Findings& found) {
          {std::pair("whole", &study.whole_response), {"reduced", &study.reduced_response}})
         for (const auto& [quantity, curve] : {std::pair("stiffness", secant_stiffness(*response)),
                                               {"area", area_against_pressure(*response)}})
-            add_points(curves, curve.x, curve.y, name, quantity);
+            curves.points(curve.x, curve.y, name, quantity);
 }
 
 /// Scores of the database, stages, refinements and the best similarity known after each stage.
@@ -129,20 +120,19 @@ void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::
         if (!is_shown(variant.name))
             continue;
         const rough::Curve K = to_its_end(secant_stiffness(response));
-        add_points(stiffness, K.x, K.y, variant.name);
+        stiffness.points(K.x, K.y, variant.name);
         const rough::Profile profile = sample(variant.answer.genome, run.model.grid);
-        add_points(heights, positions(profile), profile.heights.array() - profile.heights.mean(),
-                   variant.name);
+        heights.points(positions(profile), profile.heights.array() - profile.heights.mean(), variant.name);
         const rough::Spectrum spectrum = continuous_spectrum(profile);
-        add_points(spectra, spectrum.wave_number, spectrum.density, variant.name);
+        spectra.points(spectrum.wave_number, spectrum.density, variant.name);
         // The peak of a cosine's density under a Hann window, whose mean square is 1.5 times its squared
         // mean.
         for (const rough::SpectralLine& line : discrete_spectrum(variant.answer.genome))
             lines.row(variant.name, line.wave_number, line.power,
                       line.power / (1.5 * spectrum.wave_number[0]));
     }
-    add_points(found.table(place + "target.csv", "pressure_MPa,stiffness_MPa_per_mm"), target.target.x,
-               target.target.y);
+    found.table(place + "target.csv", "pressure_MPa,stiffness_MPa_per_mm")
+        .points(target.target.x, target.target.y);
 }
 
 /// The runs on one target as the page shows them.
@@ -153,7 +143,6 @@ json target_page(const TargetRun& target, const std::string& folder) {
                    {"runs", json::array()},
                    {"parts", json::array()}};
     double best = unknown;
-    std::vector<Eigen::VectorXd> surfaces;
     for (const VariantRun& variant : target.variants) {
         best = std::fmax(best, variant.similarity);
         if (is_shown(variant.name)) {
@@ -171,15 +160,11 @@ json target_page(const TargetRun& target, const std::string& folder) {
                 descent = std::to_string(answer.id);
         }
         const auto candidates = refinements(variant);
-        result["runs"].push_back({{"name", shown_name(variant.name)},
-                                  {"similarity", variant.similarity},
-                                  {"similarity_refined", variant.similarity_refined},
-                                  {"similarity_worst", variant.similarity_worst},
-                                  {"before", candidates.empty() ? json() : json(candidates[0].similarity[0])},
-                                  {"genomes", descent},
-                                  {"curves", variant.curves},
-                                  {"gradients", variant.gradients},
-                                  {"seconds", variant.seconds}});
+        json row = numbers_json(variant);
+        row.update({{"name", shown_name(variant.name)},
+                    {"before", candidates.empty() ? json() : json(candidates[0].similarity[0])},
+                    {"genomes", descent}});
+        result["runs"].push_back(std::move(row));
     }
     result["best_similarity"] = best;
     const VariantRun *const sog = find_variant(target, "sog"), *const gco = find_variant(target, "gco");
@@ -210,8 +195,8 @@ json dominance_json(const PaperRun& run, const Studies& studies, bool ours) {
         {"ours", ours},
         {"similarity", rough::median(genome_column(studies, which, &Reduction::similarity))},
         {"kept", rough::mean(genome_column(studies, which, &Reduction::kept))},
-        {"only_best", std::count_if(studies.genomes.begin(), studies.genomes.end(),
-                                    [&](const GenomeStudy& one) { return (one.*which).only_best; })},
+        {"only_best", std::ranges::count_if(studies.genomes,
+                                            [&](const GenomeStudy& one) { return (one.*which).only_best; })},
         {"answers", json::array()}};
     for (const TargetRun& target : run.targets)
         for (const VariantRun& variant : ours ? target.variants : target.other_reading)
@@ -224,10 +209,9 @@ json dominance_json(const PaperRun& run, const Studies& studies, bool ours) {
 
 json datum_json(const PaperRun& run, const Studies& studies) {
     const auto similarities = rough::column(studies.genomes, &GenomeStudy::datum_similarity);
-    const auto [lowest, highest] = std::minmax_element(similarities.begin(), similarities.end());
     json result = {{"factor", datum_factor},
-                   {"similarity_least", *lowest},
-                   {"similarity_greatest", *highest},
+                   {"similarity_least", std::ranges::min(similarities)},
+                   {"similarity_greatest", std::ranges::max(similarities)},
                    {"targets", json::array()}};
     for (const TargetRun& target : run.targets) {
         double best = unknown, best_there = unknown;
@@ -259,7 +243,8 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
         add_search_tables(target, place, found);
         add_answer_tables(run, target, place, found);
         json result = result_json(
-            {run.origin, run.searched, {run.searched}, run.max_pressure, target.target, target.variants});
+            run.origin, paper_setup(run.searched, target.target, run.max_pressure, target.p_bar, run.reach),
+            target.variants);
         result["threshold_MPa"] = target.p_bar;
         if (first)
             found.result = std::move(result);

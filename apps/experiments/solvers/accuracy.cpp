@@ -41,8 +41,7 @@ void add_medians(Findings& found, const json& savings) {
         const auto covered =
             rough::column(rows, [](const json& row) { return row["true_error"] <= row["estimated_error"]; });
         coverage.row(accuracy, rows.size(), rough::mean(covered), rough::share_up_to(errors, 1),
-                     *std::max_element(errors.begin(), errors.end()),
-                     rough::median(over(rows, "resolved_seconds", "seconds")));
+                     std::ranges::max(errors), rough::median(over(rows, "resolved_seconds", "seconds")));
     }
 }
 
@@ -102,8 +101,7 @@ Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
                                               "dropped_chromosomes");
     try_accuracies(savings, setup.model, settings, conditions);
     add_medians(found, savings.rows());
-    Record record{conditions.origin,  setup.model,           loaded_models(setup),
-                  setup.max_pressure, setup.targets.front(), {}};
+    std::vector<VariantRun> designed;
     Csv& budget = found.table("budget.csv", "kind,source,size");
     if (!conditions.stop) {
         conditions.progress.show("a designed surface");
@@ -115,13 +113,13 @@ Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
         std::vector<StageRecord> stages;
         const ga::Stopwatch search_clock;
         const rough::SearchResult result = rough::search(setup, options, {recorder(stages)});
-        record.variants = {variant_run(result.name, result, std::move(stages), search_clock.seconds())};
-        record.variants[0].answer.response =
+        designed = {variant_run(result.name, result, std::move(stages), search_clock.seconds())};
+        designed[0].answer.response =
             respond(setup, result.best.genome, rough::exactly(setup.model)).responses.front();
         for (const rough::ErrorSource& row : error_budget(setup, result.best))
             budget.row(row.kind, row.source, row.size);
     }
-    found.result = result_json(record);
+    found.result = result_json(conditions.origin, setup, designed);
     found.result.update(
         {{"seconds", clock.seconds()}, {"savings", savings.rows()}, {"error_budget", budget.rows()}});
     return found;

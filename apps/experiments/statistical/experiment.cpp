@@ -40,12 +40,8 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
     Findings found;
     Csv& curves =
         found.table("curves.csv", "curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
-    const auto add = [&](const std::string& name, const Eigen::VectorXd& y) {
-        for (Eigen::Index k = 0; k < y.size(); ++k)
-            curves.row(name, target.x[k], y[k]);
-    };
-    add("target", target.y);
-    add(theory, answer.predicted);
+    curves.points(target.x, target.y, "target");
+    curves.points(target.x, answer.predicted, theory);
     std::vector<double> similarities; // one per drawn surface
     const long count = settings.whole("statistical.realisations");
     for (long k = 1; k <= count && !conditions.stop; ++k) {
@@ -53,7 +49,7 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
         conditions.progress.show(name + " of " + std::to_string(count));
         const rough::RealisedAnswer drawn =
             realised_answer(task, answer.parameters, conditions.origin.seed + static_cast<std::uint64_t>(k));
-        add(name, drawn.exact);
+        curves.points(target.x, drawn.exact, name);
         similarities.push_back(drawn.similarity);
         found.files[name + ".x3p"] = x3p(drawn.surface);
     }

@@ -3,13 +3,13 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/output.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace app {
 
@@ -37,12 +37,13 @@ struct RaceVariant {
     std::vector<RaceRun> runs; ///< one per seed
 
     double median_lowest() const {
-        return rough::median(rough::column(runs, [](const RaceRun& one) { return one.run.lowest(); }));
+        return rough::median(
+            rough::column(runs, [](const RaceRun& one) { return one.run.similarity_worst; }));
     }
     /// The run whose verified similarity is the median, or the next below.
     const RaceRun& median_run() const {
         const auto order = ga::in_order(runs.size(), [&](std::size_t a, std::size_t b) {
-            return runs[a].run.lowest() < runs[b].run.lowest();
+            return runs[a].run.similarity_worst < runs[b].run.similarity_worst;
         });
         return runs[order[(runs.size() - 1) / 2]];
     }
@@ -69,9 +70,7 @@ struct RaceTarget {
         std::vector<const RaceVariant*> order;
         for (const RaceVariant& variant : variants)
             order.push_back(&variant);
-        std::stable_sort(order.begin(), order.end(), [](const RaceVariant* a, const RaceVariant* b) {
-            return a->median_lowest() > b->median_lowest();
-        });
+        std::ranges::stable_sort(order, std::greater<>(), &RaceVariant::median_lowest);
         return order;
     }
 };
@@ -97,12 +96,14 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
             target.setup = placing(settings, "targets.", [&] { return completed(target.setup); });
             targets.push_back(std::move(target));
         }
-    std::vector<std::string> names;
+    // Names of targets are those of folders and of rows.
+    std::set<std::string> names{
+        "",           ".", "..", "result.json", "variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv",
+        "report.html"};
     for (const RaceTarget& target : targets)
-        names.push_back(target.name());
-    expect_distinct(
-        names, {"result.json", "variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv", "report.html"},
-        settings.place("targets.files"));
+        if (!names.insert(target.name()).second)
+            settings.refuse("targets.files", "'", target.name(),
+                            "' is given as a name twice or used by the run; choose another name");
     return targets;
 }
 
@@ -143,26 +144,19 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
 
 /// result.json of one target.
 json result_of(const RaceTarget& target, const Origin& origin, long budget) {
-    const rough::DesignSetup& setup = target.setup;
-    Record record{origin, setup.model, loaded_models(setup), setup.max_pressure, setup.targets.front(), {}};
+    std::vector<VariantRun> runs;
     for (const RaceVariant& variant : target.variants)
-        record.variants.push_back(variant.median_run().run);
-    json result = result_json(record);
+        runs.push_back(variant.median_run().run);
+    json result = result_json(origin, target.setup, runs);
     result["budget"] = budget;
     for (const RaceVariant& variant : target.variants) {
         json& one = result["variants"][variant.name];
         one["median_lowest"] = variant.median_lowest();
         for (const RaceRun& race_run : variant.runs) {
-            const VariantRun& run = race_run.run;
-            one["runs"].push_back({{"seed", race_run.seed},
-                                   {"similarity", run.similarity},
-                                   {"similarity_refined", run.similarity_refined},
-                                   {"similarity_worst", run.similarity_worst},
-                                   {"seconds", run.seconds},
-                                   {"curves", run.curves},
-                                   {"gradients", run.gradients},
-                                   {"crossed", race_run.crossed},
-                                   {"better_than_parents", race_run.better}});
+            one["runs"].push_back(numbers_json(race_run.run));
+            one["runs"].back().update({{"seed", race_run.seed},
+                                       {"crossed", race_run.crossed},
+                                       {"better_than_parents", race_run.better}});
         }
     }
     return result;
@@ -216,7 +210,7 @@ std::vector<RaceTarget> raced(const Settings& settings, const Conditions& condit
                                          " of " + std::to_string(seeds));
                 options.seed = conditions.origin.seed + static_cast<std::uint64_t>(i);
                 RaceRun run = placed(name, [&, &name = name] { return run_once(target, name, options); });
-                if (!std::isnan(run.run.lowest())) // a map's may be stopped before it is verified
+                if (!std::isnan(run.run.similarity_worst)) // a map's may be stopped before it is verified
                     variant.runs.push_back(std::move(run));
             }
             if (!variant.runs.empty())
