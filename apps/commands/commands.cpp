@@ -80,7 +80,7 @@ int run_with(const Command& command, const Words& words, const std::string& befo
     const std::string name = before + command.name;
     const bool is_for_part = !command.parts.empty() && (words.empty() || !words[0].starts_with("-"));
     const auto asks_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
-    if (!is_for_part && std::any_of(words.begin(), words.end(), asks_help)) {
+    if (!is_for_part && std::ranges::any_of(words, asks_help)) {
         print_help(command, name);
         return 0;
     }

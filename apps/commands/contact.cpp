@@ -126,9 +126,9 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
         pressed.unresolved = resolution_warning(response);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
-        return std::find(touching.begin(), touching.end(), node) != touching.end();
+        return std::ranges::find(touching, node) != touching.end();
     };
-    if (const auto& all = pressed.outliers; std::any_of(all.begin(), all.end(), touches)) {
+    if (const auto& all = pressed.outliers; std::ranges::any_of(all, touches)) {
         const rough::OutlierCost cost = outlier_cost(pressed.surface, all, pressed.model, response);
         if (cost.matters())
             pressed.warnings.push_back("outliers carry the contact: without them the contact is " +

@@ -61,8 +61,7 @@ std::vector<Setting> set_up_settings() {
 }
 
 bool any_given(const Settings& settings, const std::vector<Setting>& of) {
-    return std::any_of(of.begin(), of.end(),
-                       [&](const Setting& setting) { return settings.given(setting.name); });
+    return std::ranges::any_of(of, [&](const Setting& setting) { return settings.given(setting.name); });
 }
 
 /// The database for the set-up of the flags. An existing file is opened with its set-up if no flag of one is
@@ -127,8 +126,7 @@ Command database_build_command() {
 int database_info(const Settings& settings, const std::string&) {
     const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
     const auto curves = store.curves();
-    const auto failed = std::count_if(curves.range.begin(), curves.range.end(),
-                                      [](double range) { return std::isnan(range); });
+    const auto failed = std::ranges::count_if(curves.range, [](double range) { return std::isnan(range); });
     std::cout << "genomes " << store.stored() << "\nwithout_response " << failed << "\nbytes "
               << std::filesystem::file_size(store.file()) << "\nversion " << printable(store.version())
               << "\n";

@@ -1,4 +1,3 @@
-
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"

@@ -44,11 +44,6 @@ Setting resistivity_setting() {
         "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i");
 }
 
-Setting shear_strength_setting() {
-    return positive("shear-strength", "",
-                    "shear strength sigma of the interface, MPa, for friction targets: friction = sigma A");
-}
-
 Setting max_pressure_setting() {
     return ga::number("max-pressure", "", ga::above_zero, 1e100,
                       "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa "
@@ -94,7 +89,7 @@ std::vector<std::string> without_effect(const Settings& settings, const std::vec
     const auto conducts = [](const std::string& file) {
         return rough::read_target_table(file).place_of("conductance") >= 0;
     };
-    if (std::none_of(targets.begin(), targets.end(), conducts))
+    if (std::ranges::none_of(targets, conducts))
         note("resistivity", "no target is a conductance");
     return notes;
 }

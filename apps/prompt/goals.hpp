@@ -7,9 +7,8 @@
 namespace app {
 
 ///@{
-/// --resistivity for conductance targets, --shear-strength for friction targets, --max-pressure of Eq. 11.
+/// --resistivity for conductance targets, --max-pressure of Eq. 11.
 Setting resistivity_setting();
-Setting shear_strength_setting();
 Setting max_pressure_setting();
 ///@}
 

@@ -33,7 +33,7 @@ struct ModelParameters {
 std::vector<rough::Layer> layers_from(const std::string& text, const std::string& place) {
     std::vector<rough::Layer> layers;
     std::string all = text;
-    std::replace(all.begin(), all.end(), '\n', ',');
+    std::ranges::replace(all, '\n', ',');
     for (const std::string& word : rough::listed(all)) {
         std::vector<double> numbers;
         std::istringstream parts(word);
@@ -259,7 +259,7 @@ rough::Model loaded(rough::Model model, const Settings& settings) {
         settings.refuse("steps", "given with pressures; give one of them");
     take(settings, loading_fields(model));
     const auto& all = model.loading.pressures;
-    if (std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) != all.end())
+    if (std::ranges::adjacent_find(all, std::greater_equal<>()) != all.end())
         settings.refuse("pressures", settings.text("pressures"),
                         " given; give positive increasing numbers (MPa) with commas between");
     if (!all.empty())

@@ -38,9 +38,8 @@ po::options_description options_of(const std::vector<Setting>& known, const std:
 
 /// Whether a setting may be given several times: its values are lines.
 bool repeats(const std::vector<Setting>& known, const std::string& name) {
-    return std::any_of(known.begin(), known.end(), [&](const Setting& setting) {
-        return setting.name == name && setting.between == '\n';
-    });
+    return std::ranges::any_of(
+        known, [&](const Setting& setting) { return setting.name == name && setting.between == '\n'; });
 }
 
 std::map<std::string, std::string> values_of(const po::parsed_options& parsed,
@@ -170,7 +169,7 @@ void take(const Settings& settings, const Fields& fields, const std::string& pre
 }
 
 std::string keyword(std::string name) {
-    std::replace(name.begin(), name.end(), '-', '_');
+    std::ranges::replace(name, '-', '_');
     return name;
 }
 
@@ -278,7 +277,7 @@ std::vector<std::filesystem::path> Settings::files() const {
 }
 
 std::size_t Settings::one_of(const std::string& name, const std::vector<std::string>& words) const {
-    const auto found = std::find(words.begin(), words.end(), text(name));
+    const auto found = std::ranges::find(words, text(name));
     if (found != words.end())
         return static_cast<std::size_t>(found - words.begin());
     refuse(name, "\"", text(name), "\" given", ga::suggestion(text(name), words));
@@ -360,8 +359,7 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     const Settings settings(file.string(), known, values, lines);
     for (const auto& [name, value] : values) {
         const std::string any = name.substr(0, name.find('.')) + ".*";
-        if (std::find(names.begin(), names.end(), name) == names.end() &&
-            std::find(names.begin(), names.end(), any) == names.end()) {
+        if (std::ranges::find(names, name) == names.end() && std::ranges::find(names, any) == names.end()) {
             const std::string place = settings.place(name);
             rough::refuse(place.substr(0, place.size() - name.size()), "unknown key '", name, "'",
                           key_suggestion(name, names));
@@ -407,7 +405,7 @@ void expect_none(const Settings& settings, const std::vector<std::string>& names
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error) {
     const std::string line = error.what();
     std::string name = prefix + error.about;
-    std::replace(name.begin(), name.end(), ' ', '-');
+    std::ranges::replace(name, ' ', '-');
     if (error.about.empty() || !settings.knows(name))
         return line;
     const std::string rest =
@@ -418,12 +416,12 @@ std::string placed(const Settings& settings, const std::string& prefix, const ro
 std::string described(const std::vector<Setting>& known) {
     std::vector<std::string> groups;
     for (const Setting& setting : known)
-        if (std::find(groups.begin(), groups.end(), setting.group) == groups.end())
+        if (std::ranges::find(groups, setting.group) == groups.end())
             groups.push_back(setting.group);
     rough::PlainStream out;
     for (const std::string& group : groups) {
         std::vector<Setting> members;
-        std::copy_if(known.begin(), known.end(), std::back_inserter(members), [&](const Setting& setting) {
+        std::ranges::copy_if(known, std::back_inserter(members), [&](const Setting& setting) {
             return setting.group == group && !setting.meaning.empty();
         });
         const std::string heading = group.empty() ? "Flags" : group;

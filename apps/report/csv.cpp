@@ -152,7 +152,7 @@ std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eige
                 (sign * line.segment(begin, end - begin)).minCoeff(&at);
                 extremes.push_back(begin + at);
             }
-        std::sort(extremes.begin(), extremes.end());
+        std::ranges::sort(extremes);
         rows.insert(rows.end(), extremes.begin(), std::unique(extremes.begin(), extremes.end()));
     }
     return rows;

@@ -164,7 +164,8 @@ std::vector<Setting> design_settings() {
         {"like", "",
          "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
         resistivity_setting(),
-        shear_strength_setting(),
+        positive("shear-strength", "",
+                 "shear strength sigma of the interface, MPa, for friction targets: friction = sigma A"),
         {"from", "",
          "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
          "necessary to meet the target"},
@@ -192,7 +193,7 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
         if (weights.size() != goals.size())
             settings.refuse("weights", weights.size(), " given; give ", goals.size(), ", one per target");
         for (std::size_t i = 0; i < goals.size(); ++i)
-            goals[i].weight = weights[i] / *std::max_element(weights.begin(), weights.end());
+            goals[i].weight = weights[i] / std::ranges::max(weights);
     }
     return goals;
 }
