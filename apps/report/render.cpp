@@ -197,7 +197,7 @@ class Context : public kainjow::mustache::context<std::string> {
         const std::string word = filter.substr(0, filter.find(':'));
         const std::string argument = word == filter ? "" : filter.substr(word.size() + 1);
         if (word == "is")
-            return text == argument;
+            return ("," + argument + ",").find("," + text + ",") != std::string::npos;
         if (word == "address")
             return address(text);
         const auto number = number_in(text);
