@@ -104,7 +104,7 @@ class Stage {
             places_.back().written = place.written;
         }
     }
-    /// Sets the text and the column that error messages name, in stages that have none.
+    /// Sets the text and the column that error messages name, for stages that do not have them yet.
     void locate(const std::string& text, std::size_t column) {
         for (auto& place : places_)
             if (!place.written)

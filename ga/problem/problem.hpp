@@ -45,7 +45,7 @@ concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
 };
 
 /// Optional: the final form of a genome after its evaluation. `score` replaces an evaluated genome by this
-/// final form. It must have the genome's key, so that forgetting an outcome does not affect a result.
+/// final form. Both must have the same key, so that results do not depend on what the memory has forgotten.
 template <class P>
 concept Settling = requires(const P& problem, const typename P::Genome& genome,
                             const typename P::Outcome& outcome) {
@@ -149,8 +149,8 @@ struct Variables {
     std::function<std::vector<Variable>(const G&)> of; ///< function that returns the genes for a genome
 };
 
-/// Optional: the genes that operators may move, with their bounds, in ascending order. Refinement uses the
-/// same genes for `genes=all`. The member may return a reference.
+/// Optional: the genes that operators (and refinement with `genes=all`) may move, with their bounds, in
+/// ascending order. The member may return a reference.
 template <class P>
 concept Bounded = requires(const P& problem, const typename P::Genome& genome) {
     { problem.bounds(genome) } -> std::convertible_to<const std::vector<Variable>&>;
@@ -190,7 +190,7 @@ concept CrossesUniformly = requires(const P& problem, typename P::Genome& genome
     problem.cross_uniform(genome, genome, stream);
 };
 
-/// Optional: the problem's cross-over at n points, if genomes are more than sequences.
+/// Optional: the problem's cross-over at n points, for genomes that are not only sequences of genes.
 template <class P>
 concept CrossesAtPoints = requires(const P& problem, typename P::Genome& genome, std::size_t n,
                                    Stream& stream) {

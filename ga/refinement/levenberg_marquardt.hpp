@@ -13,9 +13,9 @@ struct LevenbergMarquardt {
     static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
 
     int evaluations = 30; ///< maximum number of evaluations after the start point, >= 1
-    /// After this many evaluations each step minimises the largest residual of the linear model instead of
-    /// the squares. Lawson's iteration (1961) weights the rows, and max|r| decides whether a step is
-    /// accepted. 0 for never.
+    /// Number of evaluations after which steps minimise the largest residual of the linear model instead of
+    /// the sum of squares; 0: never. Lawson's iteration (1961) weights the rows. A step is then accepted if
+    /// it reduces max|r|.
     int sharpen = 0;
 
     ///@{ Members that every method has (method_of).

@@ -9,7 +9,7 @@ namespace ga {
 template <class P, class M>
 concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_from<M, ResidualMethod>);
 
-/// The search of a method for one individual. Makes the requests of the method for points in the box.
+/// The refinement of one individual by a method. It evaluates the points that the method requests.
 template <Problem P>
 class Search {
   public:
@@ -167,7 +167,7 @@ struct EveryGene {
 
 /// Moves the chosen genes of every individual by a method of refinement, and scores the results. Individuals
 /// are refined in parallel (`Rounds`). Failed individuals and individuals that do not improve stay unchanged.
-/// Bounds and choice of genes are those of the original genome, before the first refinement.
+/// The genes that move and their bounds are chosen for the genome before its first refinement.
 template <class M, class Choice>
 struct Refine : Operator {
     M method;         ///< method that moves the genes

@@ -84,7 +84,7 @@ class Context {
         individual.fitness = {};
         individual.origin.reset();
     }
-    /// Copies of the individuals at these positions. It reuses the memory of an earlier population.
+    /// Copies of the individuals at these positions, in memory that an earlier population no longer needs.
     Population<Genome> gather(Population<Genome> population, const std::vector<std::size_t>& positions) {
         spare_.resize(positions.size());
         for (std::size_t i = 0; i < positions.size(); ++i)
@@ -201,8 +201,8 @@ class Context {
     void note(const std::string& text) { state.note(path() + ": " + text); }
 
     /// Throws Stopped, with `in_hand` as the result, if a population of `individuals` individuals would need
-    /// more memory than one population may take. Stages call this before they make a population larger.
-    /// `like` is a genome to measure, if new genomes differ in size.
+    /// more memory than one population may take. Stages call this before they make a population larger. The
+    /// size of a genome is that of `like`, by default of the first genome in `in_hand`.
     void need_room(std::size_t individuals, const Population<Genome>& in_hand, const Genome* like = nullptr) {
         if (in_hand.empty() && !like)
             return;
@@ -282,8 +282,8 @@ class Context {
         state.earlier_seconds = snapshot.seconds;
         ledger_.resume(state.best.has_value(), snapshot.heaviest);
     }
-    /// Writes the checkpoint of a stopping run, once. It holds the given state before the interrupted stage
-    /// or between two stages, with the frames of the open blocks.
+    /// Writes the checkpoint of a stopping run, once. `before` is the state before the interrupted stage or
+    /// between two stages. The frames of the open blocks are added to it.
     [[gnu::cold]] void keep_stopped(Snapshot<Genome> before) {
         if (std::exchange(stop_kept_, true))
             return;

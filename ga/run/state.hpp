@@ -51,11 +51,11 @@ class StagePosition {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The start of the innermost generation: as many of its best individuals as the stages read. The stage
-    /// `epsilon` may change their fitness.
+    /// The individuals of the innermost generation's start that stages read, e.g. the best five for `elite
+    /// 5`. They are not constant, because the stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
-    /// Makes a stage of the pipeline the current one during its lifetime. Ordinal 0 is not shown.
+    /// Makes a stage the current one as long as this object exists. Paths do not show an ordinal of 0.
     class Scope {
       public:
         /// Enters the stage of that name.
@@ -69,8 +69,8 @@ class StagePosition {
       private:
         StagePosition& position_;
     };
-    /// One pass through the current block, during its lifetime. The stages inside draw different random
-    /// numbers in each pass.
+    /// Marks one pass through the current block as long as this object exists. In each pass the stages inside
+    /// draw different random numbers.
     class Round {
       public:
         /// Begins pass `number`, from 0. `start` is the generation's start and must outlive this object. If
@@ -109,14 +109,14 @@ class StagePosition {
     std::vector<Population<G>*> starts_;
 };
 
-/// The state of an operator, of any type S that to_json and from_json write and read without loss. It is
-/// copied with the run.
+/// The state of an operator, e.g. the step sizes of `cma-es`. Its type may be any S that to_json and
+/// from_json write and read without loss. Copies are independent of each other.
 class HeldState {
     using Stored = std::shared_ptr<const nlohmann::json>;
 
   public:
     HeldState() = default;
-    /// A state in the format of a checkpoint. Its operator reads it when it runs.
+    /// A state as JSON from a checkpoint. The first call of as() converts it to the operator's type.
     explicit HeldState(Stored stored) : value_(std::move(stored)) {}
 
     /// The state as type S. The first call creates it or reads the stored state. Throws UsageError if the
@@ -149,8 +149,8 @@ class HeldState {
     void (*write_)(const std::any&, nlohmann::json&) = nullptr;
 };
 
-/// Reads a value that its to_json has written. Throws UsageError if a whole number is stored as a real one,
-/// because C++ does not define every such conversion. Throws nlohmann's exceptions on other JSON.
+/// Reads a value that its to_json has written. Throws UsageError if T holds whole numbers and the JSON a real
+/// number, whose conversion may be undefined in C++. Throws nlohmann's exceptions on other JSON.
 template <class T, class Json>
 void read_part(const Json& j, T& value) {
     if constexpr (std::integral<T> && !std::same_as<T, bool>) {
@@ -252,7 +252,7 @@ class RunState {
     /// Sets the notes of a resumed run.
     void resume_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
 
-    /// Holds a block's frame during its lifetime: a new one, or the saved one when a run is resumed.
+    /// Keeps a block's frame as long as this object exists: a new frame, or the saved one of a resumed run.
     class OpenFrame {
       public:
         /// Opens a frame with `population`. A resumed frame keeps its stored population instead. `loops`

@@ -48,8 +48,8 @@ struct Random : Operator {
 inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
-/// is a tie, the individual that was drawn first is chosen. In a large population with as many places, the
-/// best individual gets about k places.
+/// is a tie, the individual that was drawn first is chosen. If a large population has as many places as
+/// individuals, the best individual gets about k places.
 struct Tournament : Operator {
     std::size_t k = 2;    ///< number of individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
@@ -95,9 +95,9 @@ struct AtLeast {
 /// The argument `at_least=count`.
 inline AtLeast at_least(std::size_t count) { return {count}; }
 
-/// The `at_least` individuals that are nearest to passing a threshold, in the population's order. Less
-/// violation of the constraints is nearer; if violations are equal, a higher fitness is nearer, or a lower
-/// one if `upwards` is false. Failed individuals are left out.
+/// The `at_least` individuals that are nearest to passing a threshold, in the population's order. Individuals
+/// with smaller violations of the constraints are nearer. If violations are equal, a higher fitness is nearer
+/// (a lower one if `upwards` is false). Failed individuals are left out.
 template <class G>
 [[gnu::cold]] Population<G> nearest_to_passing(const Population<G>& population, std::size_t at_least,
                                                bool upwards) {

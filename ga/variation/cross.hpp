@@ -259,8 +259,8 @@ struct Order : NoParameters {
 /// The method `order` of `cross`.
 inline Order order() { return {}; }
 
-/// BLX-alpha (Eshelman and Schaffer 1993): each child's gene is uniform between the parents' genes. The
-/// interval extends alpha times their distance beyond each parent and is cut at the bounds.
+/// BLX-alpha (Eshelman and Schaffer 1993): each child's gene is uniform in an interval around both parents'
+/// genes. It extends alpha times their distance beyond each of them, and is cut at the bounds.
 struct Blend {
     double alpha = 0.5; ///< extension of the interval relative to the parents' distance, >= 0
 
