@@ -62,7 +62,7 @@ struct CapSlopes {
 /// sum_j F_j/(pi E* r_ij), with the distance r_ij of two caps.
 enum class CapModel { independent, interacting };
 
-/// The caps of one array under one model; the geometry is shared by copies.
+/// Solves the contact of caps with the positions of one array, under one model.
 class CapContact {
   public:
     /// `effective_modulus` is E*, MPa.
@@ -94,7 +94,7 @@ Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
 /// The contact of caps as solved by boundary elements.
 struct MeshedCaps {
     double load = 0;       ///< load, N
-    Eigen::VectorXd force; ///< force of each cap, N: the sum over the nodes of its pitch x pitch square
+    Eigen::VectorXd force; ///< force of each cap, N, from the nodes in the pitch x pitch square around it
     Eigen::VectorXd area;  ///< contact area of each cap, from its force by hertz_area(), mm^2
     /// Lower limit of each cap's contact area, mm^2: the cells of touching nodes whose four neighbours touch.
     Eigen::VectorXd area_low;

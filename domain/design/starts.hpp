@@ -4,10 +4,10 @@
 
 namespace rough {
 
-/// A genome near the set-up's first target. The order in which nodes come into contact is drawn: one asperity
-/// or several of equal height. inverse_profile() gives the profile for this order, on at most 256 nodes (a
-/// map: 24 x 24). shaped_as() fits waves to this profile: two drawn series within the set-up's bounds. On a
-/// periodic line they are the harmonics of the length, on a map two equal series.
+/// A genome near the set-up's first target. One to eight asperities of equal height are drawn. Nodes near
+/// them come into contact first. inverse_profile() gives the profile for this order, on at most 256 nodes (a
+/// map: 24 x 24). shaped_as() fits waves to this profile. They are two drawn series within the set-up's
+/// bounds, on a map two equal series, on a periodic line the harmonics of the length.
 ///
 /// Such profiles do not look rough. They are near the target and have few contacts that open and close. So
 /// they are good starts for refinement.

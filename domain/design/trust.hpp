@@ -7,10 +7,10 @@ namespace rough {
 /// Options of the checks of an answer.
 struct TrustOptions {
     int phase_draws = 30;   ///< number of genomes with redrawn phases
-    double hardness = 0;    ///< maximum pressure of a node, also for a measured target, MPa; 0: not given
+    double hardness = 0;    ///< hardness of the answer and of a measured target, MPa; 0: not given
     std::uint64_t seed = 1; ///< seed of the noise and of the redrawn phases
     int threads = 0;        ///< number of threads; 0: all
-    double seconds = std::numeric_limits<double>::infinity(); ///< wall time, s; later checks are omitted
+    double seconds = std::numeric_limits<double>::infinity(); ///< wall time of all checks, s
     const std::atomic<bool>* stop = nullptr;                  ///< true ends the checks, as `seconds` does
 };
 
@@ -18,8 +18,8 @@ struct TrustOptions {
 struct Check {
     std::string name;  ///< the change, in words
     double similarity; ///< similarity under the change; NaN: no response
-    /// Whether the answer must keep the required similarity under this change: a given noise, tilt or
-    /// hardness.
+    /// Whether the verdict on the answer depends on this check. This is so for the noise, tilt and hardness
+    /// that were given.
     bool decides = false;
 };
 
@@ -29,7 +29,7 @@ struct Trust {
     std::vector<Check>
         checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt, hardness
     double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
-    bool all_decided = true;    ///< whether every check that decides was made
+    bool all_decided = true;    ///< whether no check that decides was left out
     double median = unknown;    ///< median similarity of the checks
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
@@ -43,23 +43,23 @@ struct Trust {
     double rms_slope = 0;              ///< root mean square slope of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa
     double shortest_wave_nodes = 0;    ///< shortest wavelength in units of the node spacing
-    bool contact_at_ends = false;      ///< whether an end touches at the last load step; not if periodic
+    bool contact_at_ends = false;      ///< whether an end touches at the last load step; false if periodic
     ContactState last;                 ///< contact at the last load step
     std::vector<std::string> flags;    ///< doubtful assumptions of the model, one line each
     std::vector<std::string> left_out; ///< names of the checks that were omitted for lack of time
 };
 
-/// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. A curve on
-/// a fine map takes a minute. So if `verified` is given, the similarities of the search are taken from it,
-/// and similarities that are missing there are left out. For another datum, with_datum() converts the
-/// targets. `designed` is the response as designed (response_of), if it is known.
+/// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. For a map,
+/// `verified` (if given) replaces checks that the search has already made, because a fine curve takes a
+/// minute. If it does not have a similarity, that check is left out. For another datum, with_datum() converts
+/// the targets. `designed` is the response as designed (response_of), if it is known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 
-/// Converts targets exactly from the model's datum d to the datum f d; f is `factor`. Only for the free
-/// kernel. At equal load 1/K(f d) = 1/K(d) + (2 L/(pi E*)) ln f, and displacements grow by (2 P L/(pi E*)) ln
-/// f. Contact area and interface stiffness do not change. Targets against displacement with unknown loads are
-/// left out.
+/// Converts targets exactly to a datum that is `factor` times the model's. Only for the free kernel. With c =
+/// (2 L/(pi E*)) ln factor, 1/K grows by c and displacements grow by c P at equal load. Contact area against
+/// pressure and interface stiffness do not change. The result leaves out targets that cannot be converted:
+/// area against displacement, and load against displacement with a band.
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
 
 /// One source of error of a designed surface.

@@ -29,10 +29,10 @@ class ResponseMemory {
     std::map<std::string, std::vector<Response>> known_;
 };
 
-/// Features of the surface on this grid, with exact derivatives at a fixed scale. Surfaces with the same
-/// response may differ in these features. L is the length. `height` is log10(h/L) with the root mean square
-/// height h. `slope` is log10 of s, the root mean square difference quotient of neighbouring nodes; on a map
-/// it includes both axes. `wavelength` is log10(2 pi h/(s L)). `skewness` is the skewness of the heights.
+/// Features in which surfaces with the same response may differ. Their derivatives are exact if the scale of
+/// the genome is constant. L is the length. `height` is log10(h/L) with the root mean square height h.
+/// `slope` is log10 of s, the root mean square difference quotient of neighbouring nodes; on a map it
+/// includes both axes. `wavelength` is log10(2 pi h/(s L)). `skewness` is the skewness of the heights.
 std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid);
 
 /// The misfits of a genome to all targets.
@@ -50,8 +50,8 @@ struct DesignOutcome {
 /// - `verified`: the lower of `similarity` and Verification::worst (finer grid, finer load steps).
 /// - `more_steps`: the lower of `similarity` and the similarity in finer load steps.
 /// - `made`: the lower of `similarity` and the similarity under the set-up's errors (CommonErrors).
-/// - `low`: the similarity on the first target's points up to the threshold.
-/// - `high`: the similarity on the first target's points from the threshold on.
+/// - `low`: the similarity on the first target's points with x up to DesignSetup::threshold.
+/// - `high`: the similarity on the first target's points with x from this threshold on.
 /// - `goal1`, `goal2`, ...: the similarity to one target.
 /// A genome that exceeds a limit is ranked below every genome within the limits.
 class DesignProblem {
@@ -80,7 +80,7 @@ class DesignProblem {
 
     /// The bits of the genome on which its outcome depends (key_of).
     std::string key(const Genome& genome) const;
-    /// The genome. Under Eq. 11 it gets the scale of its outcome.
+    /// The genome, under Eq. 11 with the scale of its outcome.
     Genome settled(Genome genome, const Outcome& outcome) const;
 
     /// The values of the genome's genes in the order of gene_places(): mm, rad or dimensionless.
@@ -89,7 +89,7 @@ class DesignProblem {
     Genome with_genes(const Genome& genome, const std::vector<double>& values) const {
         return rough::with_genes(genome, values);
     }
-    /// A random genome (drawn_start), with its amplitude fitted if that is free.
+    /// A random genome (drawn_start). Without Eq. 11 its amplitude is fitted to the first target.
     Genome sample(ga::Stream& random) const;
     /// Exchanges chromosomes at `cuts` places along their wavelengths.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
@@ -113,7 +113,7 @@ class DesignProblem {
     double distance(const Genome& a, const Genome& b) const;
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
-    const Verifier& verifier() const { return *verifier_; }   ///< verifier of the set-up from as_reported()
+    const Verifier& verifier() const { return *verifier_; }   ///< verifies under as_reported(setup())
     bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
     /// The points of a target that an objective uses.
     std::vector<Index> points_of(const std::string& objective, std::size_t target) const;

@@ -17,8 +17,8 @@ const std::vector<std::string>& detrend_names();
 /// The name of a form.
 const std::string& name_of(Detrend form);
 
-/// The heights minus their form; unchanged for Detrend::none. Throws InputError if no arc fits, and on an arc
-/// for a map.
+/// The heights minus their form; unchanged for Detrend::none. Throws InputError if no arc fits, or if an arc
+/// is requested for a map.
 Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 
 /// The heights without wavelengths shorter than the cut-off lambda (mm, > 0), by the Gaussian filter (ISO
@@ -26,25 +26,25 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// <= lambda. A cosine of wavelength l keeps 2^-(lambda/l)^2 of its amplitude, which is a half at l = lambda.
 /// Roughness is the heights minus the filtered heights.
 ///
-/// At the ends the window is cut off. There moments up to the first are kept (ISO 16610-28): the value is the
-/// value of the weighted least-squares line. So a straight line does not change, and no length is lost. A map
-/// is filtered along x and then along y. This is the areal Gaussian filter (ISO 16610-61), because its
-/// weights are products. A plane does not change.
+/// Near the ends the window is cut off. There the weighted least-squares line through its nodes gives the
+/// value (ISO 16610-28, moments up to the first). So a straight line does not change, and no length is lost.
+/// On a map, filtering along x and then along y is the areal Gaussian filter (ISO 16610-61). A plane does not
+/// change.
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
 /// The indices of outliers of a measured profile, in increasing order. A node is an outlier if its height is
-/// far outside the range that the seven nodes on each side predict. Each side predicts by its median (Hampel
-/// 1974) and by its line of median slope (Theil 1950, Sen 1968). A wedge, a saw tooth, a step and a smooth
-/// peak are predicted from at least one side.
+/// far outside the range of four predictions. The seven nodes on each side give two: their median (Hampel
+/// 1974) and their line of median slope (Theil 1950, Sen 1968). At least one side predicts the heights of a
+/// wedge, a saw tooth, a step or a smooth peak.
 ///
-/// The distance from the range must be more than six times the median difference between neighbours. This
-/// must hold for the median over the whole profile and for the median over the 24 differences around the
-/// node. The distance must also be more than three times the resolution of the heights.
+/// The distance from the range must exceed three limits. The first is six times the median difference between
+/// neighbours in the whole profile. The second is six times the median of the 24 differences around the node.
+/// The third is three times the resolution of the heights.
 ///
-/// Neighbours of an outlier are tested again without the outliers found so far. They are outliers, too, if
-/// they are outside their range on the same side by half as much. So a particle is found whole, up to the
-/// points at which its flanks return to the surface. Particles of up to four nodes are found. Much wider ones
-/// count as surface. The first and the last three nodes are not tested, nor profiles of fewer than 16 nodes.
+/// Then neighbours of outliers are tested again without the outliers found so far. Here only the two lines
+/// predict, and both factors are three instead of six. So a particle is found whole, up to the points at
+/// which its flanks return to the surface. Particles of up to four nodes are found. Much wider ones count as
+/// surface. The first and the last three nodes are not tested, nor profiles of fewer than 16 nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights after linear interpolation at these nodes (increasing) from their neighbours.
