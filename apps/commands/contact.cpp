@@ -144,12 +144,12 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     const rough::ElasticEnd end = elastic_end(pressed_surface(pressed), pressed.model, response, limit);
     if (end.is_reached(response))
         pressed.warnings.push_back(
-            "the solution is not elastic from " + readable(response.pressure[end.step]) +
-            " MPa on: the highest node pressure exceeds " + readable(limit) + " MPa, " +
+            "the solution is not elastic from a mean pressure of " + readable(response.pressure[end.step]) +
+            " MPa on: the highest node pressure is " + readable(end.largest_pressure) +
+            " MPa at the last load, above " +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, which no solid withstands")) +
-            " (at the last load " + readable(end.largest_pressure) +
-            " MPa); use --hardness to limit pressures");
+            " (" + readable(limit) + " MPa); use --hardness to limit pressures");
 }
 
 /// Usual width of the contact spots at the last load of a scan or map, nodes.
@@ -162,15 +162,14 @@ std::string resolution_note(const Pressed& pressed) {
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
     const Index nodes = last_spot_width(pressed);
-    const std::string width = "half of the contact is in spots at most " + std::to_string(nodes) +
-                              (nodes == 1 ? " node" : " nodes") + " wide, which are " +
+    const std::string width = "half of the contact nodes are in spots at most " + std::to_string(nodes) +
+                              (nodes == 1 ? " node" : " nodes") + " wide; spots of this width are " +
                               (nodes < rough::resolved_spot_nodes ? "not " : "") + "resolved";
     if (!pressed.band.is_computed())
         return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
     return "at the last load the contact fraction is " + readable(100 * low_area[last]) + " to " +
            percent(high_area[last]) + " and K is " + readable(low[last]) + " to " + readable(high[last]) +
-           " MPa/mm, for the heights as measured and for heights interpolated 4 times (linear, spline); " +
-           width;
+           " MPa/mm (limits of the band over measured and interpolated heights); " + width;
 }
 
 nlohmann::json resolution_json(const Pressed& pressed) {

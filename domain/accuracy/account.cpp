@@ -72,8 +72,7 @@ std::string in_words(const Account& account) {
             words << " Contact fractions count measured nodes: only the band of the scan's resolution shows "
                      "the error from their spacing.";
     } else {
-        words << "The model was solved as given. The error of its grid was not estimated, because no "
-                 "accuracy was requested.";
+        words << "The error of the grid was not estimated, because no accuracy was requested.";
     }
     if (account.held_nodes > 0)
         words << " At the last load step the pressure of " << account.held_nodes

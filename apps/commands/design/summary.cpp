@@ -133,7 +133,7 @@ std::string matched(const DesignRun& run) {
 
 std::string not_asked_for(const DesignRun& run) {
     if (!run.setup.like)
-        return "all quantities except those of the target; at the last load " +
+        return "all other quantities; at the last load " +
                percent(run.response.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
     std::string all = run.not_asked ? "" : "not verified, because the time did not suffice";
     for (const auto& [name, share] : run.not_asked.value_or(Shares()))
@@ -260,8 +260,8 @@ std::string carries_over(const DesignRun& run) {
         if (const std::string words = in_words(quantity) + ": " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
-    return all + "; the kernel is " + name_of(model.body.kernel) + ", the length is " +
-           brief(model.grid.length, 5) + (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm";
+    return "kernel " + name_of(model.body.kernel) + ", length " + brief(model.grid.length, 5) +
+           (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm; " + all;
 }
 
 /// The changes of the phases, and the similarities before and after them.
