@@ -44,9 +44,9 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
 /// error of a node count is proportional to the spacing. The pressure of a curve is the force divided by the
 /// length of its grid, for a free map by the area of its patches.
 ///
-/// The band is then widened on both sides. The margin at a load step is a quarter of the largest width of the
-/// band at this step and its two neighbours. Widths and margins are relative to the measured curve. The band
-/// does not cover roughness below the spacing.
+/// The band is then widened on each side by a quarter of its width relative to the measured curve. The
+/// largest relative width at the load step and its two neighbours is used. The band does not cover roughness
+/// below the spacing.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction

@@ -24,11 +24,11 @@ struct Layering {
     double poissons_ratio = 0;      ///< nu of the half-space
 
     auto operator<=>(const Layering&) const = default; ///< member by member
-    /// Whether a uniform pressure moves the surface: on a rigid base, if a layer is compressible.
+    /// Whether a uniform pressure moves the surface. It does if the base is rigid and a layer compressible.
     bool carries_mean() const;
 };
 
-/// The layers in other units of length and pressure (both > 0), with every modulus given.
+/// The layers with thicknesses divided by `length` and moduli by `pressure` (both > 0). No modulus may be 0.
 Layering in_units(Layering layering, double length, double pressure);
 
 /// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q). p_q and u_q
@@ -71,7 +71,7 @@ struct Body {
     /// Layers (periodic only), thicknesses in mm. contact_sets_nest() tells whether contact sets only grow.
     Layering layering = {};
 
-    /// Whether displacements are relative to the mean plane, so that full contact has the largest one.
+    /// Whether displacements are relative to the mean plane. Then full contact has the largest displacement.
     bool relative_to_mean() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
     bool yields() const { return hardness < std::numeric_limits<double>::infinity(); } ///< has a hardness
 };

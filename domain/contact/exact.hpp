@@ -38,7 +38,7 @@ double wedge_pressure(double slope, double a, double x, const HalfPlane& body); 
 /// An indenter with the gap c x^4; c is `coefficient`, 1/mm^3.
 Contact quartic(double coefficient, double a, const HalfPlane& body);
 
-/// A flat punch whose outer element edges lie at +-a, under a displacement.
+/// A flat punch on [-a, a], under a displacement. In a grid +-a are the edges of its outer elements.
 Contact punch(double displacement, double a, const HalfPlane& body);
 
 /// Westergaard: a surface with the depth h (1 - cos 2 pi x/wavelength) below its crests; h is `amplitude`.

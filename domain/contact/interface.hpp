@@ -37,8 +37,8 @@ struct Interface {
     double widest = 0; ///< width of the widest spot of a line, mm; for a map the area of the largest, mm^2
 };
 
-/// The interface at a load step of solve_contact() and its state, for the same profile and body. The gap is u
-/// - (Delta - g0), with u computed from the pressures by FFT. The body's zeros get their default values.
+/// The interface at a load step from solve_contact(), with its state and the same surface and body. The gap
+/// is u - (Delta - g0), with u computed from the pressures by FFT. Zeros of the body get their defaults.
 Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,
                        const ContactState& state);
 
@@ -47,8 +47,8 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
 /// The edge of contact lies between a touching node i and a neighbour k that does not touch. It is assumed at
 /// the fraction d/(d + e) of their distance. d = p_i/w_i is the displacement since node i touched. e =
 /// gap_k/(1 - (H w)_k) is the displacement until node k touches. Both are first-order estimates for the
-/// current contact set, with w = ContactState::tangent. The mean of the fraction, while one node comes into
-/// contact, is the count's. On a map, edges along x and along y count half each.
+/// current contact set, with w = ContactState::tangent. While one node comes into contact, the mean of this
+/// fraction equals that of the count. On a map, edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one per load step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm

@@ -15,8 +15,8 @@ double profile_length(const Profile& profile, Kernel kernel);
 /// the sum of the node pressures divided by this number.
 double elements(const Profile& profile, Kernel kernel);
 
-/// (L + delta)/4 in mm, the largest datum that is refused. Up to it the free half-plane's matrix may not be
-/// positive definite, because Flamant's displacement is negative beyond the datum.
+/// The largest datum that is refused: (L + delta)/4, mm. For such a datum the free half-plane's matrix may
+/// not be positive definite, because Flamant's displacement is negative beyond the datum.
 double datum_limit(const Profile& profile);
 
 /// A body without units, which determines an influence matrix. Lengths along the surface are in units of the
@@ -44,7 +44,7 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape);
 /// The first column, computed by the threads of a team.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team);
-/// The same of a `free` or `strip` kernel on a larger grid, from the column of a grid `from`.
+/// Extends the first column from the grid `from` to the larger grid `shape`. Only for `free` and `strip`.
 Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& column, Extent from,
                                 Extent shape, Team& team);
 

@@ -17,7 +17,7 @@ struct Material {
 };
 
 /// The known materials, in the order of their names. Values are for room temperature. A heat treatment may
-/// multiply or divide a hardness several times.
+/// change a hardness severalfold.
 const std::vector<Material>& materials();
 /// Their names, in the same order.
 std::vector<std::string> material_names();

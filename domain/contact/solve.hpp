@@ -91,9 +91,9 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
                            const ContactOptions& options = {});
 
 /// Presses a rigid profile to each of the mean pressures (MPa, > 0, increasing). `nested` and `polonsky_keer`
-/// solve for pressures directly, `active_set` only on maps, `nnls` never. For the other solvers, Newton's
-/// method finds the displacements. It also does so for every solver with a hardness, and for `automatic` if
-/// that fails on a line.
+/// solve for a given pressure directly, `active_set` only on maps, `nnls` never. Otherwise Newton's method
+/// finds the displacement of each pressure. It always does so with a hardness, and with `automatic` if a
+/// direct solution on a line does not converge.
 ///
 /// If contact sets only grow (contact_sets_nest) and no hardness is given, P is convex in Delta. Newton's
 /// method then converges in a finite number of steps. Otherwise bisection replaces steps that gain little or

@@ -79,12 +79,12 @@ class GenomeStore {
     static GenomeStore open(const std::filesystem::path& file);
 
     ///@{
-    /// Moves like a file handle.
+    /// A store can be moved, but not copied.
     GenomeStore(GenomeStore&&) noexcept;
     ~GenomeStore();
     ///@}
 
-    /// Whether the file exists and holds anything. A program killed while it makes a file leaves it empty.
+    /// Whether the file exists and is not empty. It is empty if a program was killed while it made the file.
     static bool begun(const std::filesystem::path& file);
 
     const DatabaseSetup& setup() const { return setup_; }   ///< the set-up in the file

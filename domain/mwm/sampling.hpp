@@ -29,7 +29,7 @@ struct PlaneWave {
     double k_y;          ///< wavenumber along y, 1/mm
     double phase;        ///< phase phi of the ridge, rad
     double moved = 0;    ///< change of the wave vector to fit the grid, divided by its length
-    bool fitted = false; ///< whether the wave vector was fitted to a periodic grid, whatever the genes are
+    bool fitted = false; ///< whether the wave vector is fitted to a periodic grid (constant for derivatives)
 };
 /// All ridges of a genome on a grid, in the order of its phases. On a periodic grid wave vectors are the
 /// nearest ones of the lattice 2 pi (i/L_x, j/L_y), except zero.

@@ -7,9 +7,9 @@
 namespace rough {
 
 /// The load steps: the displacements Delta_j = (j/steps) Delta_last, j = 1..steps. Delta_last is
-/// `to_displacement` if it is given. Otherwise it is the displacement at which the mean pressure is
-/// `to_pressure`, if that is given, and otherwise reach * range. With the heights Z the range is max Z - min
-/// Z. For the periodic kernel it is max Z - mean Z, at which contact is full.
+/// `to_displacement` if it is given. If only `to_pressure` is given, the mean pressure at Delta_last is
+/// `to_pressure`. Otherwise Delta_last is reach * range. With the heights Z the range is max Z - min Z. For
+/// the periodic kernel it is max Z - mean Z, at which contact is full.
 struct Loading {
     int steps = 20;             ///< number of load steps n_t, >= 2
     double reach = 0;           ///< in (0, 1], below 1 for the periodic kernel; 0: 1, periodic 0.95
@@ -52,7 +52,7 @@ Response response_of(const std::vector<LoadStep>& steps, Solver solver, double r
 /// Derivatives of a response with respect to the heights Z_i, by the adjoint (without another solution).
 struct ResponseGradient {
     Eigen::MatrixXd pressure;             ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero
-    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dZ_i, N; those of other steps are fractions of it
+    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dZ_i, N; for step j they are j/n_t of these
 };
 
 /// The range of a profile's heights Z: max Z - min Z, for the periodic kernel max Z - mean Z. Throws
@@ -108,8 +108,8 @@ struct Model {
     Body body;              ///< elastic body
     Loading loading;        ///< load steps
     ContactOptions contact; ///< solver
-    /// Largest relative error of a genome's response against this model without approximations
-    /// (domain/accuracy); 0: none.
+    /// Largest relative error of a genome's response that approximations may cause (domain/accuracy); 0: no
+    /// approximations.
     double accuracy = 0;
 };
 

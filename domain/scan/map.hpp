@@ -22,8 +22,8 @@ struct Map {
 };
 
 /// Reads a map's heights without changing them. Each line of a text matrix is a row along x; y grows from
-/// line to line. If no spacing is given, a table of three columns has x, y and height at all nodes of a grid,
-/// in any order. X3P, SDF, SUR, GSF and other formats have units and spacings.
+/// line to line. Without a given spacing, a table of three columns is read as x, y and height of all nodes of
+/// a grid, in any order. X3P, SDF, SUR, GSF and other formats have units and spacings.
 ///
 /// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
 /// rows of different lengths, a missing height, or a spacing or unit that contradicts the file's.
@@ -49,7 +49,7 @@ struct HeightMap {
     double row_spacing = 0;       ///< between rows, mm; 0 for a profile
     Index rows = 1;               ///< at least 1
     LengthUnit height_unit = {};  ///< unit of the heights in the file
-    double height_factor = 1;     ///< a stored number times this is in `height_unit`
+    double height_factor = 1;     ///< factor that converts a stored number to `height_unit`
     Eigen::VectorXd heights = {}; ///< row after row, as stored; NaN if not measured
     std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one
     long announced = -1;          ///< number of heights that the file states; -1: none stated

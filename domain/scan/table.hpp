@@ -21,7 +21,7 @@ struct Table {
     long announced = -1;          ///< a single count of points before the rows; -1: none
 
     std::size_t rows() const { return line.size(); } ///< lines with numbers
-    /// A cell; both from 0.
+    /// A cell; rows and columns count from 0.
     const Number& at(std::size_t row, std::size_t column) const { return cells[row * columns + column]; }
 };
 
@@ -56,7 +56,7 @@ struct Header {
 /// InputError with file and line on a unit or factor that is not possible.
 Header read_header(const Table& table, const std::string& file);
 
-/// Whether a line gives the points' distance by key, so that the table has one column.
+/// Whether a line states the spacing or the width, e.g. "dx: 0.5". The table then has one column.
 bool names_spacing(std::string_view line);
 
 } // namespace rough

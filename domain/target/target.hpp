@@ -123,8 +123,8 @@ inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cw
 /// Similarity of a curve to the target.
 double similarity(const Target& target, const Curve& curve);
 
-/// Similarity of `curve` to `reference`. x of `curve` is first multiplied so that both curves end at the same
-/// x (Eq. 11). It is used for reduced genomes and for another datum.
+/// Similarity of `curve` to `reference`. x of `curve` is first multiplied by a factor, so that both curves
+/// end at the same x (Eq. 11).
 double similarity(const Curve& reference, const Curve& curve);
 
 /// The model's values on which a target's curve depends. Keys are names with units.
