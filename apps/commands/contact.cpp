@@ -145,11 +145,11 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     if (end.is_reached(response))
         pressed.warnings.push_back(
             "the solution is not elastic from a mean pressure of " + readable(response.pressure[end.step]) +
-            " MPa on: the highest node pressure is " + readable(end.largest_pressure) +
-            " MPa at the last load, above " +
+            " MPa on: node pressures exceed " + readable(limit) + " MPa (" +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, which no solid withstands")) +
-            " (" + readable(limit) + " MPa); use --hardness to limit pressures");
+            "), and reach " + readable(end.largest_pressure) +
+            " MPa at the last load; use --hardness to limit pressures");
 }
 
 /// Usual width of the contact spots at the last load of a scan or map, nodes.

@@ -362,7 +362,7 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)
             account.say("x deviates from even spacing by up to ", fit.deviation,
-                        " mm because of rounding and is treated as even; heights are unchanged");
+                        " mm because of rounding and is treated as even");
         return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
     }
     std::vector<double> x = points.x;
@@ -444,7 +444,7 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     std::vector<Index> kept = take_outliers(profile, options.remove_outliers, account);
     profile.heights = detrended(profile, options.detrend);
     const std::string removed = options.detrend == Detrend::none ? "nothing" : name_of(options.detrend);
-    account.say(removed, " removed");
+    account.say("form removed from the heights: ", removed);
     if (options.lambda_s > 0) {
         profile.heights = low_passed(profile, options.lambda_s);
         account.say("waves under lambda_s = ", options.lambda_s, " mm removed");

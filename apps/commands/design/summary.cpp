@@ -150,7 +150,7 @@ std::string worst_case(const DesignRun& run) {
         "similarity " + known(best.similarity) + " on the search grid, " + known(best.similarity_refined) +
         " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps; " +
         (best.is_verified()
-             ? "the lowest, with finer grid and steps together included, is " + known(best.similarity_worst)
+             ? "the lowest of these and of finer grid and steps together is " + known(best.similarity_worst)
              : "so the lowest is not known");
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
@@ -187,7 +187,7 @@ std::string machine(const DesignRun& run) {
         join(all, "not reached: " + missed + ", because without errors the similarity is " +
                       readable(tolerance.similarity, 4));
     if (!tolerance.complete)
-        join(all, "not all errors are known for lack of time: set more --seconds");
+        join(all, "some errors are not known, because the time did not suffice; set more --seconds");
     return all;
 }
 
