@@ -58,8 +58,8 @@ struct CapSlopes {
 
 /// Models of the contact of caps on a half-space. Hertz's theory gives F_i = 4/3 E* sqrt(R_i) delta_i^(3/2).
 /// Caps that do not touch have no force. Independent caps have delta_i = h_i - plane. For interacting caps,
-/// each force lowers the half-space under the other caps as a point load does. Then delta_i = h_i - plane -
-/// sum_j F_j/(pi E* r_ij), with the distance r_ij of two caps.
+/// each force also lowers the half-space under the other caps as a point load does. So delta_i = h_i - plane
+/// - sum_j F_j/(pi E* r_ij), with the distance r_ij of two caps.
 enum class CapModel { independent, interacting };
 
 /// Solves the contact of caps with the positions of one array, under one model.
@@ -87,8 +87,8 @@ class CapContact {
 double hertz_area(double force, double radius, double effective_modulus);
 
 /// The caps as a map of about `nodes` nodes, mm. Caps are spheres if `spheres` is set, otherwise paraboloids,
-/// as Hertz's theory assumes. Nodes are the centres of square cells. Along each axis a pitch has an odd
-/// number of cells. `depth` is the depth of the base below the lowest summit, mm.
+/// as in Hertz's theory. Nodes are the centres of square cells. One pitch contains an odd number of cells
+/// along each axis. `depth` is the depth of the base below the lowest summit, mm.
 Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
 
 /// The contact of caps as solved by boundary elements.

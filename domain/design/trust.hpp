@@ -18,8 +18,8 @@ struct TrustOptions {
 struct Check {
     std::string name;  ///< the change, in words
     double similarity; ///< similarity under the change; NaN: no response
-    /// Whether the verdict on the answer depends on this check. This is so for the noise, tilt and hardness
-    /// that were given.
+    /// Whether the verdict on the answer depends on this check. It does if the check is of a given noise,
+    /// tilt or hardness.
     bool decides = false;
 };
 
@@ -33,8 +33,8 @@ struct Trust {
     double median = unknown;    ///< median similarity of the checks
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
-    /// Highest similarity of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If it
-    /// is near the similarity of the answer, the response follows from the spectrum. Otherwise the response
+    /// Highest similarity of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If
+    /// this similarity is near the answer's, the response follows from the spectrum. Otherwise the response
     /// follows from the phases.
     double redrawn_best = unknown;
     double redrawn_median = unknown;   ///< median similarity of these genomes
@@ -50,16 +50,16 @@ struct Trust {
 };
 
 /// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. For a map,
-/// `verified` (if given) replaces checks that the search has already made, because a fine curve takes a
-/// minute. If it does not have a similarity, that check is left out. For another datum, with_datum() converts
+/// similarities that the search has already computed are taken from `verified`, because a fine curve takes a
+/// minute. A check whose similarity is missing there is left out. For another datum, with_datum() converts
 /// the targets. `designed` is the response as designed (response_of), if it is known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 
 /// Converts targets exactly to a datum that is `factor` times the model's. Only for the free kernel. With c =
 /// (2 L/(pi E*)) ln factor, 1/K grows by c and displacements grow by c P at equal load. Contact area against
-/// pressure and interface stiffness do not change. The result leaves out targets that cannot be converted:
-/// area against displacement, and load against displacement with a band.
+/// pressure and interface stiffness do not change. Targets that cannot be converted are left out: area
+/// against displacement, and load against displacement with a band.
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
 
 /// One source of error of a designed surface.

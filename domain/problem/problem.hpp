@@ -7,8 +7,8 @@
 
 namespace rough {
 
-/// Stored responses of pressed(), shared by problems that request the same curves. Such problems have one
-/// model and differ only in target or threshold. Several threads may use it. A response depends only on its
+/// A memory of responses of pressed(). Problems that request the same curves share it: they have one model
+/// and differ only in target or threshold. Several threads may use the memory. A response depends only on its
 /// key, so the memory does not affect results.
 class ResponseMemory {
   public:
@@ -29,8 +29,8 @@ class ResponseMemory {
     std::map<std::string, std::vector<Response>> known_;
 };
 
-/// Features in which surfaces with the same response may differ. Their derivatives are exact if the scale of
-/// the genome is constant. L is the length. `height` is log10(h/L) with the root mean square height h.
+/// Features in which surfaces with the same response may differ. Their derivatives are exact as long as
+/// Genome::scale is constant. L is the length. `height` is log10(h/L) with the root mean square height h.
 /// `slope` is log10 of s, the root mean square difference quotient of neighbouring nodes; on a map it
 /// includes both axes. `wavelength` is log10(2 pi h/(s L)). `skewness` is the skewness of the heights.
 std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid);
@@ -80,7 +80,7 @@ class DesignProblem {
 
     /// The bits of the genome on which its outcome depends (key_of).
     std::string key(const Genome& genome) const;
-    /// The genome, under Eq. 11 with the scale of its outcome.
+    /// The genome in its final form. Under Eq. 11 it gets the scale of its outcome.
     Genome settled(Genome genome, const Outcome& outcome) const;
 
     /// The values of the genome's genes in the order of gene_places(): mm, rad or dimensionless.
@@ -99,9 +99,9 @@ class DesignProblem {
     void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) const { rough::cross_uniform(a, b, stream); }
 
     /// Bounds of every gene that may move. If the set-up gives `phases`, only phases move. Otherwise phases
-    /// move by half a turn, A by a factor of 10, and H, gamma and lambda within the set-up's bounds. Gamma
-    /// and lambda are bounded so that wavelengths stay within the limit. On a periodic grid gamma and lambda
-    /// are fixed.
+    /// move by up to half a turn and A by a factor of up to 10. H, gamma and lambda move within the set-up's
+    /// bounds. Gamma and lambda are bounded so that wavelengths stay within the limit. On a periodic grid
+    /// gamma and lambda are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
     /// fractions are smooth here (contact/interface.hpp), because a count of nodes has no derivative.
@@ -114,7 +114,7 @@ class DesignProblem {
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
     const Verifier& verifier() const { return *verifier_; }   ///< verifies under as_reported(setup())
-    bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
+    bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a ResponseMemory
     /// The points of a target that an objective uses.
     std::vector<Index> points_of(const std::string& objective, std::size_t target) const;
 

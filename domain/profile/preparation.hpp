@@ -34,20 +34,20 @@ Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
 /// The indices of outliers of a measured profile, in increasing order. A node is an outlier if its height is
 /// far outside the range of four predictions. The seven nodes on each side give two: their median (Hampel
-/// 1974) and their line of median slope (Theil 1950, Sen 1968). At least one side predicts the heights of a
-/// wedge, a saw tooth, a step or a smooth peak.
+/// 1974) and their line of median slope (Theil 1950, Sen 1968). Wedges, saw teeth, steps and smooth peaks are
+/// not outliers, because at least one side predicts their heights.
 ///
 /// The distance from the range must exceed three limits. The first is six times the median difference between
 /// neighbours in the whole profile. The second is six times the median of the 24 differences around the node.
 /// The third is three times the resolution of the heights.
 ///
 /// Then neighbours of outliers are tested again without the outliers found so far. Here only the two lines
-/// predict, and both factors are three instead of six. So a particle is found whole, up to the points at
-/// which its flanks return to the surface. Particles of up to four nodes are found. Much wider ones count as
-/// surface. The first and the last three nodes are not tested, nor profiles of fewer than 16 nodes.
+/// predict, and six becomes three in the first two limits. So a particle is found whole, up to the points at
+/// which its flanks return to the surface. Particles of up to four nodes are found. Much wider particles
+/// count as surface. The first and the last three nodes are not tested, nor profiles of fewer than 16 nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
-/// The heights after linear interpolation at these nodes (increasing) from their neighbours.
+/// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes);
 
 } // namespace rough

@@ -51,14 +51,14 @@ class StagePosition {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The individuals of the innermost generation's start that stages read, e.g. the best five for `elite
+    /// The individuals that stages read from the innermost generation's start, e.g. the best five for `elite
     /// 5`. They are not constant, because the stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
-    /// Makes a stage the current one as long as this object exists. Paths do not show an ordinal of 0.
+    /// Makes a stage the current one as long as this object exists.
     class Scope {
       public:
-        /// Enters the stage of that name.
+        /// Enters the stage of that name. Paths show its ordinal if it is above 0.
         Scope(StagePosition& position, Name name, std::size_t ordinal) : position_(position) {
             const std::uint64_t key = fold(fold(position.places_.back().inner, name.text()), ordinal);
             position.places_.push_back({name, ordinal, key, key, {}});
@@ -109,8 +109,8 @@ class StagePosition {
     std::vector<Population<G>*> starts_;
 };
 
-/// The state of an operator, e.g. the step sizes of `cma-es`. Its type may be any S that to_json and
-/// from_json write and read without loss. Copies are independent of each other.
+/// The state of an operator, e.g. the step sizes of `cma-es`. Its type may be any S that to_json writes and
+/// from_json reads without loss. Copies are independent of each other.
 class HeldState {
     using Stored = std::shared_ptr<const nlohmann::json>;
 
@@ -149,8 +149,8 @@ class HeldState {
     void (*write_)(const std::any&, nlohmann::json&) = nullptr;
 };
 
-/// Reads a value that its to_json has written. Throws UsageError if T holds whole numbers and the JSON a real
-/// number, whose conversion may be undefined in C++. Throws nlohmann's exceptions on other JSON.
+/// Reads a value that its to_json has written. Throws UsageError if the JSON has a real number instead of a
+/// whole one, because C++ may not define the conversion. Throws nlohmann's exceptions on other JSON.
 template <class T, class Json>
 void read_part(const Json& j, T& value) {
     if constexpr (std::integral<T> && !std::same_as<T, bool>) {
@@ -184,7 +184,7 @@ struct Event {
     const Population<G>& population;     ///< population that the stage returned
     const Counters& counters;            ///< evaluations that the run has spent so far
     double seconds;                      ///< time since the run began, s
-    bool derived = false;                ///< whether the problem is derived from the run's (run_derived)
+    bool derived = false;                ///< whether the stage ran under a derived problem (run_derived)
 };
 
 /// A function that is called after every stage on the thread that runs the pipeline. For islands it is called
@@ -218,7 +218,7 @@ struct Snapshot {
 };
 
 /// The values that a run needs to be resumed: frames of open blocks, identities, the best individual and the
-/// notes. A run that stops also stores its population here.
+/// notes. When a run has to stop, its population is stored here too.
 template <class G>
 class RunState {
   public:
@@ -231,9 +231,9 @@ class RunState {
     std::list<Frame<G>> frames;           ///< one per open block, outermost first
     std::list<Frame<G>> saved;            ///< frames of blocks that will open again after a resume
     std::vector<Frame<G>*> loops;         ///< frames of blocks whose stages run repeatedly
-    std::optional<Individual<G>> best;    ///< under the problem's first objective
+    std::optional<Individual<G>> best;    ///< best under the problem's first objective
     std::optional<Population<G>> in_hand; ///< the population of a run that has to stop
-    double earlier_seconds = 0;           ///< in the processes before this one
+    double earlier_seconds = 0;           ///< time spent in earlier processes of the run, s
 
     /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {
@@ -255,8 +255,8 @@ class RunState {
     /// Keeps a block's frame as long as this object exists: a new frame, or the saved one of a resumed run.
     class OpenFrame {
       public:
-        /// Opens a frame with `population`. A resumed frame keeps its stored population instead. `loops`
-        /// marks a block whose stages run repeatedly.
+        /// Opens a frame with `population`. A resumed frame keeps its stored population instead. `loops` is
+        /// true if the block runs its stages repeatedly.
         OpenFrame(RunState& run, Population<G> population, bool loops = false) : run_(run), loops_(loops) {
             const std::size_t depth = run.frames.size();
             resumed_ = depth < run.saved.size();
@@ -308,7 +308,7 @@ class Checkpointer {
     virtual std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) = 0;
     /// The pipeline's answer, if the run that `begin` found had already ended.
     virtual std::optional<Population<Genome>> answer() const = 0;
-    /// Whether it is time to write, this many seconds after the run began.
+    /// Whether it is time to write the run, `seconds` after it began.
     virtual bool due(double seconds) const = 0;
     /// Writes the run. `answer` is given when the run is done.
     virtual void write(const Taken& snapshot, const Ledger<P>& ledger,
