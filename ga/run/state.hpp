@@ -100,8 +100,8 @@ class StagePosition {
     struct Place {
         Name name;
         std::size_t ordinal;
-        std::uint64_t key;   ///< keys the stage's random numbers
-        std::uint64_t inner; ///< keys the stages inside it
+        std::uint64_t key;   ///< key of the stage's random numbers
+        std::uint64_t inner; ///< key of the stages inside it
         std::optional<std::size_t> generation;
     };
 
