@@ -284,6 +284,8 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
         }
     } catch (const ga::Stopped&) {
         result.complete = false;
+        if (std::isnan(result.levels.back().noise_rms)) // before the first noise was found
+            result.draws = 0, result.share_from = 0, result.share_to = 1;
     }
     std::ranges::sort(result.curve, {}, &NoiseQuantile::noise_rms);
     return result;

@@ -44,7 +44,7 @@ struct Tolerance {
     static constexpr double share = 0.95; ///< share of the draws that keep a similarity
     double noise_length = 0;              ///< correlation length of the noise, mm
     double similarity = 0;                ///< similarity without errors; NaN: not computed in time
-    int draws = 0;                        ///< number of draws of noise per level
+    int draws = 0;                        ///< number of draws of noise per level; 0: not computed in time
     double share_from = 0;                ///< lower end of the share's 95 % confidence interval
     double share_to = 1;                  ///< upper end of this interval
     std::vector<ToleranceLevel> levels;   ///< levels 0.99, 0.95, 0.9 and the required similarity, falling

@@ -135,7 +135,12 @@ TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
         INFO(ended.err << ended.out);
         CHECK(ended.code != 2);
         CHECK(result_in(folder / "r")["variants"]["multistart"]["genome"]["series"].size() >= 1);
-        CHECK_THAT(rough::read_whole(folder / "r/report.html"), Catch::Contains("Requested and found"));
+        const std::string page = rough::read_whole(folder / "r/report.html");
+        CHECK_THAT(page, Catch::Contains("Requested and found") && !Catch::Contains(" 0 draws"));
+        const json tolerance = result_in(folder / "r")["variants"]["multistart"]["tolerance"];
+        const bool has_noise = !tolerance["levels"].back()["noise_rms_mm"].is_null();
+        CHECK((tolerance["draws"] > 0) == has_noise);
+        CHECK((page.find("tolerance to noise was not computed for lack of time") != page.npos) == !has_noise);
     }
     const Ended drawn_too =
         rugosa(drawn + " --nodes 128 --reach-similarity 0.9 --out pictured", folder.path());
