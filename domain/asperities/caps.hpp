@@ -58,8 +58,8 @@ struct CapSlopes {
 
 /// Models of the contact of caps on a half-space. Hertz's theory gives F_i = 4/3 E* sqrt(R_i) delta_i^(3/2).
 /// Caps that do not touch have no force. Independent caps have delta_i = h_i - plane. For interacting caps,
-/// each force also lowers the half-space under the other caps as a point load does. So delta_i = h_i - plane
-/// - sum_j F_j/(pi E* r_ij), with the distance r_ij of two caps.
+/// each force also moves the surface of the half-space away from the other caps, as a point load does. So
+/// delta_i = h_i - plane - sum_j F_j/(pi E* r_ij), with the distance r_ij of two caps.
 enum class CapModel { independent, interacting };
 
 /// Solves the contact of caps with the positions of one array, under one model.

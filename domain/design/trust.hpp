@@ -51,8 +51,8 @@ struct Trust {
 
 /// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. For a map,
 /// similarities that the search has already computed are taken from `verified`, because a fine curve takes a
-/// minute. A check whose similarity is missing there is left out. For another datum, with_datum() converts
-/// the targets. `designed` is the response as designed (response_of), if it is known.
+/// minute. If `verified` lacks the similarity of a check, this check is left out. The check with a farther
+/// datum uses the targets of with_datum(). `designed` is the response as designed (response_of), if known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 

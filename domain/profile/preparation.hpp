@@ -41,10 +41,10 @@ Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 /// neighbours in the whole profile. The second is six times the median of the 24 differences around the node.
 /// The third is three times the resolution of the heights.
 ///
-/// Then neighbours of outliers are tested again without the outliers found so far. Here only the two lines
-/// predict, and six becomes three in the first two limits. So a particle is found whole, up to the points at
+/// Then neighbours of outliers are tested again without the outliers found so far. Only the lines of median
+/// slope predict now, and the first two limits are halved. So a particle is found whole, up to the points at
 /// which its flanks return to the surface. Particles of up to four nodes are found. Much wider particles
-/// count as surface. The first and the last three nodes are not tested, nor profiles of fewer than 16 nodes.
+/// count as surface. The three nodes at each end are not tested, nor are profiles of under 16 nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.

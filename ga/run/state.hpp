@@ -51,8 +51,8 @@ class StagePosition {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The individuals that stages read from the innermost generation's start, e.g. the best five for `elite
-    /// 5`. They are not constant, because the stage `epsilon` changes their fitness.
+    /// The population with which the innermost generation started. It has only the individuals that stages
+    /// read, e.g. the best five for `elite 5`. The stage `epsilon` changes the fitness of these individuals.
     Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Makes a stage the current one as long as this object exists.
@@ -150,7 +150,7 @@ class HeldState {
 };
 
 /// Reads a value that its to_json has written. Throws UsageError if the JSON has a real number instead of a
-/// whole one, because C++ may not define the conversion. Throws nlohmann's exceptions on other JSON.
+/// whole one, because C++ may not define the conversion. Any other mismatch throws nlohmann's exceptions.
 template <class T, class Json>
 void read_part(const Json& j, T& value) {
     if constexpr (std::integral<T> && !std::same_as<T, bool>) {
