@@ -6,8 +6,8 @@
 
 namespace ga {
 
-/// A value in JSON or CBOR; a discarded one if its arrays and objects are more than 64 deep, because code
-/// that visits a value recurses once per level. Throws nlohmann's exceptions on other bytes. (The callback of
+/// A value in JSON or CBOR, or a discarded one if its arrays and objects are more than 64 deep. Code that
+/// visits a value recurses once per level. Throws nlohmann's exceptions on other bytes. (The callback of
 /// nlohmann::json::parse takes quadratic time.)
 inline nlohmann::json
 bounded_json(std::string_view bytes,

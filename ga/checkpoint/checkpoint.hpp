@@ -203,8 +203,8 @@ void from_json(const json& j, Snapshot<G>& snapshot) {
 }
 ///@}
 
-/// Whether a value from a file can be one of a run of the problem, so that stages need not check it: genomes
-/// by `is_valid`, fitnesses by their policy, counters by their range, observers' values by their
+/// Whether a value from a file can be one of a run of the problem, so that stages need not check it. Checks
+/// genomes by `is_valid`, fitnesses by their policy, counters by their range, and observers' values by their
 /// `is_valid()`.
 template <Problem P, class T>
 bool can_be_kept(const P& problem, const T& value) {

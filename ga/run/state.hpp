@@ -51,8 +51,8 @@ class StagePosition {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The population with which the innermost generation started. It has only the individuals that stages
-    /// read, e.g. the best five for `elite 5`. The stage `epsilon` changes the fitness of these individuals.
+    /// The individuals with which the innermost generation started: only as many of the best as its stages
+    /// read, e.g. five for `elite 5`. The stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Makes a stage the current one as long as this object exists.
@@ -187,8 +187,8 @@ struct Event {
     bool derived = false;                ///< whether the stage ran under a derived problem (run_derived)
 };
 
-/// A function that is called after every stage on the thread that runs the pipeline. For islands it is called
-/// after each round, for one island after the other.
+/// A function that is called after every stage, on the thread that runs the pipeline. The stages that run on
+/// islands are reported at the end of each round, island by island.
 template <class G>
 using Observer = std::function<void(const Event<G>&)>;
 
