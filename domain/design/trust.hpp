@@ -29,7 +29,7 @@ struct Trust {
     std::vector<Check>
         checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt, hardness
     double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
-    bool all_decided = true;    ///< whether no check that decides was left out
+    bool all_decided = true;    ///< whether all checks that decide were made
     double median = unknown;    ///< median similarity of the checks
     double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
@@ -49,10 +49,10 @@ struct Trust {
     std::vector<std::string> left_out; ///< names of the checks that were omitted for lack of time
 };
 
-/// Checks a genome from in_final_form() under changes of the model and under the set-up's errors. For a map,
-/// similarities that the search has already computed are taken from `verified`, because a fine curve takes a
-/// minute. If `verified` lacks the similarity of a check, this check is left out. The check with a farther
-/// datum uses the targets of with_datum(). `designed` is the response as designed (response_of), if known.
+/// Checks a genome under changes of the model and under the set-up's errors. The genome must be in its final
+/// form (in_final_form()). For a map, similarities that the search has computed are taken from `verified`,
+/// because a fine curve takes a minute. A check whose similarity is not in `verified` is left out. The check
+/// with a farther datum uses the targets of with_datum(). `designed` is response_of(), if known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 

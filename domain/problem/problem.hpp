@@ -7,9 +7,9 @@
 
 namespace rough {
 
-/// A memory of responses of pressed(). Problems that request the same curves share it: they have one model
-/// and differ only in target or threshold. Several threads may use the memory. A response depends only on its
-/// key, so the memory does not affect results.
+/// A memory of responses of pressed(). Problems that request the same curves may share it (see the
+/// constructor of DesignProblem). Several threads may use the memory. A response depends only on its key, so
+/// the memory does not affect results.
 class ResponseMemory {
   public:
     /// The responses for a problem's key, or nothing.
@@ -60,8 +60,8 @@ class DesignProblem {
     using Outcome = DesignOutcome; ///< the result of an evaluation
 
     /// The problem of a set-up. Throws InputError as validate() does, and on invalid limits. Problems may
-    /// share a memory if their set-ups differ only in the threshold or, under Eq. 11, in the targets. Answers
-    /// are verified on `threads` threads.
+    /// share a memory if their set-ups differ only in the threshold. Under Eq. 11 targets may differ, too.
+    /// Answers are verified on `threads` threads.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
                            int threads = 1);
 
@@ -91,7 +91,7 @@ class DesignProblem {
     }
     /// A random genome (drawn_start). Without Eq. 11 its amplitude is fitted to the first target.
     Genome sample(ga::Stream& random) const;
-    /// Exchanges chromosomes at `cuts` places along their wavelengths.
+    /// Cuts both genomes' chromosomes, ordered by wavelength, at `cuts` places. Exchanges every second piece.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
         rough::cross_points(a, b, cuts, stream);
     }
