@@ -9,7 +9,7 @@ namespace rough {
 /// A run of a pipeline on a design problem with any type of genome, and the genomes to verify after it.
 template <ga::Problem P>
 struct Exploration {
-    using Genome = typename P::Genome; ///< of the problem
+    using Genome = typename P::Genome; ///< genome of the problem
 
     ga::HallOfFame<P> seen;              ///< best individuals of all stages
     ga::HallOfFame<P> verified;          ///< best under the objective that verifies

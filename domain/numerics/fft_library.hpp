@@ -15,10 +15,10 @@
 namespace rough {
 
 /// The library of Fourier transforms in one precision: FFTW, or kissfft with -DRUGOSA_FFT=kissfft. Transforms
-/// are unnormalised. A plan is of `count` arrays of one shape, where one row means one dimension, and is
-/// never freed. Complex arrays stand `apart` numbers from each to the next, and their transforms in their
-/// place. Real arrays stand one after the other; their transforms have rows of columns/2 + 1 numbers and
-/// stand `apart` numbers from each to the next. Planning is not thread-safe; executing is.
+/// are unnormalised. A plan transforms `count` arrays of one shape and is never freed. An array of one row
+/// has one dimension. Complex arrays begin `apart` numbers after each other and are transformed in place.
+/// Real arrays follow each other without gaps. Their transforms have rows of columns/2 + 1 numbers and begin
+/// `apart` numbers after each other. Planning is not thread-safe; executing is.
 template <typename Real>
 struct FftLibrary;
 

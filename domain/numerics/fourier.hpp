@@ -62,11 +62,11 @@ class Workspace {
     AlignedBuffer<std::complex<Real>> numbers_;
 };
 
-/// u = T p by FFT in double or single precision, for a symmetric circulant (from its eigenvalues) or Toeplitz
-/// matrix (from its first column, padded with zeros). On a map the matrix is circulant or Toeplitz along both
-/// axes and symmetric in each. There rows are transformed a few at a time, and so are columns, which are
-/// multiplied and transformed back while they are in the cache; rows of zeros are skipped. The threads of a
-/// team share such blocks. One object serves one caller at a time, and the team must outlive it.
+/// u = T p by FFT in double or single precision. T is a symmetric circulant, given by its eigenvalues, or a
+/// symmetric Toeplitz matrix, given by its first column. On a map this holds along both axes. There blocks of
+/// rows are transformed first. Then blocks of columns are transformed, multiplied and transformed back while
+/// they are in the cache. Rows of zeros, with which a Toeplitz matrix is padded, are skipped. The threads of
+/// a team share the blocks. One object serves one caller at a time, and the team must outlive it.
 template <typename Real>
 class BasicFourierOperator {
   public:
@@ -77,7 +77,7 @@ class BasicFourierOperator {
     static BasicFourierOperator circulant(Extent shape, const Eigen::VectorXd& eigenvalues,
                                           Team& team = Team::alone());
 
-    /// The same matrix in another precision.
+    /// A copy of an operator of another precision.
     template <typename Other>
     explicit BasicFourierOperator(const BasicFourierOperator<Other>& other)
         : BasicFourierOperator(other.shape_, other.padded_, *other.team_) {
@@ -100,7 +100,7 @@ class BasicFourierOperator {
     BasicFourierOperator(Extent shape, Extent padded, Team& team);
     Team* team_;
     Extent shape_, padded_;
-    Index half_, lines_; ///< numbers of a half-complex row; of a column's eigenvalues without mirror images
+    Index half_, lines_; ///< numbers of a half-complex row; unmirrored eigenvalues per column
     AlignedBuffer<Real> real_, spectrum_; ///< eigenvalues column after column
     Workspace<Real> work_;
 };
@@ -111,10 +111,10 @@ using FourierOperator = BasicFourierOperator<double>;
 using SingleFourierOperator = BasicFourierOperator<float>;
 
 /// u = T p for a symmetric Toeplitz matrix without padding to twice its length. T is half the sum of a
-/// circulant, c_j + c_(N-j), and a skew-circulant, c_j - c_(N-j); on a map a quarter of the sum of four,
-/// along both axes. Of each row's frequencies half are transformed: those of a skew-circulant by a complex
-/// transform of N/2 numbers (p_j - i p_(j+N/2)) exp(-i pi j/N), which gives every second one. It shares
-/// neither transforms nor spectrum with FourierOperator.
+/// circulant, c_j + c_(N-j), and a skew-circulant, c_j - c_(N-j). On a map it is a quarter of the sum of
+/// four, along both axes. Half of each row's frequencies are computed. For a skew-circulant, a complex
+/// transform of N/2 numbers (p_j - i p_(j+N/2)) exp(-i pi j/N) gives every second frequency. SplitOperator
+/// shares neither transforms nor spectrum with FourierOperator.
 class SplitOperator {
   public:
     /// From the first column of N entries.
@@ -136,8 +136,8 @@ class SplitOperator {
     std::complex<double>* wave_; ///< transform, in memory of the caller's thread
     Workspace<double> work_;
     Eigen::ArrayXcd twist_x_, twist_y_; ///< exp(-i pi j/N)
-    /// For each part, circulant or skew along x, then along y: column after column of N_y/2 + 1, divided by
-    /// the number of parts and that of the values. Empty for a missing part.
+    /// Eigenvalues of each part (circulant or skew along x, then along y), in columns of N_y/2 + 1. They are
+    /// divided by the number of parts and the number of values. Empty for a missing part.
     std::array<std::array<Eigen::ArrayXd, 2>, 2> eigenvalues_;
 };
 

@@ -18,9 +18,9 @@ class Zip {
     /// `bytes` must outlive the archive; `file` begins the messages. Throws InputError on a damaged archive.
     Zip(const std::string& bytes, std::string file);
 
-    /// Passes an entry's bytes to `take`, piece by piece. False if it does not exist. Throws InputError
-    /// on an entry of more than `max_size` bytes, or of more than 40 MB and 20 times the archive, before it
-    /// is unpacked, and on a damaged entry.
+    /// Passes an entry's bytes to `take`, piece by piece. False if it does not exist. Throws InputError if
+    /// the entry is damaged. Also throws, before unpacking, if the entry has more than `max_size` bytes, or
+    /// more than the larger of 40 MB and 20 times the archive.
     bool read(const std::string& name, std::size_t max_size,
               const std::function<void(std::string_view)>& take) const;
     /// An entry's bytes as read() passes them, or nothing.
