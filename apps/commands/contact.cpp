@@ -144,7 +144,7 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
     const rough::ElasticEnd end = elastic_end(pressed_surface(pressed), pressed.model, response, limit);
     if (end.is_reached(response))
         pressed.warnings.push_back(
-            "the solution is not elastic from a mean pressure of " + readable(response.pressure[end.step]) +
+            "elastic theory is not valid from a mean pressure of " + readable(response.pressure[end.step]) +
             " MPa on: node pressures exceed " + readable(limit) + " MPa (" +
             (settings.has("material") ? "the hardness of " + settings.text("material")
                                       : std::string("a tenth of E*, which no solid withstands")) +
