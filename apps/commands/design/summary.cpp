@@ -99,7 +99,7 @@ std::string verdict_of(const DesignRun& run, double verified) {
 /// The largest misfit of an answer to a target over all verifications, relative to the target.
 struct LargestMisfit {
     double misfit = 0;
-    rough::Index point = 0; ///< of the target
+    rough::Index point = 0; ///< index of the target's point
 };
 
 LargestMisfit largest_misfit(const DesignRun& run, std::size_t t) {
@@ -150,7 +150,7 @@ std::string worst_case(const DesignRun& run) {
         "similarity " + known(best.similarity) + " on the search grid, " + known(best.similarity_refined) +
         " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps; " +
         (best.is_verified()
-             ? "the lowest of these and of finer grid and steps together is " + known(best.similarity_worst)
+             ? "the lowest of these and of one with both together is " + known(best.similarity_worst)
              : "so the lowest is not known");
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
@@ -257,10 +257,10 @@ std::string carries_over(const DesignRun& run) {
                      (quantity == Quantity::stiffness
                           ? " (a target of interface_stiffness does not depend on the datum)"
                           : "");
-        if (const std::string words = in_words(quantity) + ": " + scope; all.find(words) == std::string::npos)
+        if (const auto words = in_words(quantity) + " valid " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
-    return "kernel " + name_of(model.body.kernel) + ", length " + brief(model.grid.length, 5) +
+    return "designed for kernel " + name_of(model.body.kernel) + ", length " + brief(model.grid.length, 5) +
            (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm; " + all;
 }
 
