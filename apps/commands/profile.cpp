@@ -80,7 +80,7 @@ struct Description {
     std::shared_ptr<const rough::Profile> surface;
     rough::Spectrum spectrum;
     std::string account;
-    std::string warning = {};                  ///< of a scan or map; "": none
+    std::string warning = {};                  ///< warning about a scan or map; "": none
     std::vector<rough::SurfaceParameter> rows; ///< parameters
     std::vector<rough::SurfaceParameter> requested = {};
     double largest_height;  ///< mm

@@ -138,7 +138,7 @@ Setting Setting::of(std::vector<std::string> words) const {
 Setting seed_setting() { return ga::whole("seed", "1", 0, "seed of the random numbers").up_to(0x1p53); }
 Setting threads_setting() {
     return ga::whole("threads", "0", 0,
-                     "threads; 0 takes all; a profile's curve takes one, a map's all that are free")
+                     "threads, or 0 for all; a profile's curve uses one, a map's all that are free")
         .up_to(1024);
 }
 Setting force_setting() { return {"force", "", "write over an existing result", true}; }

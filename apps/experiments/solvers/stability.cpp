@@ -222,7 +222,7 @@ Experiment stability_experiment() {
                          "stability.search", "", 1,
                          "number of maps that a genetic algorithm presses to find the ten on which auto "
                          "fails or works hardest; only these are tried"),
-                     {"stability.large", "", "also maps of 256 and 1024 nodes a side (an hour)", true}},
+                     {"stability.large", "", "also maps of 256 x 256 and 1024 x 1024 nodes (an hour)", true}},
         .files = {"stability.csv"},
         .run = run_stability,
         .examples = {"stability --out out/stability", "stability --scene spike --out out/spike",

@@ -24,7 +24,7 @@ StabilityScene map_scene(const std::string& name, const rough::Body& body, rough
                          const Roughness& roughness, double contact);
 
 /// All scenes, named as in the stability table. A scene appears once for each kernel to which it applies.
-/// Maps of 256 and 1024 nodes a side are added if `large`.
+/// Maps of 256 x 256 and 1024 x 1024 nodes are added if `large`.
 std::vector<StabilityScene> stability_scenes(bool large = false);
 
 ///@{ Scenes of maps that a search has bred. The name "bred G,G,..." holds the genes, thousandths from 0 to 1.
