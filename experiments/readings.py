@@ -49,7 +49,7 @@ def sealed(name, text):
 
 
 def opened(kept, is_valid):
-    """The values of a part. Whoever alters a file can seal it again, so the values are checked, too."""
+    """The values of a part. A changed file can be sealed again, so the values are checked, too."""
     try:
         whole = kept.read_text() if kept.stat().st_size < 2e7 else ""
         values = json.loads(whole[65:])
