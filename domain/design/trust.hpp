@@ -18,8 +18,7 @@ struct TrustOptions {
 struct Check {
     std::string name;  ///< the change, in words
     double similarity; ///< similarity under the change; NaN: no response
-    /// Whether the verdict on the answer depends on this check. It does if the check is of a given noise,
-    /// tilt or hardness.
+    /// Whether the verdict depends on this check. It does for a given noise, tilt or hardness.
     bool decides = false;
 };
 
@@ -50,9 +49,10 @@ struct Trust {
 };
 
 /// Checks a genome under changes of the model and under the set-up's errors. The genome must be in its final
-/// form (in_final_form()). For a map, similarities that the search has computed are taken from `verified`,
-/// because a fine curve takes a minute. A check whose similarity is not in `verified` is left out. The check
-/// with a farther datum uses the targets of with_datum(). `designed` is response_of(), if known.
+/// form (in_final_form()). A fine curve of a map takes a minute. So if `verified` is given for a map, it
+/// provides the similarities as designed, with 4 times the nodes and with 4 times the load steps. Those that
+/// are NaN in `verified` are left out. The check with a farther datum uses the targets of with_datum().
+/// `designed` is response_of(), if known.
 Trust trust_in(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                const Answer* verified = nullptr, const DesignResponse* designed = nullptr);
 

@@ -51,8 +51,8 @@ class StagePosition {
         const std::vector<std::size_t> all = generations();
         return all.empty() ? 0 : all.back();
     }
-    /// The individuals with which the innermost generation started: only as many of the best as its stages
-    /// read, e.g. five for `elite 5`. The stage `epsilon` changes their fitness.
+    /// The best individuals of the innermost generation's first population. The generation's stages determine
+    /// how many: five for `elite 5`, all for `plus`. The stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Makes a stage the current one as long as this object exists.
