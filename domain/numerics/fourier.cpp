@@ -23,10 +23,10 @@ Plan cached(const std::type_identity_t<Key>& key, std::map<Key, Plan>& plans, Ma
 /// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of
 /// the rows.
 constexpr Index block = 8;
-/// From one of the columns to the next: a power of two would put them all in the same places of the cache.
+/// Distance of successive columns. A power of two would put all columns in the same places of the cache.
 constexpr Index column_stride(Index rows) { return rows + block; }
-/// From one row of a transform to the next: blocks of columns begin and end with lines of the cache, so that
-/// threads share no line.
+/// Distance of successive rows of a transform. Blocks of columns begin and end at borders of cache lines, so
+/// that threads do not share a line.
 constexpr Index row_stride(Index columns) { return (columns + block - 1) / block * block; }
 
 /// Rows by which the numbers of columns are fetched ahead, because another core may hold them.

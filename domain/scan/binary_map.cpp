@@ -245,7 +245,7 @@ std::string sur(const Profile& surface) {
     for (const char* word : {"X", "Y", "Z", "mm", "mm", "mm", "mm", "mm", "mm"}) // axes, steps, lengths
         text(word, 16);
     for (int axis = 0; axis < 3; ++axis)
-        append_little_endian(bytes, 1.f); // of the units of steps and lengths
+        append_little_endian(bytes, 1.f); // ratio of the units of steps and lengths
     zeros_to(512);
     for (const std::int32_t height : heights)
         append_little_endian(bytes, height);

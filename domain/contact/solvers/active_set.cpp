@@ -99,8 +99,8 @@ class ActiveSet {
         return sum_over_set([&](int i) { return x.pressure[i]; });
     }
 
-    /// Finds the tangent. All nodes of a periodic area together have none: there it is that of all but the
-    /// least loaded node, which is the tangent just below full contact.
+    /// Finds the tangent. If is_singular(), a map in full contact has none. Then the least loaded node is
+    /// left out, which gives the tangent just below full contact.
     void find_tangent() {
         Index lowest = problem_.nodes();
         if (problem_.is_2d() && problem_.is_singular() &&
