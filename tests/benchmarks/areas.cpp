@@ -46,7 +46,7 @@ void press(Index side, Kernel kernel, const std::vector<double>& pressures, Solv
 } // namespace
 
 /// benchmark_areas [largest side [side up to which Polonsky-Keer runs]]: periodic maps, 10 load steps to 17 %
-/// contact. benchmark_areas loads [side]: a free map, each of seven loads by itself, then ten equal steps to
+/// contact. benchmark_areas loads [side]: each of seven loads alone on a free map. Then ten equal steps to
 /// 11 % contact on one and on two threads.
 int main(int count, char** words) {
     std::printf("%5s %-14s %7s %9s %10s %9s %9s %9s %10s\n", "side", "solver", "threads", "contact",

@@ -128,7 +128,7 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
             CHECK(found[i] == Approx(expected[i]).epsilon(error));
     };
     CAPTURE(checks);
-    REQUIRE(lowest < 0.99); // so that the screen names what is in the way
+    REQUIRE(lowest < 0.99); // so that the screen names the obstacles
 
     for (const auto& [key, value] : {std::pair("similarity", checks[0]),
                                      {"similarity_refined", checks[1]},

@@ -103,7 +103,7 @@ TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for e
                                              variant + "'\n%"));
             CHECK_THAT(info, Catch::Contains("\ndata_f1/bbobexp_f1_DIM" + D + ".dat, 1:"));
             std::istringstream rows(rough::read_whole(in / ("data_f1/bbobexp_f1_DIM" + D + ".dat")));
-            std::vector<long> ends; // of each run
+            std::vector<long> ends; // evaluations of each run
             double best = 0;
             for (std::string row; std::getline(rows, row);) {
                 long evaluations = 0;
