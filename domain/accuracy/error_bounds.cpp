@@ -2,9 +2,6 @@
 
 #include "domain/errors.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace rough {
 
 namespace {

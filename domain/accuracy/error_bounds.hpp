@@ -1,9 +1,6 @@
 #pragma once
 
-#include "domain/profile/profile.hpp"
 #include "domain/response/response.hpp"
-
-#include <vector>
 
 /// @file
 /// Bounds, estimates and relative errors of a curve's pressures.
@@ -33,9 +30,8 @@ struct Doubt {
     Eigen::VectorXd pressure;   ///< largest error of each row's pressure, MPa
     Eigen::VectorXd difference; ///< largest error of each difference from the row before, MPa
 
-    /// The errors if the first `rows` rows are exact. The other rows are all shifted by `offset` (MPa), so
-    /// that the curve has no jump. The shift adds |offset| to the errors of their pressures, and nothing to
-    /// the errors of their differences.
+    /// The errors if the first `rows` rows are exact. The other rows are all shifted by `offset` (MPa), which
+    /// adds |offset| to the errors of their pressures.
     Doubt known_up_to(Index rows, double offset) const;
 };
 /// The sum of the errors from two independent sources.
@@ -45,9 +41,8 @@ Doubt operator+(const Doubt& a, const Doubt& b);
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
 /// For each row, the larger of the relative errors of pressure and secant. An error is divided by the lowest
-/// possible exact value: the value in `scale` minus its largest error. If the last pressure has a larger
-/// relative error, that error is subtracted instead, because light rows are scaled by the last pressure. The
-/// result is infinite if the lowest possible exact value is not positive.
+/// possible exact value, which `scale` and the largest errors give (README.md). The result is infinite if
+/// that value is not positive.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
 /// Number of first rows that must be exact so that the relative errors of the other rows are at most
@@ -75,25 +70,15 @@ struct Bounds {
     Eigen::VectorXd upper; ///< upper bounds, MPa, at least `lower`; they may be infinite
 };
 
-/// Bounds of the whole profile's pressures P(Delta) at the given displacements Delta (mm, increasing). They
-/// follow from two curves of the reduced profile, whose pressures are P':
-///
-///     P'(Delta - highest) <= P(Delta) <= P'(Delta - lowest).
-///
-/// For the periodic kernel, the upper bound is infinite if Delta - lowest exceeds the reduced profile's full
-/// contact. README.md has the proof.
+/// Bounds of the whole profile's pressures P at the given displacements Delta (mm, increasing). P' are the
+/// pressures of the reduced profile: P'(Delta - highest) <= P(Delta) <= P'(Delta - lowest) (README.md). For
+/// the periodic kernel, an upper bound beyond the reduced profile's full contact is infinite.
 Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body& body,
                        const std::vector<double>& displacements, const ContactOptions& options = {});
 
-/// Bounds of the whole profile's pressures from one curve P' of the reduced profile. Its load steps are
-/// `steps`; bounds are returned for the first `count` of them. At the displacement Delta_j of step j the
-/// curve has the pressure P'_j and the tangent K'_j. T_j is the tangent at the first step at or beyond
-/// Delta_j - lowest. P' is convex, so
-///
-///     P'_j - highest K'_j <= P(Delta_j) <= P'_j - lowest T_j.
-///
-/// If `lowest` is negative, the last bounds need an additional step beyond the first `count`. An upper bound
-/// is infinite if no step is at or beyond Delta_j - lowest. If `lowest` is 0, the upper bound is P'_j.
+/// The bounds from one curve P' of the reduced profile, for its first `count` load steps. They are P'_j -
+/// highest K'_j <= P(Delta_j) <= P'_j - lowest T_j. K'_j is the tangent at step j. T_j is the tangent at the
+/// first step at or beyond Delta_j - lowest. Without such a step the upper bound is infinite.
 Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
 
 /// The pressures that a finer grid would give, from several coarser ones.
@@ -103,15 +88,9 @@ struct Extrapolation {
 };
 
 /// Extrapolates the pressure of each row to a grid of N = `resolved` elements. A straight line in N^-1.5 is
-/// fitted to the row's pressures on the given grids, with the weights N^3.
-///
-/// Grid errors are not monotone in N. Each contact edge falls anywhere between two nodes, so its error has a
-/// random sign. The size of the error falls as N^-1.5 to N^-2. Two grids would extrapolate this scatter. Over
-/// more grids the scatter averages out, and its size shows the error of the line.
-///
-/// The doubt of a row is 2.3 times the larger of two values; with three grids it is 3 times this value. One
-/// is the distance between the extrapolated pressure and the pressure on the last grid. The other is the
-/// standard error of the line. Both factors were tuned on random scenes (README.md).
+/// fitted to the row's pressures on the given grids, with the weights N^3. The doubt of a row is 2.3 times
+/// the larger of two values, with three grids 3 times (README.md). One is the distance between the
+/// extrapolated pressure and the pressure on the last grid. The other is the standard error of the line.
 ///
 /// `grids` are the numbers N, at least 3. `pressures` has one row per load step and one column per grid, all
 /// at the same displacements. For other quantities, `order` replaces the exponent 1.5.

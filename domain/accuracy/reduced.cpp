@@ -13,6 +13,57 @@ ChromosomePlace place(const Genome& genome, std::size_t s, std::size_t c) {
             std::abs(genome.scale * wave(series, chromosome).amplitude)};
 }
 
+/// Rows of the first pass: fewer would not describe the curve, and rows are cheap next to the factor.
+constexpr std::size_t first_rows = 64;
+
+/// The exact pressure of an interpolated row, MPa: its distance from the row's pressure, at most, and itself,
+/// at least.
+struct ExactPressure {
+    double distance, lowest;
+};
+
+/// Interpolates a row at displacement x between two solved ones.
+ExactPressure interpolate(LoadStep& step, double x, const LoadStep& a, const LoadStep& b) {
+    const double h = b.displacement - a.displacement, t = (x - a.displacement) / h;
+    const double chord = a.pressure + t * (b.pressure - a.pressure);
+    const double tangents = std::max({a.pressure + a.tangent_stiffness * (x - a.displacement),
+                                      b.pressure - b.tangent_stiffness * (b.displacement - x), 0.0});
+    const double cubic = (1 + 2 * t) * (1 - t) * (1 - t) * a.pressure + t * t * (3 - 2 * t) * b.pressure +
+                         h * t * (1 - t) * ((1 - t) * a.tangent_stiffness - t * b.tangent_stiffness);
+    step.displacement = x;
+    step.pressure = std::clamp(cubic, std::min(tangents, chord), chord);
+    step.tangent_stiffness = (1 - t) * a.tangent_stiffness + t * b.tangent_stiffness;
+    step.contact_fraction = (1 - t) * a.contact_fraction + t * b.contact_fraction;
+    step.kkt_residual = std::max(a.kkt_residual, b.kkt_residual);
+    return {std::max(chord - step.pressure, step.pressure - tangents), std::min(tangents, chord)};
+}
+
+/// Interpolates the rows `first` to end - 1 between the solved rows `start` and `end`. Returns the bound of
+/// the relative error of their pressures and secants and those of row `end`.
+double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displacements, std::size_t first,
+                std::size_t end, const LoadStep& start) {
+    const LoadStep last = steps[end];
+    const auto over = [](double error, double exact) { return error > 0 ? error / exact : 0; };
+    // A convex cubic's secants lie between the two tangents, as the exact ones do.
+    const double rise = 3 * (last.pressure - start.pressure) / (last.displacement - start.displacement);
+    const bool convex = 2 * start.tangent_stiffness + last.tangent_stiffness <= rise &&
+                        rise <= start.tangent_stiffness + 2 * last.tangent_stiffness;
+    double worst = 0, previous_error = 0, previous = start.displacement;
+    for (std::size_t j = first; j <= end; ++j) {
+        const auto [error, pressure] =
+            j < end ? interpolate(steps[j], displacements[j], start, last) : ExactPressure{0, 1};
+        const double length = steps[j].displacement - previous;
+        const double lowest = length * start.tangent_stiffness;
+        double secant_error = error + previous_error;
+        if (convex)
+            secant_error = std::min(secant_error, length * last.tangent_stiffness - lowest);
+        worst = std::max({worst, over(error, pressure), over(secant_error, lowest)});
+        previous_error = error;
+        previous = steps[j].displacement;
+    }
+    return worst;
+}
+
 } // namespace
 
 std::vector<ChromosomePlace> places(const Genome& genome) {
@@ -25,8 +76,7 @@ std::vector<ChromosomePlace> places(const Genome& genome) {
 
 Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest) {
     std::vector<ChromosomePlace> order = places(genome);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return a.wave_length_mm < b.wave_length_mm; });
+    std::ranges::stable_sort(order, {}, &ChromosomePlace::wave_length_mm);
     Selection best{genome, places(genome)};
     double amplitude = 0;
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
@@ -87,61 +137,6 @@ std::optional<ByLine> respond_by_line(const Profile& map, const Model& model) {
         return std::nullopt;
     }
 }
-
-namespace {
-
-/// Rows of the first pass: fewer would not describe the curve, and rows are cheap next to the factor.
-constexpr std::size_t first_rows = 64;
-
-/// The exact pressure of an interpolated row, MPa: its distance from the row's pressure, at most, and itself,
-/// at least.
-struct ExactPressure {
-    double distance, lowest;
-};
-
-/// Interpolates a row at displacement x between two solved ones.
-ExactPressure interpolate(LoadStep& step, double x, const LoadStep& a, const LoadStep& b) {
-    const double h = b.displacement - a.displacement, t = (x - a.displacement) / h;
-    const double chord = a.pressure + t * (b.pressure - a.pressure);
-    const double tangents = std::max({a.pressure + a.tangent_stiffness * (x - a.displacement),
-                                      b.pressure - b.tangent_stiffness * (b.displacement - x), 0.0});
-    const double cubic = (1 + 2 * t) * (1 - t) * (1 - t) * a.pressure + t * t * (3 - 2 * t) * b.pressure +
-                         h * t * (1 - t) * ((1 - t) * a.tangent_stiffness - t * b.tangent_stiffness);
-    step.displacement = x;
-    step.pressure = std::clamp(cubic, std::min(tangents, chord), chord);
-    step.tangent_stiffness = (1 - t) * a.tangent_stiffness + t * b.tangent_stiffness;
-    step.contact_fraction = (1 - t) * a.contact_fraction + t * b.contact_fraction;
-    step.kkt_residual = std::max(a.kkt_residual, b.kkt_residual);
-    return {std::max(chord - step.pressure, step.pressure - tangents), std::min(tangents, chord)};
-}
-
-/// Interpolates the rows `first` to end - 1 between the solved rows `start` and `end`. Returns the bound of
-/// the relative error of their pressures and secants and those of row `end`.
-double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displacements, std::size_t first,
-                std::size_t end, const LoadStep& start) {
-    const LoadStep last = steps[end];
-    const auto over = [](double error, double exact) { return error > 0 ? error / exact : 0; };
-    // A convex cubic's secants lie between the two tangents, as the exact ones do.
-    const double rise = 3 * (last.pressure - start.pressure) / (last.displacement - start.displacement);
-    const bool convex = 2 * start.tangent_stiffness + last.tangent_stiffness <= rise &&
-                        rise <= start.tangent_stiffness + 2 * last.tangent_stiffness;
-    double worst = 0, previous_error = 0, previous = start.displacement;
-    for (std::size_t j = first; j <= end; ++j) {
-        const auto [error, pressure] =
-            j < end ? interpolate(steps[j], displacements[j], start, last) : ExactPressure{0, 1};
-        const double length = steps[j].displacement - previous;
-        const double lowest = length * start.tangent_stiffness;
-        double secant_error = error + previous_error;
-        if (convex)
-            secant_error = std::min(secant_error, length * last.tangent_stiffness - lowest);
-        worst = std::max({worst, over(error, pressure), over(secant_error, lowest)});
-        previous_error = error;
-        previous = steps[j].displacement;
-    }
-    return worst;
-}
-
-} // namespace
 
 LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                     const ContactOptions& options, double accuracy) {

@@ -52,9 +52,8 @@ struct ByLine {
     double bound;                  ///< bound of the relative error of pressures and secants; may be infinite
 };
 /// Solves the contact of the line that replaces a periodic map. Returns nothing if the line cannot be pressed
-/// as far as the map. (A free map is finite, so a line cannot replace it.) The bound follows from
-/// pressure_bounds(). It assumes that no contact set has a negative entry in H^-1 1; H is the influence
-/// matrix (kernel.hpp). This is proven for the continuum, not for sampled maps.
+/// as far as the map. The bound follows from pressure_bounds(). It is proven for the continuum, not for
+/// sampled maps (README.md).
 std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
 
 /// A curve with a row for each requested displacement: solved, or interpolated between solved rows.
@@ -69,11 +68,9 @@ struct LoadRows {
     std::vector<int> last_contact;     ///< nodes that touch at the last displacement
 };
 
-/// Solves the contact at as few of the displacements (mm, increasing; <= 0: no contact) as `accuracy` allows.
-/// Between two solved rows the pressure is a cubic with the tangents of these rows. Because the exact
-/// pressure is convex, the chord bounds it from above, and both tangents bound it from below. The cubic is
-/// kept within these bounds. Secants between the two rows lie between the two tangents. `accuracy` 0 solves
-/// every row.
+/// Solves the contact at as few of the displacements (mm, increasing) as `accuracy` allows; 0 solves every
+/// row. A profile does not touch at displacements <= 0. Between two solved rows the pressure is a cubic with
+/// the tangents of these rows. It is kept within exact bounds: below the chord, above both tangents.
 LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                     const ContactOptions& options, double accuracy = 0);
 

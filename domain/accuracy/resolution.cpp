@@ -7,8 +7,6 @@
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 
-#include <cmath>
-
 namespace rough {
 
 namespace {

@@ -35,18 +35,11 @@ constexpr Index resolved_spot_nodes = 4;
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 
-/// The uncertainty of a measured surface's curve from its node spacing, one entry per load step; empty if it
-/// was not computed.
-///
-/// The band contains four curves at the measured curve's mean pressures. One is the measured curve itself.
-/// Two belong to interpolated heights: linearly, and by a spline. The fourth is v + (v - m)/3, with the
-/// spline's curve v and the measured curve m. It extrapolates v to spacing 0 (Richardson 1911), because the
-/// error of a node count is proportional to the spacing. The pressure of a curve is the force divided by the
-/// length of its grid, for a free map by the area of its patches.
-///
-/// The band is then widened on each side by a quarter of its width relative to the measured curve. The
-/// largest relative width at the load step and its two neighbours is used. The band does not cover roughness
-/// below the spacing.
+/// The uncertainty of a measured surface's curve from its node spacing (scan/README.md), one entry per load
+/// step; empty if it was not computed. The band contains the measured curve m, the curves of both
+/// interpolated surfaces at equal mean pressures, and v + (v - m)/3. This extrapolates the spline's curve v
+/// to spacing 0 (Richardson 1911). The band is then widened on both sides by a quarter of its largest
+/// relative width at the load step and its neighbours. It does not cover roughness below the spacing.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction

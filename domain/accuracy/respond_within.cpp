@@ -86,11 +86,6 @@ double largest_change(const Response& rows, const Eigen::VectorXd& values, const
     return worst;
 }
 
-/// Predicted cost of a curve of which a share of the nodes touches at the last row.
-double cost(double nodes, double fraction, double rows) {
-    return predicted_cost(nodes, fraction * nodes, rows);
-}
-
 /// The completed model, with a solver's tolerance that takes no more than its share of the accuracy.
 Model tolerant(const Model& given) {
     Model model = completed(given);
@@ -188,7 +183,7 @@ class Question {
             const Index known = rows_to_know(sources.together(), scale, accuracy_ - rows->error);
             const auto cost_on = [&](double nodes, Index count) {
                 const double touching = count == 0 ? 0 : response.contact_fraction[count - 1];
-                return cost(nodes, touching, static_cast<double>(count));
+                return predicted_cost(nodes, touching * nodes, static_cast<double>(count));
             };
             const bool last = next >= finest || hopeless(relative(found.doubt, scale), elements, finest);
             const double cost_without = last ? max_cost_share * cost_on(resolved_nodes(), count_)

@@ -67,13 +67,10 @@ Grid resolved_grid(const Genome& genome, double length, bool periodic);
 /// accurate enough. Throws InputError on an accuracy out of range, and on an accuracy with a hardness or
 /// layers. Also throws what respond() throws.
 AccountedResponse respond_within(const Genome& genome, const Model& model);
-/// A measured profile's response within model.accuracy, always on the profile's nodes. The steps, burrs and
-/// noise of a scan are as fine as its spacing, so a coarser grid would miss some. With an accuracy above 0
-/// fewer load steps are solved, and the solver's tolerance is larger. Exact bounds limit both errors.
-///
-/// A line gives the curve of a periodic map if the bound of its error is small enough (reduced.hpp).
-/// Otherwise all load steps of a map are solved. Bounds between load steps would need nested contact sets,
-/// which are not proven for sampled maps.
+/// A measured profile's response within model.accuracy, always on the profile's nodes (README.md). With an
+/// accuracy above 0 fewer load steps are solved, and the solver's tolerance is larger. Exact bounds limit
+/// both errors. A line gives the curve of a periodic map if the bound of its error is small enough
+/// (reduced.hpp). Otherwise all load steps of a map are solved.
 AccountedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a file's genome or scan.
 AccountedResponse respond_within(const Source& source, const Model& model);

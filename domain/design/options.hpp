@@ -11,7 +11,7 @@ class Checkpoints;
 
 namespace rough {
 
-class ResponseMemory;
+struct ResponseMemory;
 
 /// Options for the checkpoints of a search, from which it can be resumed.
 template <ga::Problem P>
@@ -47,5 +47,19 @@ struct SearchOptionsOf {
     /// Curves that several searches of one set-up share (only for DesignProblem).
     std::shared_ptr<ResponseMemory> memory = nullptr;
 };
+
+/// The pipeline that a search ran, its cost and its remarks.
+struct SearchRun {
+    std::string name = {};      ///< name of the variant, or "pipeline"; the paths of all stages begin with it
+    std::string pipeline = {};  ///< text of the pipeline
+    ga::Counters counters = {}; ///< evaluations spent by the pipeline
+    std::vector<std::string> notes = {}; ///< remarks of stages
+    std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
+};
+
+/// A function for ContactOptions::stop: true from `seconds` after this call on, and when `stop` is true.
+inline std::function<bool()> ending_after(double seconds, const std::atomic<bool>* stop) {
+    return [watch = ga::Watch({std::numeric_limits<long>::max(), seconds, stop})] { return watch.expired(); };
+}
 
 } // namespace rough

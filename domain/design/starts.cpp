@@ -130,7 +130,7 @@ Points points_of(const Profile& scan, const std::vector<int>& touching) {
 std::vector<int> touching(const DesignSetup& setup) {
     const Body body = completed(setup.model.body, setup.model.grid.length);
     double last = 0;
-    for (const Loading& loading : loadings_of(setup, setup.model.loading).each)
+    for (const Loading& loading : loadings_of(setup, setup.model.loading))
         last = std::max(last, step_displacements(*setup.like, body, loading, setup.model.contact).back());
     ContactOptions contact = setup.model.contact;
     contact.states = true;

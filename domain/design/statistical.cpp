@@ -36,10 +36,7 @@ struct StatisticalProblem {
     double evaluate(const Genome& genes) const { return similarity_of(predicted(genes)); }
 
     double similarity_of(const Eigen::VectorXd& y) const {
-        if (!y.allFinite())
-            return std::numeric_limits<double>::quiet_NaN();
-        return similarity(
-            Eigen::VectorXd::NullaryExpr(y.size(), [&](Index k) { return misfit(task->target, k, y[k]); }));
+        return y.allFinite() ? similarity(misfit(task->target, y)) : std::nan("");
     }
     const std::vector<ga::Objective<double>>& objectives() const { return list; }
     const std::vector<ga::Variable>& bounds(const Genome&) const { return box; }

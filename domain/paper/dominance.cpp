@@ -18,6 +18,23 @@ std::optional<Response> response_alone(const Genome& genome, const LengthScale& 
     return respond(profile, model.body, model.loading, model.contact);
 }
 
+/// The dominance of each chromosome from that of its length scale.
+Dominance dominance_of(const Genome& genome, const std::vector<LengthScale>& scales,
+                       const DominantParts& parts) {
+    Dominance result;
+    result.only_best = parts.only_best;
+    for (const auto& series : genome.series) {
+        result.correlation.emplace_back(series.chromosomes.size(), undefined);
+        result.dominant.emplace_back(series.chromosomes.size(), char{0});
+    }
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        for (const auto& [s, c] : scales[i].members) {
+            result.correlation[s][c] = parts.correlation[i];
+            result.dominant[s][c] = parts.dominant[i];
+        }
+    return result;
+}
+
 } // namespace
 
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
@@ -61,38 +78,23 @@ DominanceRule::DominanceRule(Model model, DominanceReading reading, double thres
 
 std::shared_ptr<const DominanceRule::Known> DominanceRule::responses_of(const Genome& genome) const {
     const std::string key = shape_key(genome);
-    {
-        const std::lock_guard lock(guard_);
-        if (const auto found = known_.find(key); found != known_.end())
-            return found->second;
-    }
-    auto result = std::make_shared<Known>(Known{respond(genome, model_), {}});
+    if (const auto found = known_.find(key))
+        return *found;
+    const auto result = std::make_shared<Known>(Known{respond(genome, model_), {}});
     for (const LengthScale& scale : length_scales(genome))
         result->parts.push_back(response_alone(genome, scale, model_));
-    const std::lock_guard lock(guard_);
-    return known_.emplace(key, std::move(result)).first->second;
+    known_.keep(key, result);
+    return result;
 }
 
 Dominance DominanceRule::operator()(const Genome& genome, DominanceReading reading) const {
-    const auto scales = length_scales(genome);
     const auto responses = responses_of(genome);
     std::vector<std::optional<Curve>> alone;
     for (const auto& part : responses->parts)
         alone.push_back(part ? std::optional(compared_curve(*part, reading)) : std::nullopt);
-    const DominantParts parts =
-        dominant_parts(compared_curve(responses->whole, reading), alone, threshold_, reading);
-    Dominance result;
-    result.only_best = parts.only_best;
-    for (const auto& series : genome.series) {
-        result.correlation.emplace_back(series.chromosomes.size(), undefined);
-        result.dominant.emplace_back(series.chromosomes.size(), char{0});
-    }
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        for (const auto& [s, c] : scales[i].members) {
-            result.correlation[s][c] = parts.correlation[i];
-            result.dominant[s][c] = parts.dominant[i];
-        }
-    return result;
+    return dominance_of(
+        genome, length_scales(genome),
+        dominant_parts(compared_curve(responses->whole, reading), alone, threshold_, reading));
 }
 
 Genome reduced(const Genome& genome, const Dominance& dominance) {
@@ -113,12 +115,7 @@ Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::si
         } catch (const InputError&) { // periodic, in full contact below that load
         }
     const DominantParts parts = dominant_parts({wanted.x, wanted.y}, alone, threshold);
-    return filtered(genome, [&](std::size_t s, std::size_t c) {
-        for (std::size_t i = 0; i < scales.size(); ++i)
-            if (std::ranges::count(scales[i].members, std::pair(s, c)))
-                return parts.dominant[i] != 0;
-        return false;
-    });
+    return reduced(genome, dominance_of(genome, scales, parts));
 }
 
 } // namespace rough

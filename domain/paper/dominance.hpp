@@ -1,9 +1,9 @@
 #pragma once
 
+#include "domain/problem/memory.hpp"
 #include "domain/problem/setup.hpp"
 
 #include <memory>
-#include <mutex>
 
 namespace rough {
 
@@ -69,8 +69,7 @@ class DominanceRule {
     Model model_;
     DominanceReading reading_;
     double threshold_;
-    mutable std::mutex guard_;
-    mutable std::map<std::string, std::shared_ptr<const Known>> known_;
+    mutable KeyedMemory<std::shared_ptr<const Known>> known_; ///< under shape_key()
 };
 
 /// The genome with only its dominant chromosomes.

@@ -172,13 +172,14 @@ double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits
     return sum;
 }
 
-LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
-                     const Eigen::RowVectorXd& d_scale) {
+ga::Sensitivity limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
+                           const Eigen::RowVectorXd& d_scale) {
     const auto all = shape_limits(genome, grid, limits);
     const std::vector<double> values = genes(genome);
     const Grid fine = search_grid(grid);
-    LimitRows rows{Eigen::VectorXd::Zero(static_cast<Index>(all.size())),
-                   Eigen::MatrixXd::Zero(static_cast<Index>(all.size()), static_cast<Index>(values.size()))};
+    ga::Sensitivity rows{
+        Eigen::VectorXd::Zero(static_cast<Index>(all.size())),
+        Eigen::MatrixXd::Zero(static_cast<Index>(all.size()), static_cast<Index>(values.size()))};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto row = static_cast<Index>(i);
         rows.residuals[row] = std::max(0.0, all[i].ratio - (1 - guard));

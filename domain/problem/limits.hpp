@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/mwm/sampling.hpp"
-#include "ga/problem/problem.hpp"
+#include "ga/refinement/sensitivity.hpp"
 
 namespace rough {
 
@@ -68,15 +68,11 @@ std::vector<Margin> margins(const Genome& genome, const Grid& grid, const Making
 /// limit. It is 0 within the limits.
 double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// Residuals of the limits on shape, one row per limit.
-struct LimitRows {
-    Eigen::VectorXd residuals; ///< max(0, value/limit - (1 - guard)); 0 if the limit is kept
-    Eigen::MatrixXd jacobian;  ///< derivatives with respect to every gene, rows x genes
-};
-/// The rows of a genome on a grid. Each limit is tightened by the share `guard`. Derivatives are central
-/// differences of the profile at the position of the extreme. If the genome's scale depends on the genes,
-/// `d_scale` has its derivatives; otherwise it is empty.
-LimitRows limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
-                     const Eigen::RowVectorXd& d_scale = {});
+/// The residuals max(0, value/limit - (1 - guard)) of the limits on shape, and their derivatives with respect
+/// to every gene. There is one row per limit; it is 0 if the limit, tightened by the share `guard`, is kept.
+/// Derivatives are central differences of the profile at the position of the extreme. If the genome's scale
+/// depends on the genes, `d_scale` has its derivatives; otherwise it is empty.
+ga::Sensitivity limit_rows(const Genome& genome, const Grid& grid, const MakingLimits& limits, double guard,
+                           const Eigen::RowVectorXd& d_scale = {});
 
 } // namespace rough

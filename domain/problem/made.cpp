@@ -1,15 +1,10 @@
 #include "domain/problem/made.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "ga/base/budget.hpp"
-#include "ga/base/random.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace rough {
 
@@ -18,14 +13,15 @@ namespace {
 constexpr std::uint64_t draws = 96; ///< fixed draws of noise
 
 /// Load steps that end at the pressure or displacement of the search's last step, under Eq. 11 as well.
-Loadings loadings_of_made(const DesignSetup& given, const DesignSetup& made, const Profile& surface) {
-    Loadings loadings = loadings_of(made, made.model.loading);
+std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetup& made,
+                                      const Profile& surface) {
+    std::vector<Loading> loadings = loadings_of(made, made.model.loading);
     if (!given.max_pressure)
         return loadings;
     double last = 0; // the highest pressure of the targets
     for (const Target& target : given.targets)
         last = std::max(last, target.against_pressure() ? target.last() : 0);
-    for (Loading& loading : loadings.each)
+    for (Loading& loading : loadings)
         if (loading.to_pressure > 0)
             loading.to_pressure *= std::max(1., *given.max_pressure / last);
         else
@@ -50,7 +46,7 @@ double MadeSurface::similarity(const Eigen::VectorXd& errors) const {
     made.heights += errors;
     std::vector<Response> responses;
     try {
-        for (const Loading& loading : loadings_.each)
+        for (const Loading& loading : loadings_)
             responses.push_back(respond(made, setup_.model.body,
                                         up_to_full_contact(loading, made, setup_.model),
                                         setup_.model.contact));

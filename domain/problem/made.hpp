@@ -2,8 +2,6 @@
 
 #include "domain/problem/response.hpp"
 
-#include <cstdint>
-
 namespace rough {
 
 /// Gaussian height noise of rms 1 and autocorrelation exp(-(d/length)^2) at the distance d, sampled at the
@@ -35,7 +33,7 @@ class MadeSurface {
     DesignSetup setup_; ///< without Eq. 11
     Genome genome_;
     Profile surface_;
-    Loadings loadings_;
+    std::vector<Loading> loadings_;
 };
 
 /// The errors under which a search scores genomes: fixed draws of the noise, equal for every genome, and each

@@ -28,6 +28,77 @@ auto unless_stopped(const ContactOptions& contact, Work work) {
 
 std::string target_objective(std::size_t target) { return "goal" + std::to_string(target + 1); }
 
+/// The points of a target that an objective uses.
+std::vector<Index> points_of(const DesignSetup& setup, const std::string& objective, std::size_t target) {
+    if (objective == "low" || objective == "high")
+        return target == 0 ? points_of_half(setup, objective == "high") : std::vector<Index>();
+    const bool other_target = objective.starts_with("goal") && objective != target_objective(target);
+    std::vector<Index> points(other_target ? 0 : static_cast<std::size_t>(setup.targets[target].points()));
+    std::iota(points.begin(), points.end(), Index{0});
+    return points;
+}
+
+/// A number of a profile and its derivatives with respect to the heights.
+struct Feature {
+    double value;
+    Eigen::RowVectorXd by_height;
+};
+
+/// log10 of the root mean square height, lengths in `length`.
+Feature height(const Profile& profile, double length) {
+    const Eigen::RowVectorXd z = profile.heights.transpose().array() - profile.heights.mean();
+    return {std::log10(std::sqrt(z.squaredNorm() / static_cast<double>(z.size())) / length),
+            z / (z.squaredNorm() * std::numbers::ln10)};
+}
+
+/// log10 of the root mean square slope, on a map of the gradient.
+Feature slope(const Profile& surface, double) {
+    const auto [columns, rows] = surface.shape();
+    const auto z = surface.heights.reshaped(columns, rows);
+    double square = 0;
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, rows);
+    const auto add = [&](const auto& after, const auto& before, auto by_after, auto by_before,
+                         double spacing) {
+        const Eigen::MatrixXd slopes = (after - before) / spacing;
+        const double share = 1 / static_cast<double>(slopes.size());
+        square += share * slopes.squaredNorm();
+        by_after += share / spacing * slopes;
+        by_before -= share / spacing * slopes;
+    };
+    add(z.bottomRows(columns - 1), z.topRows(columns - 1), by.bottomRows(columns - 1),
+        by.topRows(columns - 1), surface.spacing);
+    if (surface.is_2d())
+        add(z.rightCols(rows - 1), z.leftCols(rows - 1), by.rightCols(rows - 1), by.leftCols(rows - 1),
+            surface.row_spacing);
+    return {0.5 * std::log10(square), by.reshaped().transpose() / (square * std::numbers::ln10)};
+}
+
+Feature wavelength(const Profile& profile, double length) {
+    const Feature of_height = height(profile, length), of_slope = slope(profile, length);
+    return {std::log10(2 * std::numbers::pi) + of_height.value - of_slope.value,
+            of_height.by_height - of_slope.by_height};
+}
+
+Feature skewness(const Profile& profile, double) {
+    const Eigen::RowVectorXd z = profile.heights.transpose().array() - profile.heights.mean();
+    const auto n = static_cast<double>(z.size());
+    const double variance = z.squaredNorm() / n, third = z.array().cube().sum() / n;
+    const double scale = std::pow(variance, 1.5);
+    return {third / scale,
+            3 / (n * scale) * ((z.array().square() - variance).matrix() - third / variance * z)};
+}
+
+ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(const Profile&, double),
+                                  double lower, double upper, const Grid& grid) {
+    return {name, [=](const Genome& genome) { return feature(sample(genome, grid), grid.length).value; },
+            lower, upper,
+            [=](const Genome& genome) {
+                const Eigen::RowVectorXd by_gene =
+                    pulled_back(feature(sample(genome, grid), grid.length).by_height, genome, grid);
+                return std::vector<double>(by_gene.begin(), by_gene.end());
+            }};
+}
+
 } // namespace
 
 double DesignOutcome::similarity() const { return least_similarity(misfits); }
@@ -78,17 +149,14 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
 }
 
 DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
-    if (memory_)
-        if (auto known = memory_->find(key(genome)))
-            return of_responses(genome, std::move(*known));
-    return unless_stopped(setup_->model.contact,
-                          [&] { return of_responses(genome, pressed(*setup_, genome, setup_->model)); });
-}
-
-DesignOutcome DesignProblem::of_responses(const Genome& genome, std::vector<Response> responses) const {
-    if (memory_)
-        memory_->keep(key(genome), responses);
-    const DesignResponse response = scored(*setup_, std::move(responses));
+    auto responses = memory_ ? memory_->find(key(genome)) : std::nullopt;
+    if (!responses) {
+        responses =
+            unless_stopped(setup_->model.contact, [&] { return pressed(*setup_, genome, setup_->model); });
+        if (memory_)
+            memory_->keep(key(genome), *responses);
+    }
+    const DesignResponse response = scored(*setup_, std::move(*responses));
     Outcome outcome{response.scale, misfits_of(*setup_, response), 0, genome};
     outcome.genome = settled(genome, outcome);
     outcome.excess = excess(outcome.genome, setup_->model.grid, setup_->limits);
@@ -183,18 +251,6 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
     return variables;
 }
 
-std::vector<Index> DesignProblem::points_of(const std::string& objective, std::size_t target) const {
-    if (objective == "low" || objective == "high")
-        return target == 0 ? points_of_half(*setup_, objective == "high") : std::vector<Index>();
-    std::vector<Index> points;
-    if (objective == "similarity" || objective == "verified" || objective == "more_steps" ||
-        objective == "made" || objective == target_objective(target)) {
-        points.resize(static_cast<std::size_t>(setup_->targets[target].points()));
-        std::iota(points.begin(), points.end(), Index{0});
-    }
-    return points;
-}
-
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
     // In the order of Verification: in four times the steps as well, then on the finer grid.
@@ -212,7 +268,7 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
     std::vector<Index> chosen;
     Index first = 0;
     for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())
-        for (const Index k : points_of(objective, t))
+        for (const Index k : points_of(*setup_, objective, t))
             chosen.push_back(first + k);
     ga::Sensitivity rows{Eigen::VectorXd(all[0].misfits.residuals(chosen)),
                          Eigen::MatrixXd(all[0].misfits.jacobian(chosen, Eigen::all))};
@@ -227,77 +283,12 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
                 rows = stacked(rows, made.misfits(heights, all[0]));
     }
     if (setup_->limits.any_shape()) {
-        const LimitRows limits =
+        const ga::Sensitivity limits =
             limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all[0].d_factor);
         rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});
     }
     return rows;
 }
-
-namespace {
-
-/// A number of a profile and its derivatives with respect to the heights.
-struct Feature {
-    double value;
-    Eigen::RowVectorXd by_height;
-};
-
-/// log10 of the root mean square height, lengths in `length`.
-Feature height(const Profile& profile, double length) {
-    const Eigen::RowVectorXd z = profile.heights.transpose().array() - profile.heights.mean();
-    return {std::log10(std::sqrt(z.squaredNorm() / static_cast<double>(z.size())) / length),
-            z / (z.squaredNorm() * std::numbers::ln10)};
-}
-
-/// log10 of the root mean square slope, on a map of the gradient.
-Feature slope(const Profile& surface, double) {
-    const auto [columns, rows] = surface.shape();
-    const auto z = surface.heights.reshaped(columns, rows);
-    double square = 0;
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, rows);
-    const auto add = [&](const auto& after, const auto& before, auto by_after, auto by_before,
-                         double spacing) {
-        const Eigen::MatrixXd slopes = (after - before) / spacing;
-        const double share = 1 / static_cast<double>(slopes.size());
-        square += share * slopes.squaredNorm();
-        by_after += share / spacing * slopes;
-        by_before -= share / spacing * slopes;
-    };
-    add(z.bottomRows(columns - 1), z.topRows(columns - 1), by.bottomRows(columns - 1),
-        by.topRows(columns - 1), surface.spacing);
-    if (surface.is_2d())
-        add(z.rightCols(rows - 1), z.leftCols(rows - 1), by.rightCols(rows - 1), by.leftCols(rows - 1),
-            surface.row_spacing);
-    return {0.5 * std::log10(square), by.reshaped().transpose() / (square * std::numbers::ln10)};
-}
-
-Feature wavelength(const Profile& profile, double length) {
-    const Feature of_height = height(profile, length), of_slope = slope(profile, length);
-    return {std::log10(2 * std::numbers::pi) + of_height.value - of_slope.value,
-            of_height.by_height - of_slope.by_height};
-}
-
-Feature skewness(const Profile& profile, double) {
-    const Eigen::RowVectorXd z = profile.heights.transpose().array() - profile.heights.mean();
-    const auto n = static_cast<double>(z.size());
-    const double variance = z.squaredNorm() / n, third = z.array().cube().sum() / n;
-    const double scale = std::pow(variance, 1.5);
-    return {third / scale,
-            3 / (n * scale) * ((z.array().square() - variance).matrix() - third / variance * z)};
-}
-
-ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(const Profile&, double),
-                                  double lower, double upper, const Grid& grid) {
-    return {name, [=](const Genome& genome) { return feature(sample(genome, grid), grid.length).value; },
-            lower, upper,
-            [=](const Genome& genome) {
-                const Eigen::RowVectorXd by_gene =
-                    pulled_back(feature(sample(genome, grid), grid.length).by_height, genome, grid);
-                return std::vector<double>(by_gene.begin(), by_gene.end());
-            }};
-}
-
-} // namespace
 
 std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid) {
     return {descriptor("height", height, -5, -1, grid), descriptor("slope", slope, -4, 0, grid),

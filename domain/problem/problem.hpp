@@ -3,31 +3,11 @@
 #include "domain/problem/made.hpp"
 #include "domain/problem/verification.hpp"
 
-#include <memory>
-
 namespace rough {
 
-/// A memory of responses of pressed(). Problems that request the same curves may share it (see the
-/// constructor of DesignProblem). Several threads may use the memory. A response depends only on its key, so
-/// the memory does not affect results.
-class ResponseMemory {
-  public:
-    /// The responses for a problem's key, or nothing.
-    std::optional<std::vector<Response>> find(const std::string& key) const {
-        const std::lock_guard lock(guard_);
-        const auto found = known_.find(key);
-        return found == known_.end() ? std::nullopt : std::optional(found->second);
-    }
-    /// Stores the responses, unless the key already has some.
-    void keep(const std::string& key, const std::vector<Response>& responses) {
-        const std::lock_guard lock(guard_);
-        known_.emplace(key, responses);
-    }
-
-  private:
-    mutable std::mutex guard_;
-    std::map<std::string, std::vector<Response>> known_;
-};
+/// Responses of pressed() by a problem's key, shared by problems that request the same curves. Such problems
+/// have one model and differ only in target or threshold.
+struct ResponseMemory : KeyedMemory<std::vector<Response>> {};
 
 /// Features in which surfaces with the same response may differ. Their derivatives are exact as long as
 /// Genome::scale is constant. L is the length. `height` is log10(h/L) with the root mean square height h.
@@ -69,8 +49,6 @@ class DesignProblem {
     /// and ga::Stopped if ContactOptions::stop ends the solution. The objectives `verified` and `more_steps`
     /// throw the same.
     Outcome evaluate(const Genome& genome) const;
-    /// The outcome of a genome for which pressed() returned these responses.
-    Outcome of_responses(const Genome& genome, std::vector<Response> responses) const;
     /// The objectives above.
     const std::vector<ga::Objective<Outcome>>& objectives() const { return objectives_; }
 
@@ -114,9 +92,7 @@ class DesignProblem {
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
     const Verifier& verifier() const { return *verifier_; }   ///< verifies under as_reported(setup())
-    bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a ResponseMemory
-    /// The points of a target that an objective uses.
-    std::vector<Index> points_of(const std::string& objective, std::size_t target) const;
+    bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
 
   private:
     std::shared_ptr<const DesignSetup> setup_;

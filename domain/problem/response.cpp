@@ -31,17 +31,14 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
                                   response.full_stiffness);
     const Index steps = response.steps(), genes = jacobian.pressure.cols();
     CurveJacobian result{Eigen::MatrixXd::Zero(steps + 1, genes), Eigen::MatrixXd::Zero(steps + 1, genes)};
-    if (is_contact_fraction(quantity))
-        result.y.bottomRows(steps) = jacobian.contact_fraction;
-    if (quantity == Quantity::area_at_pressure) {
+    result.y.bottomRows(steps) =
+        is_contact_fraction(quantity) ? jacobian.contact_fraction : jacobian.pressure;
+    if (against_pressure(quantity))
         result.x.bottomRows(steps) = jacobian.pressure;
-        return result;
-    }
-    for (Index j = 0; j < steps; ++j)
-        result.x.row(j + 1) =
-            static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
-    if (quantity == Quantity::load_at_displacement)
-        result.y.bottomRows(steps) = jacobian.pressure;
+    else
+        for (Index j = 0; j < steps; ++j)
+            result.x.row(j + 1) =
+                static_cast<double>(j + 1) / static_cast<double>(steps) * jacobian.last_displacement;
     return result;
 }
 
@@ -53,19 +50,23 @@ struct Pressed {
 
 using Pull = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
-Pressed pressed_with_jacobian(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
-                              const Model& model, const Pull& pull) {
+/// The index of a target's loading among `count` ones.
+std::size_t loading_of(const Target& target, std::size_t count) {
+    return target.against_pressure() ? 0 : count - 1;
+}
+
+Pressed pressed_with_jacobian(const DesignSetup& setup, const Profile& profile,
+                              const std::vector<Loading>& loadings, const Model& model, const Pull& pull) {
     Pressed result;
-    for (std::size_t l = 0; l < loadings.each.size(); ++l) {
+    for (std::size_t l = 0; l < loadings.size(); ++l) {
         bool with_area = false;
-        for (std::size_t t = 0; t < setup.targets.size(); ++t)
-            with_area |= loadings.of_target[t] == l && is_contact_fraction(setup.targets[t].quantity);
-        auto [response, gradient, area] =
-            respond_with_gradient(profile, model.body, up_to_full_contact(loadings.each[l], profile, model),
-                                  model.contact, with_area);
-        result.jacobians.push_back(in_genes(gradient, pull, area));
+        for (const Target& target : setup.targets)
+            with_area |= loading_of(target, loadings.size()) == l && is_contact_fraction(target.quantity);
+        auto [response, gradient, smooth_fraction] = respond_with_gradient(
+            profile, model.body, up_to_full_contact(loadings[l], profile, model), model.contact, with_area);
+        result.jacobians.push_back(in_genes(gradient, pull));
         if (with_area)
-            response.contact_fraction = area.fraction;
+            response.contact_fraction = smooth_fraction;
         result.responses.push_back(std::move(response));
     }
     return result;
@@ -78,7 +79,6 @@ Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, co
 }
 
 Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
-    const Loadings loadings = loadings_of(setup, setup.model.loading);
     const auto& [responses, jacobians] = pressed;
     Rows result;
     if (setup.max_pressure) {
@@ -88,7 +88,7 @@ Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
     }
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         const Target& target = setup.targets[t];
-        const std::size_t l = loadings.of_target[t];
+        const std::size_t l = loading_of(target, responses.size());
         Curve curve = curve_of(target.quantity, responses[l]);
         CurveJacobian jacobian = curve_jacobian(target.quantity, responses[l], jacobians[l]);
         if (setup.max_pressure) { // the factor depends on the genes, too
@@ -114,30 +114,28 @@ Pressed every(Index part, Pressed pressed) {
 
 } // namespace
 
-Loadings loadings_of(const DesignSetup& setup, const Loading& loading) {
-    Loadings result;
+std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loading) {
     if (setup.max_pressure)
-        return {{loading}, std::vector<std::size_t>(setup.targets.size(), 0)};
+        return {loading};
     double pressure = 0, displacement = 0;
     for (const Target& target : setup.targets)
         (target.against_pressure() ? pressure : displacement) =
             std::max(target.against_pressure() ? pressure : displacement, target.last());
+    std::vector<Loading> loadings;
     for (const auto& [to_pressure, to_displacement] :
          {std::pair(pressure, 0.0), std::pair(0.0, displacement)})
         if (to_pressure + to_displacement > 0) {
             Loading one = loading;
             one.to_pressure = to_pressure * load_slack(setup.model);
             one.to_displacement = to_displacement;
-            result.each.push_back(one);
+            loadings.push_back(one);
         }
-    for (const Target& target : setup.targets)
-        result.of_target.push_back(target.against_pressure() ? 0 : result.each.size() - 1);
-    return result;
+    return loadings;
 }
 
 std::vector<Model> loaded_models(const DesignSetup& setup) {
     std::vector<Model> models;
-    for (const Loading& loading : loadings_of(setup, setup.model.loading).each)
+    for (const Loading& loading : loadings_of(setup, setup.model.loading))
         models.push_back(pressed_by(setup.model, loading));
     return models;
 }
@@ -163,13 +161,11 @@ double eq_11(const DesignSetup& setup, const Response& response) {
 }
 
 DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
-    const Loadings loadings = loadings_of(setup, setup.model.loading);
     DesignResponse result;
     result.scale = eq_11(setup, pressed.front());
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        const Target& target = setup.targets[t];
-        result.curves.push_back(
-            stretched(curve_of(target.quantity, pressed[loadings.of_target[t]]), result.scale));
+    for (const Target& target : setup.targets) {
+        const Response& response = pressed[loading_of(target, pressed.size())];
+        result.curves.push_back(stretched(curve_of(target.quantity, response), result.scale));
         continue_beyond_full_contact(setup, target, result.curves.back());
     }
     for (Response& response : pressed)
@@ -215,7 +211,7 @@ void continue_beyond_full_contact(const DesignSetup& setup, const Target& target
 std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model) {
     std::vector<Response> responses;
     const Genome shape = at_scale_one(genome, setup);
-    for (Loading loading : loadings_of(setup, model.loading).each) {
+    for (Loading loading : loadings_of(setup, model.loading)) {
         if (may_pass_full_contact(loading, model.body))
             loading = up_to_full_contact(loading, sample(shape, model.grid), model);
         responses.push_back(respond(shape, pressed_by(model, loading)));
@@ -234,18 +230,19 @@ std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignRe
     return misfits;
 }
 
+std::vector<double> similarities(const std::vector<Eigen::VectorXd>& misfits) {
+    std::vector<double> all;
+    for (const Eigen::VectorXd& each : misfits)
+        all.push_back(similarity(each));
+    return all;
+}
+
 std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response) {
-    std::vector<double> each;
-    for (const Eigen::VectorXd& misfits : misfits_of(setup, response))
-        each.push_back(similarity(misfits));
-    return each;
+    return similarities(misfits_of(setup, response));
 }
 
 double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
-    double lowest = similarity(misfits.front());
-    for (const Eigen::VectorXd& each : misfits)
-        lowest = std::min(lowest, similarity(each));
-    return lowest;
+    return std::ranges::min(similarities(misfits));
 }
 
 double similarity(const DesignSetup& setup, const DesignResponse& response) {
@@ -283,7 +280,7 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
     return rows_of(setup, pressed_with_jacobian(setup, genome, model));
 }
 
-Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
+Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
                  const Model& model, const Pull& in_genes) {
     return rows_of(setup, pressed_with_jacobian(setup, profile, loadings, model, in_genes));
 }

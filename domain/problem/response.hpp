@@ -1,18 +1,12 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
-#include "ga/refinement/sensitivity.hpp"
 
 namespace rough {
 
-/// The loadings that the targets need: one for targets against pressure and one for targets against
-/// displacement. Under Eq. 11 all targets have the same loading.
-struct Loadings {
-    std::vector<Loading> each;          ///< the different loadings
-    std::vector<std::size_t> of_target; ///< the index of each target's loading
-};
-/// The loadings of a set-up's targets, with the steps of `loading`.
-Loadings loadings_of(const DesignSetup& setup, const Loading& loading);
+/// The loadings that a set-up's targets need, with the steps of `loading`: one for targets against pressure,
+/// then one for targets against displacement. Under Eq. 11 all targets have the same loading.
+std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loading);
 /// Returns the load steps, or steps to 0.999 of the full-contact displacement if the given steps go further.
 /// Only an elastic periodic body has such a limit.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
@@ -52,7 +46,9 @@ DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Mod
 
 /// Misfits to each target at its points.
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response);
-/// The similarity to each target.
+/// The similarity to each target, by its misfits.
+std::vector<double> similarities(const std::vector<Eigen::VectorXd>& misfits);
+/// The similarity of a response to each target.
 std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response);
 /// The lowest similarity over all targets, by their misfits.
 double least_similarity(const std::vector<Eigen::VectorXd>& misfits);
@@ -79,7 +75,7 @@ struct Rows {
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
 /// The rows of a profile under the targets' loadings. `in_genes` converts derivatives with respect to heights
 /// (rows x N) into derivatives with respect to genes. Throws what respond() throws.
-Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const Loadings& loadings,
+Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
 /// The rows of a genome on a grid `refine` times finer. The first Rows are for the load steps of `finer`
 /// (in_finer_steps). The second Rows are for every fourth of these steps, which is a load step of the set-up.

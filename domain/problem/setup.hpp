@@ -4,8 +4,6 @@
 #include "domain/problem/limits.hpp"
 #include "domain/target/target.hpp"
 
-#include <optional>
-
 namespace rough {
 
 /// Default value of the required similarity, from which an answer is reported as found.

@@ -46,11 +46,10 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignSetup, model, targets, max_pressure, th
 /// @endcond
 
 /// A set-up without the names and records of its targets, which do not affect a result.
-inline nlohmann::json description(DesignSetup setup) {
-    for (Target& target : setup.targets) {
-        target.name.clear();
-        target.recorded.clear();
-    }
+template <class Setup>
+nlohmann::json description(Setup setup) {
+    for (Target& target : setup.targets)
+        target.name.clear(), target.recorded.clear();
     return setup;
 }
 

@@ -84,7 +84,7 @@ std::vector<Response> Verifier::on_fine_area(const Genome& genome,
     const Model model = refined(finer().model, verified_refinement);
     const Profile map = sample(at_scale_one(genome, finer()), model.grid);
     std::vector<Response> responses;
-    for (const Loading& loading : loadings_of(finer(), finer().model.loading).each) {
+    for (const Loading& loading : loadings_of(finer(), finer().model.loading)) {
         const std::vector<double> displacements =
             step_displacements(map, model.body, up_to_full_contact(loading, map, model), model.contact);
         std::vector<LoadStep> steps(displacements.size());
@@ -144,26 +144,12 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
                                  1, 3);
 }
 
-std::optional<Verification> Verifier::known(const Genome& genome) const {
-    const std::string key = key_of(setup_, genome);
-    const std::lock_guard lock(guard_);
-    for (const auto& [other, verification] : known_)
-        if (other == key)
-            return verification;
-    return std::nullopt;
-}
-
 Verification Verifier::remembered(const Genome& genome) const {
-    constexpr std::size_t max_known = 32;
     if (auto before = known(genome))
         return *before;
     Verification found = of(genome);
-    if (std::isnan(found.worst()))
-        return found;
-    const std::lock_guard lock(guard_);
-    known_.emplace_back(key_of(setup_, genome), found);
-    if (known_.size() > max_known)
-        known_.pop_front();
+    if (!std::isnan(found.worst()))
+        known_.keep(key_of(setup_, genome), found);
     return found;
 }
 

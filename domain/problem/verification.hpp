@@ -1,9 +1,7 @@
 #pragma once
 
+#include "domain/problem/memory.hpp"
 #include "domain/problem/response.hpp"
-
-#include <deque>
-#include <mutex>
 
 namespace rough {
 
@@ -49,7 +47,9 @@ class Verifier {
     /// The result of of(). The last 32 complete verifications are stored.
     Verification remembered(const Genome& genome) const;
     /// A genome's stored verification, or nothing.
-    std::optional<Verification> known(const Genome& genome) const;
+    std::optional<Verification> known(const Genome& genome) const {
+        return known_.find(key_of(setup_, genome));
+    }
     const DesignSetup& setup() const { return setup_; } ///< the set-up that was given
     /// The set-up in four times the load steps. The finer response of a measured surface is solved on the
     /// first call, because most problems never verify.
@@ -64,8 +64,7 @@ class Verifier {
     int threads_;
     mutable std::once_flag finer_made_;
     mutable DesignSetup finer_;
-    mutable std::mutex guard_;
-    mutable std::deque<std::pair<std::string, Verification>> known_; ///< under key_of()
+    mutable KeyedMemory<Verification> known_{32}; ///< under key_of()
 };
 
 } // namespace rough

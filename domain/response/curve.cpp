@@ -2,19 +2,9 @@
 
 #include "domain/errors.hpp"
 
-#include <cmath>
-
 namespace rough {
 
 namespace {
-
-Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-    const Index n = x.size();
-    Curve curve{Eigen::VectorXd(n + 1), Eigen::VectorXd(n + 1), 0, x[n - 1]};
-    curve.x << 0, x;
-    curve.y << 0, y;
-    return curve;
-}
 
 /// Row j - 1 in place of each row j; zeros in place of the first.
 Eigen::MatrixXd rows_before(const Eigen::MatrixXd& rows) {
@@ -72,12 +62,12 @@ Curve area_against_pressure(const Response& response) {
     return from_origin(response.pressure, response.contact_fraction);
 }
 
-Curve area_against_displacement(const Response& response) {
-    return from_origin(response.displacement, response.contact_fraction);
-}
-
-Curve load_against_displacement(const Response& response) {
-    return from_origin(response.displacement, response.pressure);
+Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    const Index n = x.size();
+    Curve curve{Eigen::VectorXd(n + 1), Eigen::VectorXd(n + 1), 0, x[n - 1]};
+    curve.x << 0, x;
+    curve.y << 0, y;
+    return curve;
 }
 
 Curve to_its_end(Curve curve) {

@@ -26,17 +26,13 @@ Segment segment_at(const Curve& curve, double position);
 
 /// The stiffness curve K(p) from which similarities are computed. Its points are the secants K_j = (P_j -
 /// P_{j-1})/(Delta_j - Delta_{j-1}) (MPa/mm) at pi_j = (P_j + P_{j-1})/2 (MPa). It is defined on [0, P_nt].
-/// Tangents are not used, because they do not depend on the heights as long as the contact set is fixed.
 Curve secant_stiffness(const Response& response);
 
 /// Contact fraction against mean pressure (MPa), from (0, 0).
 Curve area_against_pressure(const Response& response);
 
-/// Contact fraction against displacement (mm), from (0, 0).
-Curve area_against_displacement(const Response& response);
-
-/// Mean pressure (MPa) against displacement (mm), from (0, 0).
-Curve load_against_displacement(const Response& response);
+/// The curve y(x) that begins at (0, 0) and ends at the last point.
+Curve from_origin(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
 /// The curve with an additional point at `to`, for plots.
 Curve to_its_end(Curve curve);
@@ -44,24 +40,18 @@ Curve to_its_end(Curve curve);
 /// The curve with x multiplied by `factor`. For Eq. 11 the factor is p_max/P_nt.
 Curve stretched(Curve curve, double factor);
 
-/// Derivatives of a response with respect to genes: those of ResponseGradient, converted by pulled_back().
-struct ResponseJacobian {
-    Eigen::MatrixXd pressure;             ///< dP_j/dgene, steps x genes
-    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dgene
-    Eigen::MatrixXd contact_fraction; ///< d fraction_j/dgene (smooth), steps x genes; empty if not requested
-};
-
-/// The derivatives with respect to genes; `pull` converts rows x N to rows x genes.
+/// The derivatives with respect to genes; `pull` (pulled_back) converts rows x N to rows x genes.
 template <class Pull>
-ResponseJacobian in_genes(const ResponseGradient& gradient, Pull pull, const AreaGradient& area = {}) {
-    const Index steps = gradient.pressure.rows();
-    Eigen::MatrixXd rows(steps + 1 + area.by_heights.rows(), gradient.pressure.cols());
-    rows.topRows(steps) = gradient.pressure;
-    rows.row(steps) = gradient.last_displacement;
-    if (area.by_heights.size() > 0)
-        rows.bottomRows(area.by_heights.rows()) = area.by_heights;
+ResponseJacobian in_genes(const ResponseJacobian& gradient, Pull pull) {
+    const auto& [pressure, last_displacement, fraction] = gradient;
+    const Index steps = pressure.rows();
+    Eigen::MatrixXd rows(steps + 1 + fraction.rows(), pressure.cols());
+    rows.topRows(steps) = pressure;
+    rows.row(steps) = last_displacement;
+    if (fraction.size() > 0)
+        rows.bottomRows(fraction.rows()) = fraction;
     const Eigen::MatrixXd pulled = pull(rows);
-    return {pulled.topRows(steps), pulled.row(steps), pulled.bottomRows(area.by_heights.rows())};
+    return {pulled.topRows(steps), pulled.row(steps), pulled.bottomRows(fraction.rows())};
 }
 
 /// A curve with the derivatives of both its coordinates.
@@ -73,11 +63,8 @@ struct CurveJacobian {
 /// d(pi_j, K_j)/dgene of secant_stiffness(response).
 CurveJacobian secant_jacobian(const Response& response, const ResponseJacobian& jacobian);
 
-/// The interface stiffness K_i at each load step, MPa/mm, from the tangent K; infinite at full contact. 1/K_i
-/// = 1/K - 1/K_full (Barber 2003) removes the compliance of full contact, which is in series with the
-/// compliance of the contact. In plane strain K_i does not depend on the datum, because another datum adds
-/// the same constant to 1/K for every contact set. This holds for secants too. On a periodic half-plane K_i =
-/// K.
+/// The interface stiffness K_i at each load step, MPa/mm, from the tangent K: 1/K_i = 1/K - 1/K_full (Barber
+/// 2003; README.md). It is infinite at full contact, and K on a periodic half-plane.
 Eigen::VectorXd interface_stiffness(const Response& response);
 
 /// The interface stiffness K_i for a stiffness K, both in MPa/mm. If K is within a relative 1e-12 of K_full,
@@ -90,19 +77,10 @@ CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness,
 /// secants of secant_stiffness().
 Curve interface_secants(const Response& response);
 
-/// Partial slip (Ciavarella 1998, Jaeger 1998). Under a constant normal load P and a growing tangential load
-/// Q, nodes slip from the edges of contact inwards. The nodes that stick are those that touch under a smaller
-/// normal load P*, at the displacement Delta*. f is the coefficient of friction.
-///
-///     Q = f [P - P*],   tangential displacement = f [Delta - Delta*]
-///
-/// So the tangential curve follows from the normal curve, exactly at its load steps. Assumptions are plane
-/// strain, Coulomb friction with one coefficient f, and elastic contact. Normal and tangential loads do not
-/// couple: the bodies are equal, or Dundurs' beta is 0 (for a rigid profile: nu = 0.5). Tangential
-/// displacements have the datum of the normal ones.
-
-/// A tangential load-displacement curve, from stick (Q = 0) to full slip (Q = f P). It has one row more than
-/// the load steps; row k has P* = P_(n-k), the last row P* = 0.
+/// A tangential load-displacement curve under a constant normal load P (Ciavarella 1998, Jaeger 1998;
+/// README.md, Partial slip). It goes from stick (Q = 0) to full slip (Q = f P) with the coefficient of
+/// friction f. It has one row more than the load steps; row k has P* = P_(n-k), the last row P* = 0. Bodies
+/// must be uncoupled. Displacements have the datum of the normal ones.
 struct PartialSlip {
     Eigen::VectorXd displacement;   ///< tangential displacement, mm
     Eigen::VectorXd traction;       ///< Q as a mean over the length, MPa

@@ -153,18 +153,16 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
         for (std::size_t i = 0; i < state.nodes.size(); ++i)
             d_pressure(j, state.nodes[i]) += cell * state.tangent[static_cast<Index>(i)];
     }
-    AreaGradient area;
-    if (with_area) {
-        SmoothArea smooth = smooth_area(profile, body, curve);
-        for (Index j = 0; j < steps; ++j)
-            smooth.by_height.row(j) +=
-                smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
-        area = {std::move(smooth.fraction), std::move(smooth.by_height)};
-    }
+    SmoothArea smooth;
+    if (with_area)
+        smooth = smooth_area(profile, body, curve);
+    for (Index j = 0; j < smooth.fraction.size(); ++j)
+        smooth.by_height.row(j) +=
+            smooth.by_displacement[j] * (static_cast<double>(j + 1) / loading.steps) * d_last;
     return {
         response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads)),
-        {std::move(d_pressure), std::move(d_last)},
-        std::move(area)};
+        {std::move(d_pressure), std::move(d_last), std::move(smooth.by_height)},
+        std::move(smooth.fraction)};
 }
 
 Response scaled(Response response, double factor) {

@@ -49,12 +49,6 @@ struct Response {
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range,
                      double full_stiffness = std::numeric_limits<double>::quiet_NaN());
 
-/// Derivatives of a response with respect to the heights Z_i, by the adjoint (without another solution).
-struct ResponseGradient {
-    Eigen::MatrixXd pressure;             ///< dP_j/dZ_i, steps x N, MPa/mm; each row sums to zero
-    Eigen::RowVectorXd last_displacement; ///< d Delta_nt/dZ_i, N; for step j they are j/n_t of these
-};
-
 /// The range of a profile's heights Z: max Z - min Z, for the periodic kernel max Z - mean Z. Throws
 /// InputError if it is zero or a height is not finite.
 double displacement_range(const Profile& profile, Kernel kernel);
@@ -78,18 +72,18 @@ ContactCurve press(const Profile& profile, const Body& body, const Loading& load
 Response respond(const Profile& profile, const Body& body = {}, const Loading& loading = {},
                  const ContactOptions& options = {});
 
-/// The smooth contact fraction (contact/interface.hpp) and its derivatives, for targets of contact area.
-struct AreaGradient {
-    Eigen::VectorXd fraction; ///< one value per load step; empty if not requested
-    Eigen::MatrixXd
-        by_heights; ///< d fraction_j/dZ_i, steps x N, 1/mm, including the change of the displacements
+/// Derivatives of a response with respect to the heights Z_i (columns), or to genes (in_genes).
+struct ResponseJacobian {
+    Eigen::MatrixXd pressure; ///< dP_j, one row per load step; over the heights a row sums to zero
+    Eigen::RowVectorXd last_displacement; ///< d Delta_nt; those of other steps are fractions of it
+    Eigen::MatrixXd contact_fraction;     ///< d fraction_j (smooth), one row per step; empty if not requested
 };
 
-/// A response and its derivatives with respect to the heights.
+/// A response and its derivatives with respect to the N heights, by the adjoint.
 struct ResponseWithGradient {
-    Response response;         ///< as from respond()
-    ResponseGradient gradient; ///< N columns
-    AreaGradient area;         ///< empty if not requested
+    Response response;               ///< as from respond()
+    ResponseJacobian gradient;       ///< MPa/mm, 1 and 1/mm
+    Eigen::VectorXd smooth_fraction; ///< contact fraction (contact/interface.hpp); empty if not requested
 };
 /// respond() with derivatives. They need only the solutions of respond(). Derivatives of the contact fraction
 /// need one more linear solution per load step. Also throws InputError if the load steps are at given

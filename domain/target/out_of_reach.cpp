@@ -3,8 +3,6 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
 
-#include <cmath>
-
 namespace rough {
 
 namespace {

@@ -6,7 +6,6 @@
 #include "domain/text/words.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 namespace rough {
@@ -25,13 +24,19 @@ struct QuantityRow {
 constexpr std::array<QuantityRow, 5> quantities{
     {{"stiffness", {"pressure_MPa", "stiffness_MPa_per_mm"}, secant_stiffness},
      {"area", {"pressure_MPa", "contact_fraction"}, area_against_pressure},
-     {"area-displacement", {"displacement_mm", "contact_fraction"}, area_against_displacement},
-     {"load", {"displacement_mm", "pressure_MPa"}, load_against_displacement},
+     {"area-displacement",
+      {"displacement_mm", "contact_fraction"},
+      [](const Response& response) { return from_origin(response.displacement, response.contact_fraction); }},
+     {"load",
+      {"displacement_mm", "pressure_MPa"},
+      [](const Response& response) { return from_origin(response.displacement, response.pressure); }},
      {"interface_stiffness", {"pressure_MPa", "interface_stiffness_MPa_per_mm"}, interface_secants}}};
 
 const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<std::size_t>(quantity)); }
 
 constexpr std::size_t max_bytes = 16'000'000, max_points = 1'000'000;
+/// A ratio K_i/K that only rounding next to full contact reaches.
+constexpr double nearly_rigid = 1e9;
 constexpr const char* expected_columns =
     "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
     "conductance, or displacement_mm with contact_fraction or pressure_MPa, in these or other units (load_N, "
@@ -323,11 +328,13 @@ std::string to_csv(const Target& target) {
 
 Curve curve_of(Quantity quantity, const Response& response) { return row_of(quantity).curve(response); }
 
+Eigen::VectorXd misfit(const Target& target, const Eigen::VectorXd& values) {
+    return Eigen::VectorXd::NullaryExpr(target.points(),
+                                        [&](Index k) { return misfit(target, k, values[k]); });
+}
+
 Eigen::VectorXd misfit(const Target& target, const Curve& curve) {
-    Eigen::VectorXd misfits(target.points());
-    for (Index k = 0; k < target.points(); ++k)
-        misfits[k] = misfit(target, k, curve.at(target.x[k]));
-    return misfits;
+    return misfit(target, target.x.unaryExpr([&](double x) { return curve.at(x); }).eval());
 }
 
 Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const CurveJacobian& jacobian,
@@ -351,10 +358,7 @@ Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const 
 double similarity(const Target& target, const Curve& curve) { return similarity(misfit(target, curve)); }
 
 double similarity(const Curve& reference, const Curve& curve) {
-    Target whole;
-    whole.name = "reference";
-    whole.x = reference.x;
-    whole.y = reference.y;
+    const Target whole{Quantity::stiffness, "reference", reference.x, reference.y};
     return similarity(whole, stretched(curve, reference.to / curve.to)); // Eq. 11
 }
 
@@ -388,21 +392,10 @@ void expect_recorded(const Target& target, const Model& model) {
                          ", on which the target depends; use the same");
 }
 
-namespace {
-
-/// A ratio K_i/K that only rounding next to full contact reaches.
-constexpr double nearly_rigid = 1e9;
-
-} // namespace
-
 Target even_target(Quantity quantity, const std::string& name, Index points, double last,
                    const std::function<double(double)>& y) {
-    Target target;
-    target.quantity = quantity;
-    target.name = name;
-    target.x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
-    target.y = target.x.unaryExpr([&](double x) { return y(x); });
-    return target;
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
+    return {quantity, name, x, x.unaryExpr([&](double at) { return y(at); })};
 }
 
 std::vector<Target> targets_like(const Profile& profile, const Model& model, const std::string& name,

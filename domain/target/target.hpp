@@ -36,14 +36,14 @@ inline bool against_pressure(Quantity quantity) {
 /// A curve that a design must match, with its weight. A band contains the values that count as a match.
 struct Target {
     Quantity quantity = Quantity::stiffness; ///< y and x of the curve
-    std::string name;                        ///< path of the file, or another origin
-    Eigen::VectorXd x;                       ///< x of the points in the quantity's units, > 0, increasing
-    Eigen::VectorXd y;                       ///< y of the points, > 0
-    Eigen::VectorXd lower;                   ///< lower end of the band at each x, or empty
-    Eigen::VectorXd upper;                   ///< upper end of the band at each x, or empty
+    std::string name = {};                   ///< path of the file, or another origin
+    Eigen::VectorXd x = {};                  ///< x of the points in the quantity's units, > 0, increasing
+    Eigen::VectorXd y = {};                  ///< y of the points, > 0
+    Eigen::VectorXd lower = {};              ///< lower end of the band at each x, or empty
+    Eigen::VectorXd upper = {};              ///< upper end of the band at each x, or empty
     double weight = 1;                       ///< factor on each misfit, in (0, 1]
-    std::map<std::string, std::string>
-        recorded; ///< the model that the file states: "kernel", "datum_mm", ...
+    /// The model that the file states: "kernel", "datum_mm", ...
+    std::map<std::string, std::string> recorded = {};
 
     Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
@@ -110,7 +110,9 @@ inline double misfit(const Target& target, Index k, double y) {
         target.has_band() ? std::clamp(y, target.lower[k], target.upper[k]) / target.y[k] : 1;
     return target.weight * (y / target.y[k] - wanted);
 }
-/// The misfits of a curve at the target's points. Throws InputError if a point is outside the curve's range.
+/// The misfits of the values of a curve at the target's points.
+Eigen::VectorXd misfit(const Target& target, const Eigen::VectorXd& values);
+/// The misfits of a curve. Throws InputError if a point of the target is outside the curve's range.
 Eigen::VectorXd misfit(const Target& target, const Curve& curve);
 
 /// The derivatives d misfit/dgene, points x genes; zero within the band. `misfits` are those of the curve.

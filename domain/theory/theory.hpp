@@ -112,8 +112,7 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_
 /// Stiffness follows from the elastic energy. Let h'(q) be the slope of waves up to q, and s = sqrt 2 P/(E*
 /// h'(q)). Then 1/K = 1/(sqrt(2 pi) P) int q/h'(q) [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0. gamma =
 /// 0.45 accounts for the parts that contact does not reach (Yang & Persson 2008, J. Phys.: Condens. Matter
-/// 20, 215214; 1 in 2007). Exact at full contact. K is best at middle loads, near P/u0; a finite surface is
-/// softer at light ones.
+/// 20, 215214; 1 in 2007). Exact at full contact.
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures);
 
 /// The length u0 (mm) of Persson's theory at light load: P ~ exp(-u/u0) and K = P/u0 as P -> 0. It is

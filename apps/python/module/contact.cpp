@@ -32,11 +32,9 @@ Curve press(const rough::Profile& surface, const rough::Genome* genome, const ro
         const auto pull_back = [&](const Eigen::MatrixXd& rows) {
             return rough::pulled_back(rows, *genome, model.grid);
         };
-        auto rows = genome ? rough::in_genes(both.gradient, pull_back, both.area)
-                           : rough::ResponseJacobian{both.gradient.pressure, both.gradient.last_displacement,
-                                                     both.area.by_heights};
+        auto rows = genome ? rough::in_genes(both.gradient, pull_back) : std::move(both.gradient);
         response = std::move(both.response);
-        curve.smooth_contact_fraction = both.area.fraction;
+        curve.smooth_contact_fraction = both.smooth_fraction;
         curve.pressure_gradient = std::move(rows.pressure);
         curve.displacement_gradient = rows.last_displacement.transpose();
         curve.contact_fraction_gradient = std::move(rows.contact_fraction);

@@ -1,12 +1,11 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/interface.hpp"
 #include "domain/contact/materials.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/fourier.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <numbers>
@@ -173,10 +172,7 @@ void check_bands(Index line_nodes, Index map_nodes, unsigned seeds) {
 }
 
 Profile parabola(Index nodes) {
-    Profile cap{Eigen::VectorXd(nodes), 1 / double(nodes - 1)};
-    for (Index i = 0; i < nodes; ++i)
-        cap.heights[i] = -0.5 * std::pow(cap.spacing * double(i) - 0.487, 2);
-    return cap;
+    return sampled({nodes, 1}, [](double x) { return -0.5 * std::pow(x - 0.487, 2); });
 }
 
 } // namespace

@@ -1,5 +1,3 @@
-#include "domain/accuracy/error_bounds.hpp"
-#include "domain/accuracy/reduced.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/kernel.hpp"
 #include "tests/domain/accuracy/scans.hpp"

@@ -3,7 +3,6 @@
 #include "domain/profile/profile.hpp"
 
 #include <array>
-#include <cmath>
 #include <random>
 #include <string>
 

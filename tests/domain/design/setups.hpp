@@ -1,8 +1,6 @@
 #pragma once
 
-#include "domain/mwm/sampling.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>
 

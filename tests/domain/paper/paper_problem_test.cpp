@@ -1,7 +1,5 @@
 #include "domain/mwm/sobol.hpp"
-#include "domain/paper/dominance.hpp"
 #include "domain/paper/variants.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

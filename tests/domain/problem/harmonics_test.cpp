@@ -1,6 +1,5 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
-#include "domain/mwm/waves.hpp"
 #include "tests/domain/problem/jacobian.hpp"
 
 #include <catch2/catch.hpp>

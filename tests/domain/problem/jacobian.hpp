@@ -2,20 +2,17 @@
 
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/problem.hpp"
+#include "tests/domain/design/setups.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 namespace rough::testing {
 
 /// A design for the paper's target on a grid of `nodes`, with amplitude free or by Eq. 11.
 inline DesignSetup drawn_setup(Index nodes, bool eq_11 = false) {
-    DesignSetup setup;
-    setup.model.grid.nodes = nodes;
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-    if (eq_11)
-        setup.max_pressure = 1.6e-4;
-    return completed(setup);
+    DesignSetup setup = drawn(nodes);
+    if (!eq_11)
+        setup.max_pressure.reset();
+    return setup;
 }
 
 /// A random genome of two series in the amplitude that fits the first target.

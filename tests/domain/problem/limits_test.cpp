@@ -1,4 +1,3 @@
-#include "domain/mwm/waves.hpp"
 #include "domain/problem/limits.hpp"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,6 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/paper/dominance.hpp"
-#include "ga/problem/ranking.hpp"
 #include "tests/domain/problem/jacobian.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,11 +15,8 @@ namespace {
 
 /// A target of n points whose x and y grow evenly.
 Target straight(Quantity quantity, Index n, double x_from, double x_to, double y_from, double y_to) {
-    Target target;
-    target.quantity = quantity;
-    target.x = Eigen::VectorXd::LinSpaced(n, x_from, x_to);
-    target.y = Eigen::VectorXd::LinSpaced(n, y_from, y_to);
-    return target;
+    return {quantity, "", Eigen::VectorXd::LinSpaced(n, x_from, x_to),
+            Eigen::VectorXd::LinSpaced(n, y_from, y_to)};
 }
 
 /// The drawn target and a contact area at each of its pressures.

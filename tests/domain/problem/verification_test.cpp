@@ -1,5 +1,4 @@
 #include "domain/design/search.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/problem/jacobian.hpp"
 
 #include <catch2/catch.hpp>

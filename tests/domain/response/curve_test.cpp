@@ -1,13 +1,9 @@
 #include "domain/contact/exact.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solve.hpp"
-#include "domain/response/curve.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <cmath>
 
 using namespace rough;
 using testing::random_genome;
@@ -26,9 +22,7 @@ Response pressed(const Profile& profile, const Body& body, const std::vector<dou
 
 /// A cylinder of radius 1 mm on 1 mm of half-plane.
 Response cylinder(Index nodes, int steps) {
-    Profile profile{Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes - 1)};
-    for (Index i = 0; i < nodes; ++i)
-        profile.heights[i] = -0.5 * std::pow(static_cast<double>(i) * profile.spacing - 0.5, 2);
+    const Profile profile = sampled({nodes, 1}, [](double x) { return -0.5 * std::pow(x - 0.5, 2); });
     return respond(profile, {Kernel::free, 100, 1, 0}, {.steps = steps, .to_displacement = 0.03});
 }
 

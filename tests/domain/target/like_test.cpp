@@ -1,6 +1,5 @@
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
-#include "domain/target/target.hpp"
 
 #include <catch2/catch.hpp>
 

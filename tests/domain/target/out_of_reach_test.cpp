@@ -1,7 +1,5 @@
 #include "domain/contact/kernel.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/target/out_of_reach.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -136,11 +134,8 @@ TEST_CASE("interface stiffness may exceed full contact, but not fall or be below
     const Model model = model_on(Kernel::free, 128, 20);
     const StiffnessLimits limits = stiffness_limits(model);
     const auto target_of = [](double first, double second) {
-        Target target;
-        target.quantity = Quantity::interface_stiffness;
-        target.x = Eigen::Vector2d(1e-5, 1e-4);
-        target.y = Eigen::Vector2d(first, second);
-        return target;
+        return Target{Quantity::interface_stiffness, "", Eigen::Vector2d(1e-5, 1e-4),
+                      Eigen::Vector2d(first, second)};
     };
     CHECK(out_of_reach({target_of(1, 1000 * limits.max)}, model).empty());
     const auto falls = out_of_reach({target_of(2, 1)}, model);
@@ -223,10 +218,8 @@ TEST_CASE("scored stiffness of rising secants stays within its limits and attain
 TEST_CASE("a load curve above a chord is out of reach by its exact distance") {
     const Model model = model_on(Kernel::free, 128, 20);
     const double unit = 0.25e-5 * stiffness_limits(model).max; // at most half of the slope of full contact
-    Target target;
-    target.quantity = Quantity::load_at_displacement;
-    target.x = Eigen::Vector3d(1e-5, 2e-5, 3e-5);
-    target.y = unit * Eigen::Vector3d(1, 3, 4);
+    Target target{Quantity::load_at_displacement, "", Eigen::Vector3d(1e-5, 2e-5, 3e-5),
+                  unit * Eigen::Vector3d(1, 3, 4)};
     const auto found = out_of_reach({target}, model);
     REQUIRE(found.size() == 1);
     // P_2 (1 - e) = ((1 + e) P_1 + (1 + e) P_3)/2

@@ -1,5 +1,4 @@
 #include "domain/errors.hpp"
-#include "domain/response/response.hpp"
 #include "domain/target/target.hpp"
 #include "domain/text/words.hpp"
 
@@ -17,12 +16,7 @@ Model model_with(Kernel kernel) {
     return completed(model);
 }
 
-Target recorded_with(const Model& model) {
-    Target target;
-    target.name = "t.csv";
-    target.recorded = recorded_model(model);
-    return target;
-}
+Target recorded_with(const Model& model) { return {.name = "t.csv", .recorded = recorded_model(model)}; }
 
 } // namespace
 

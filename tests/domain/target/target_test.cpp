@@ -119,11 +119,8 @@ TEST_CASE("a bad target is refused by file, line and column") {
 }
 
 TEST_CASE("a misfit is 0 within the band, and beyond it the distance to the band") {
-    Target target;
-    target.x = Eigen::Vector3d(1, 2, 3);
-    target.y = Eigen::Vector3d(10, 10, 10);
-    target.lower = Eigen::Vector3d(8, 8, 8);
-    target.upper = Eigen::Vector3d(11, 11, 11);
+    const auto each = [](double value) { return Eigen::VectorXd::Constant(3, value); };
+    Target target{Quantity::stiffness, "", Eigen::Vector3d(1, 2, 3), each(10), each(8), each(11)};
     const Curve curve{Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(9, 12, 7), 0, 3};
     CHECK(misfit(target, curve).isApprox(Eigen::Vector3d(0, 0.1, -0.1), 1e-12));
     CHECK(similarity(target, curve) == Approx(0.9));

@@ -1,5 +1,6 @@
 #include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 #include "domain/theory/theory.hpp"
 #include "tests/domain/contact/maps.hpp"
 
@@ -33,9 +34,7 @@ const SelfAffine usual{.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope 
 
 TEST_CASE("moments of a cosine are exact, those of a map are of its sections", "[theory]") {
     const double a = 0.003, k = 2 * pi * 5;
-    Profile line{Eigen::VectorXd(200), 1.0 / 200};
-    for (Index i = 0; i < 200; ++i)
-        line.heights[i] = 4 + a * std::cos(k * line.spacing * double(i));
+    const Profile line = sampled({200, 1, true}, [&](double x) { return 4 + a * std::cos(k * x); });
     const SpectralMoments of_line = spectral_moments(random_surface(line, true));
     CHECK(of_line.m0 == Approx(a * a / 2).epsilon(1e-12));
     CHECK(of_line.m2 == Approx(a * a / 2 * k * k).epsilon(1e-12));
