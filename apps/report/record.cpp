@@ -93,8 +93,8 @@ VariantRun variant_run(const std::string& name, const rough::SearchResult& found
     run.notes = found.notes;
     run.answer.genome = found.best.genome;
     run.similarity = found.best.similarity;
-    run.similarity_refined = found.best.similarity_refined;
-    run.similarity_worst = found.best.similarity_worst;
+    run.similarity_refined = found.best.refined;
+    run.similarity_worst = found.best.worst();
     run.seconds = seconds;
     run.curves = found.counters.evaluations;
     run.gradients = found.counters.gradients;

@@ -1,11 +1,10 @@
 #include "domain/asperities/caps.hpp"
 
+#include "domain/contact/interface.hpp"
 #include "domain/errors.hpp"
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -209,9 +208,12 @@ std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modul
                                         const std::vector<double>& at, bool loads, double nodes,
                                         const ContactOptions& given) {
     const Profile map = map_of(caps, nodes, false, HUGE_VAL);
-    const auto [columns, rows] = map.shape();
+    const Extent shape = map.shape();
     const double cell = map.spacing * map.spacing;
-    const Index each = columns / caps.array.columns;
+    const Index each = shape.columns / caps.array.columns;
+    const auto cap_at = [&](Index node) {
+        return node / shape.columns / each * caps.array.columns + node % shape.columns / each;
+    };
     const double nominal = caps.array.nominal_area();
     const Body body{.kernel = Kernel::free, .effective_modulus = effective_modulus};
     ContactOptions options = given;
@@ -223,34 +225,23 @@ std::vector<MeshedCaps> pressed_on_mesh(const Caps& caps, double effective_modul
                                      : solve_contact(map, body, at, options);
     std::vector<MeshedCaps> all;
     for (std::size_t s = 0; s < at.size(); ++s) {
-        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(caps.array.caps());
-        const LoadStep& step = curve.steps[s];
-        MeshedCaps one{step.pressure * nominal,
-                       zero,
-                       zero,
-                       zero,
-                       zero,
-                       step.displacement,
-                       step.tangent_stiffness * nominal,
-                       step.kkt_residual};
-        const ContactState& state = curve.states[s];
-        std::vector<char> touches(static_cast<std::size_t>(map.nodes()), 0);
-        for (const int node : state.nodes)
-            touches[static_cast<std::size_t>(node)] = 1;
-        const auto cap_of = [&](Index i, Index j) { return j / each * caps.array.columns + i / each; };
-        for (std::size_t n = 0; n < state.nodes.size(); ++n)
-            one.force[cap_of(state.nodes[n] % columns, state.nodes[n] / columns)] +=
-                state.pressure[static_cast<Index>(n)] * cell;
-        for (Index j = 0; j < rows; ++j)
-            for (Index i = 0; i < columns; ++i) {
-                int around = 0;
-                for (const auto& [a, b] : {std::pair(i - 1, j), {i + 1, j}, {i, j - 1}, {i, j + 1}})
-                    around += a >= 0 && b >= 0 && a < columns && b < rows &&
-                              touches[static_cast<std::size_t>(b * columns + a)];
-                const bool own = touches[static_cast<std::size_t>(j * columns + i)];
-                one.area_low[cap_of(i, j)] += own && around == 4 ? cell : 0;
-                one.area_high[cap_of(i, j)] += own || around > 0 ? cell : 0;
-            }
+        const auto& [contact, pressure, tangent] = curve.states[s];
+        MeshedCaps one;
+        one.load = curve.steps[s].pressure * nominal;
+        one.force = one.area = one.area_low = one.area_high = Eigen::VectorXd::Zero(caps.array.caps());
+        one.approach = curve.steps[s].displacement;
+        one.stiffness = curve.steps[s].tangent_stiffness * nominal;
+        one.kkt_residual = curve.steps[s].kkt_residual;
+        for (std::size_t n = 0; n < contact.size(); ++n)
+            one.force[cap_at(contact[n])] += pressure[static_cast<Index>(n)] * cell;
+        Eigen::ArrayXi touches = Eigen::ArrayXi::Zero(map.nodes());
+        touches(contact) = 1;
+        for (Index node = 0; node < map.nodes(); ++node) {
+            int around = 0;
+            each_neighbour(node, shape, false, [&](Index other) { around += touches[other]; });
+            one.area_low[cap_at(node)] += touches[node] && around == 4 ? cell : 0;
+            one.area_high[cap_at(node)] += touches[node] || around > 0 ? cell : 0;
+        }
         for (Index cap = 0; cap < one.force.size(); ++cap)
             one.area[cap] = hertz_area(one.force[cap], caps.radii[cap], effective_modulus);
         all.push_back(std::move(one));

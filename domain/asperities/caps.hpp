@@ -13,12 +13,10 @@ struct CapArray {
     double pitch = 1.5; ///< distance of neighbours, mm
 
     Index caps() const { return columns * rows; } ///< number of caps N
-    double x(Index cap) const {
-        return (static_cast<double>(cap % columns) + 0.5) * pitch;
-    } ///< x of a cap, mm
-    double y(Index cap) const {
-        return (static_cast<double>(cap / columns) + 0.5) * pitch;
-    }                                                                                   ///< y of a cap, mm
+    /// x of a cap, mm.
+    double x(Index cap) const { return (static_cast<double>(cap % columns) + 0.5) * pitch; }
+    /// y of a cap, mm.
+    double y(Index cap) const { return (static_cast<double>(cap / columns) + 0.5) * pitch; }
     double nominal_area() const { return static_cast<double>(caps()) * pitch * pitch; } ///< N pitch^2, mm^2
 };
 

@@ -1,13 +1,8 @@
 #include "domain/asperities/design.hpp"
 
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/response.hpp"
-#include "ga/base/parallel.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace rough {
 
@@ -24,17 +19,14 @@ double value_of(const CapSetup& setup, Quantity quantity, double load, double ar
         return area / nominal;
     if (quantity == Quantity::stiffness)
         return stiffness / nominal;
-    const auto nodes = [](Index caps) {
-        return std::min<Index>(128, 16 * caps);
-    }; // number of nodes of the nominal area
-    const Index columns = nodes(setup.array.columns), rows = nodes(setup.array.rows);
-    const auto spacing = [&](Index caps, Index nodes) {
-        return setup.array.pitch * static_cast<double>(caps) / static_cast<double>(nodes);
-    };
-    const double full =
-        full_contact_stiffness({Eigen::VectorXd::Zero(columns * rows), spacing(setup.array.columns, columns),
-                                rows, spacing(setup.array.rows, rows)},
-                               {.kernel = Kernel::free, .effective_modulus = setup.effective_modulus});
+    Grid grid{.periodic = true}; // its area is the nominal area
+    grid.nodes = std::min<Index>(128, 16 * setup.array.columns);
+    grid.length = setup.array.pitch * static_cast<double>(setup.array.columns);
+    grid.rows = std::min<Index>(128, 16 * setup.array.rows);
+    grid.width = setup.array.pitch * static_cast<double>(setup.array.rows);
+    const double full = full_contact_stiffness(
+        {Eigen::VectorXd::Zero(grid.shape().nodes()), grid.spacing(), grid.rows, grid.row_spacing()},
+        {.kernel = Kernel::free, .effective_modulus = setup.effective_modulus});
     return interface_of(stiffness / nominal, full);
 }
 
@@ -107,13 +99,8 @@ const GeneRange& CapProblem::range(std::size_t gene) const {
 
 CapOutcome CapProblem::evaluate(const Genome& genome) const {
     Outcome outcome;
-    for (const Target& target : setup_.targets) {
-        const Eigen::VectorXd values = curve_of(setup_, target, genome, setup_.model).values;
-        Eigen::VectorXd misfits(target.points());
-        for (Index k = 0; k < target.points(); ++k)
-            misfits[k] = misfit(target, k, values[k]);
-        outcome.misfits.push_back(std::move(misfits));
-    }
+    for (const Target& target : setup_.targets)
+        outcome.misfits.push_back(misfit(target, curve_of(setup_, target, genome, setup_.model).values));
     return outcome;
 }
 
@@ -124,14 +111,11 @@ ga::Sensitivity CapProblem::sensitivity(const Genome& genome, const std::string&
             continue;
         const Target& target = setup_.targets[t];
         const CapCurve curve = curve_of(setup_, target, genome, setup_.model, true);
-        const Index before = all.residuals.size(), points = target.points();
-        all.residuals.conservativeResize(before + points);
-        all.jacobian.conservativeResize(before + points, curve.by_genes.cols());
-        for (Index k = 0; k < points; ++k) {
-            const double r = all.residuals[before + k] = misfit(target, k, curve.values[k]);
-            const double factor = target.has_band() && r == 0 ? 0 : target.weight / target.y[k];
-            all.jacobian.row(before + k) = factor * curve.by_genes.row(k);
-        }
+        ga::Sensitivity rows{misfit(target, curve.values), curve.by_genes};
+        for (Index k = 0; k < target.points(); ++k)
+            rows.jacobian.row(k) *=
+                target.has_band() && rows.residuals[k] == 0 ? 0 : target.weight / target.y[k];
+        all = all.residuals.size() == 0 ? rows : stacked(all, rows);
     }
     return all;
 }

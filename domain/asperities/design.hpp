@@ -3,7 +3,6 @@
 #include "domain/asperities/caps.hpp"
 #include "domain/design/options.hpp"
 #include "domain/target/out_of_reach.hpp"
-#include "ga/problem/problem.hpp"
 #include "ga/refinement/sensitivity.hpp"
 #include "ga/text/compiled_once.hpp"
 
@@ -130,17 +129,12 @@ struct CapAnswer {
 };
 
 /// The result of a search and its cost.
-struct CapSearch {
+struct CapSearch : SearchRun {
     CapAnswer best;                      ///< the best answer, verified
     std::vector<CapAnswer> alternatives; ///< different answers, the best first
     /// Genomes on the Pareto front, each with its similarity to each target.
     std::vector<std::pair<CapGenome, std::vector<double>>> front;
-    ga::Counters counters;          ///< evaluations of the pipeline
-    std::vector<std::string> notes; ///< remarks of stages
-    std::string stopped;            ///< why a stop or a budget ended the pipeline early, or empty
-    std::string name;               ///< name of the variant, or "pipeline"
-    std::string pipeline;           ///< text of the pipeline
-    double seconds = 0;             ///< wall time without verification
+    double seconds = 0; ///< wall time without verification
 };
 
 /// Runs a pipeline on a design with caps. Verifies by boundary elements the best answer whose genes have

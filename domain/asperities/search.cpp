@@ -1,15 +1,8 @@
 #include "domain/asperities/design.hpp"
 #include "domain/design/explore.hpp"
 #include "domain/errors.hpp"
-#include "domain/problem/stored.hpp"
-#include "domain/text/json.hpp"
-#include "ga/base/number.hpp"
-#include "ga/base/stopwatch.hpp"
 #include "ga/blocks/derived.hpp"
 #include "ga/refinement/refine.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace rough {
 
@@ -36,8 +29,7 @@ constexpr double different_heights = 0.05; ///< rms difference of sorted heights
 /// linear model. Repeats this from the best point on the steps. If the misfits did not fall, it makes half
 /// as many moves. At last it makes one move at a time, and tries each move once.
 struct RoundGenes {
-    std::vector<double> steps; ///< step of each gene; 0: real
-    std::vector<double> from;  ///< a value on the steps
+    std::vector<GeneRange> ranges; ///< values of each gene
     int evaluations = 200;
 
     Eigen::VectorXd improve(const ga::Landscape& land) const {
@@ -72,8 +64,8 @@ struct RoundGenes {
     }
     Eigen::VectorXd on_steps(Eigen::VectorXd x) const {
         for (Index i = 0; i < x.size(); ++i)
-            if (const auto g = static_cast<std::size_t>(i); steps[g] > 0)
-                x[i] = from[g] + steps[g] * std::round((x[i] - from[g]) / steps[g]);
+            if (const auto& [from, to, step] = ranges[static_cast<std::size_t>(i)]; step > 0)
+                x[i] = from + step * std::round((x[i] - from) / step);
         return x;
     }
     /// At most `moves` from x by the linear model around `centre`, without the points that have failed.
@@ -96,7 +88,7 @@ struct RoundGenes {
             };
             for (Index i = 0; i < x.size(); ++i)
                 for (const double sign : {1, -1})
-                    try_step(i, sign * steps[static_cast<std::size_t>(i)]);
+                    try_step(i, sign * ranges[static_cast<std::size_t>(i)].step);
             if (gene < 0)
                 break;
             x[gene] += by;
@@ -112,10 +104,8 @@ CapStage round_stage(const CapSetup& setup, int evaluations) {
     const CapProblem problem(setup);
     RoundGenes method;
     method.evaluations = evaluations;
-    for (const ga::Variable& variable : problem.bounds({})) {
-        method.steps.push_back(problem.range(variable.gene).step);
-        method.from.push_back(problem.range(variable.gene).from);
-    }
+    for (const ga::Variable& variable : problem.bounds({}))
+        method.ranges.push_back(problem.range(variable.gene));
     ga::Step<CapProblem> step;
     step.text = "round " + std::to_string(evaluations);
     step.check = [text = step.text](ga::CheckState& known) {
@@ -178,6 +168,42 @@ CapStage independent_stage(const CapStage& body) {
         });
 }
 
+/// Solves the caps at the first, the middle and the last point of the first target by boundary elements.
+CapVerification verified(const CapSetup& setup, const CapGenome& genome, const ContactOptions& options) {
+    const ga::Stopwatch clock;
+    const Target& target = setup.targets.front();
+    const double nominal = setup.array.nominal_area();
+    const Caps caps = caps_of(setup, genome);
+    const CapContact contact(setup.array, setup.effective_modulus, setup.model);
+    std::vector<Index> points{0, target.points() / 2, target.points() - 1};
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<double> at;
+    for (const Index k : points)
+        at.push_back(target.x[k] * (target.against_pressure() ? nominal : 1));
+    CapVerification found;
+    try {
+        found.meshed = pressed_on_mesh(caps, setup.effective_modulus, at, target.against_pressure(),
+                                       setup.nodes, options);
+    } catch (const NotConverged&) {
+        if (!is_stopped(options))
+            throw;
+        return found; // not verified
+    }
+    found.similarity = 1;
+    for (std::size_t s = 0; s < points.size(); ++s) {
+        const MeshedCaps& mesh = found.meshed[s];
+        const double value = value_of(setup, target.quantity, mesh.load, mesh.area.sum(), mesh.stiffness);
+        found.similarity = std::min(found.similarity, 1 - std::abs(misfit(target, points[s], value)));
+        const PressedCaps pressed = contact.at_load(caps, mesh.load);
+        found.area_error = std::max(found.area_error, std::abs(pressed.total_area() / mesh.area.sum() - 1));
+        found.force_error = std::max(found.force_error, (pressed.force - mesh.force).cwiseAbs().maxCoeff() /
+                                                            mesh.force.maxCoeff());
+        found.pressed.push_back(pressed);
+    }
+    found.seconds = clock.seconds();
+    return found;
+}
+
 } // namespace
 
 ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
@@ -228,46 +254,6 @@ double CapAnswer::lowest() const {
                                                : std::min(similarity, verification.similarity);
 }
 
-namespace {
-
-/// Solves the caps at the first, the middle and the last point of the first target by boundary elements.
-CapVerification verified(const CapSetup& setup, const CapGenome& genome, const ContactOptions& options) {
-    const ga::Stopwatch clock;
-    const Target& target = setup.targets.front();
-    const double nominal = setup.array.nominal_area();
-    const Caps caps = caps_of(setup, genome);
-    const CapContact contact(setup.array, setup.effective_modulus, setup.model);
-    std::vector<Index> points{0, target.points() / 2, target.points() - 1};
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    std::vector<double> at;
-    for (const Index k : points)
-        at.push_back(target.x[k] * (target.against_pressure() ? nominal : 1));
-    CapVerification found;
-    try {
-        found.meshed = pressed_on_mesh(caps, setup.effective_modulus, at, target.against_pressure(),
-                                       setup.nodes, options);
-    } catch (const NotConverged&) {
-        if (!is_stopped(options))
-            throw;
-        return found; // not verified
-    }
-    found.similarity = 1;
-    for (std::size_t s = 0; s < points.size(); ++s) {
-        const MeshedCaps& mesh = found.meshed[s];
-        const double value = value_of(setup, target.quantity, mesh.load, mesh.area.sum(), mesh.stiffness);
-        found.similarity = std::min(found.similarity, 1 - std::abs(misfit(target, points[s], value)));
-        const PressedCaps pressed = contact.at_load(caps, mesh.load);
-        found.area_error = std::max(found.area_error, std::abs(pressed.total_area() / mesh.area.sum() - 1));
-        found.force_error = std::max(found.force_error, (pressed.force - mesh.force).cwiseAbs().maxCoeff() /
-                                                            mesh.force.maxCoeff());
-        found.pressed.push_back(pressed);
-    }
-    found.seconds = clock.seconds();
-    return found;
-}
-
-} // namespace
-
 CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options,
                  std::vector<ga::Observer<CapGenome>> observers) {
     const ga::Stopwatch clock;
@@ -277,41 +263,27 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
     const ga::Variants variants = cap_variants(setup);
     ga::Parser<CapProblem> parser(cap_registry(setup), variants);
     const CapStage pipeline = parser.parse(text);
-    result.name = variants.count(text) ? text : "pipeline";
-    result.pipeline = pipeline.text();
     std::vector<CapGenome> starts = options.starts;
     if (starts.empty()) {
         ga::Stream random(options.seed);
         starts.push_back(problem.sample(random));
     }
-    CapSetup nameless = setup; // names of targets do not affect a result
-    for (Target& target : nameless.targets)
-        target.name.clear(), target.recorded.clear();
     Exploration<CapProblem> explored(problem, hall_size, 1, "similarity");
-    explored.run(pipeline, result.name, starts, options, search_share * options.seconds,
-                 RUGOSA_VERSION " " + json_text(nlohmann::json(nameless), true), std::move(observers));
-    result.counters = explored.counters;
-    result.notes = explored.notes;
-    result.stopped = explored.stopped;
+    explored.run(pipeline, variants.count(text) ? text : "pipeline", starts, options,
+                 search_share * options.seconds, std::move(observers));
+    static_cast<SearchRun&>(result) = explored.spent;
 
     const auto within = [&](CapGenome genome) {
         for (std::size_t g = 0; g < genome.size(); ++g)
             genome[g] = problem.range(g).nearest(genome[g]);
         return genome;
     };
-    const auto offer = [&](const CapGenome& genome, const CapOutcome& outcome) {
-        explored.seen.offer(
-            {genome, 0, {}, ga::Fitness(ga::Name("similarity"), outcome.similarity()), nullptr});
-    };
     std::vector<ga::Point> points;
-    for (const CapGenome& ranked : explored.front) {
-        const CapGenome genome = within(ranked);
+    for (CapGenome& genome : explored.front) {
+        genome = within(genome);
         const CapOutcome outcome = problem.evaluate(genome);
-        offer(genome, outcome);
-        points.emplace_back();
-        for (const Eigen::VectorXd& misfits : outcome.misfits)
-            points.back().push_back(similarity(misfits));
-        result.front.emplace_back(genome, points.back());
+        explored.offer(genome, outcome.similarity());
+        points.push_back(similarities(outcome.misfits));
     }
     const auto nearest = explored.seen.members; // genomes of a pipeline that ends before `round`
     std::erase_if(explored.seen.members, [&](const auto& one) {
@@ -322,13 +294,12 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
     });
     if (explored.seen.members.empty()) {
         const CapGenome genome = within(nearest.empty() ? starts.front() : nearest.front().genome);
-        offer(genome, problem.evaluate(genome));
+        explored.offer(genome, problem.evaluate(genome).similarity());
     }
     const auto ranks = ga::pareto_ranks(points);
-    for (std::size_t i = ranks.size(); i-- > 0;)
-        if (ranks[i] > 0)
-            result.front.erase(result.front.begin() + static_cast<std::ptrdiff_t>(i));
-    result.front.resize(std::min(result.front.size(), max_compromises));
+    for (std::size_t i = 0; i < ranks.size() && result.front.size() < max_compromises; ++i)
+        if (ranks[i] == 0)
+            result.front.emplace_back(explored.front[i], points[i]);
     result.best = {explored.seen.members.front().genome, explored.seen.members.front().value()};
     result.alternatives = {result.best};
     const double range = std::max(setup.heights.to - setup.heights.from, 1e-300);
@@ -345,8 +316,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
         result.alternatives.push_back({genome, problem.evaluate(genome).similarity(), difference});
     result.seconds = clock.seconds();
     ContactOptions contact;
-    contact.stop = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds - clock.seconds(),
-                                       options.stop})] { return watch.expired(); };
+    contact.stop = ending_after(options.seconds - clock.seconds(), options.stop);
     result.best.verification = verified(setup, result.best.genome, contact);
     return result;
 }

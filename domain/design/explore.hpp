@@ -1,6 +1,8 @@
 #pragma once
 
 #include "domain/design/options.hpp"
+#include "domain/problem/stored.hpp"
+#include "domain/text/json.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 
@@ -11,31 +13,28 @@ template <ga::Problem P>
 struct Exploration {
     using Genome = typename P::Genome; ///< genome of the problem
 
-    ga::HallOfFame<P> seen;              ///< best individuals of all stages
-    ga::HallOfFame<P> verified;          ///< best under the objective that verifies
-    ga::Population<Genome> population;   ///< final; empty if a stage left no individual
-    std::vector<Genome> front = {};      ///< the last Pareto front of a ranking by several objectives
-    std::optional<Genome> nearest = {};  ///< best genome of the last population under a derived problem
-    ga::Counters counters = {};          ///< spent by the pipeline
-    std::vector<std::string> notes = {}; ///< remarks of stages
-    std::string stopped = {}; ///< why a stop or a budget ended the pipeline early; empty if neither did
-    std::string nothing = {}; ///< the stage that left no individual, in words; otherwise empty
+    ga::HallOfFame<P> seen;             ///< best individuals of all stages
+    ga::HallOfFame<P> verified;         ///< best under the objective that verifies
+    ga::Population<Genome> population;  ///< final; empty if a stage left no individual
+    std::vector<Genome> front = {};     ///< the last Pareto front of a ranking by several objectives
+    std::optional<Genome> nearest = {}; ///< best genome of the last population under a derived problem
+    SearchRun spent = {};               ///< cost and remarks of the pipeline
+    std::string nothing = {};           ///< the stage that left no individual, in words; otherwise empty
 
     /// Keeps the best `max_seen` individuals, and the best `max_verified` under the objective `verifies`.
     Exploration(const P& problem, std::size_t max_seen, std::size_t max_verified, const std::string& verifies)
         : seen(problem, max_seen), verified(problem, max_verified, verifies), problem_(problem) {}
 
-    /// Runs the pipeline from the starts for `seconds`. `description` identifies version and task in
-    /// checkpoints.
+    /// Runs the pipeline from the starts for `seconds`. Version and task identify its checkpoints.
     void run(const ga::Stage<P>& pipeline, const std::string& name, const std::vector<Genome>& starts,
-             const SearchOptionsOf<P>& options, double seconds, const std::string& description,
-             std::vector<ga::Observer<Genome>> observers) {
-        observers.insert(observers.begin(), seen.observer());
-        observers.insert(observers.begin(), verified.observer());
-        observers.insert(observers.begin(), [this](const ga::Event<Genome>& event) { observe(event); });
+             const SearchOptionsOf<P>& options, double seconds, std::vector<ga::Observer<Genome>> observers) {
+        observers.insert(observers.begin(), {[this](const ga::Event<Genome>& event) { observe(event); },
+                                             verified.observer(), seen.observer()});
         std::optional<ga::Checkpoints<P>> checkpoints;
         if (options.checkpoints) {
-            checkpoints.emplace(options.checkpoints->file, description + options.checkpoints->inputs,
+            checkpoints.emplace(options.checkpoints->file,
+                                RUGOSA_VERSION " " + json_text(description(problem_.setup()), true) +
+                                    options.checkpoints->inputs,
                                 options.checkpoints->resume, options.checkpoints->interval);
             checkpoints->keep("seen", seen.members);
             checkpoints->keep("verified", verified.members);
@@ -57,13 +56,16 @@ struct Exploration {
             if (found.best)
                 seen.offer(*found.best);
             population = std::move(found.population);
-            counters = found.counters;
-            notes = found.notes;
-            stopped = found.stopped;
+            spent = {name, pipeline.text(), found.counters, found.notes, found.stopped};
         } catch (const ga::NothingLeft& left) {
             nothing = left.what();
-            notes.push_back(nothing);
+            spent = {name, pipeline.text(), {}, {nothing}, {}};
         }
+    }
+
+    /// Adds a genome with this similarity to the best of all stages.
+    void offer(const Genome& genome, double similarity) {
+        seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
     }
 
     /// The best individuals of all stages that differ from `answer` and each other by at least `different`.

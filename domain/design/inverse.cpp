@@ -40,6 +40,49 @@ InverseProfile with_scaled_depths(InverseProfile inverse, const Eigen::VectorXd&
     return inverse;
 }
 
+/// A rising piecewise linear y(x), x >= 0, and its inverse.
+class Rising {
+  public:
+    Rising(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+        const Index n = x.size();
+        const double first_slope = n > 1 ? std::max(0.0, (y[1] - y[0]) / (x[1] - x[0])) : 0.5 * y[0] / x[0];
+        points_.emplace_back(0.0, std::max(0.0, y[0] - first_slope * x[0]));
+        for (Index k = 0; k < n; ++k)
+            points_.emplace_back(x[k], std::max(points_.back().second, y[k]));
+        const auto& [x_last, y_last] = points_.back();
+        const auto& [x_before, y_before] = points_[points_.size() - 2];
+        const double slope = std::max((y_last - y_before) / (x_last - x_before), 0.05 * y_last / x_last);
+        points_.emplace_back(x_last * 1000, y_last + slope * x_last * 999);
+    }
+    /// The first x at which y reaches the value.
+    double reaches(double value) const {
+        if (value <= points_.front().second)
+            return 0;
+        const auto above = std::find_if(points_.begin(), points_.end(),
+                                        [&](const auto& point) { return point.second >= value; });
+        if (above == points_.end())
+            return points_.back().first;
+        const auto below = above - 1;
+        return below->first +
+               (above->first - below->first) * (value - below->second) / (above->second - below->second);
+    }
+
+  private:
+    std::vector<std::pair<double, double>> points_;
+};
+
+/// K(P) of a load curve: secants from (0, 0), at their mean pressures.
+Rising stiffness_of(const Target& target) {
+    Eigen::VectorXd P(target.points()), K(target.points());
+    double x = 0, y = 0;
+    for (Index k = 0; k < target.points(); ++k) {
+        P[k] = 0.5 * (target.y[k] + y);
+        K[k] = std::max(0.0, target.y[k] - y) / (target.x[k] - x);
+        x = target.x[k], y = target.y[k];
+    }
+    return {P, K};
+}
+
 } // namespace
 
 InverseProfile inverse_profile(const Profile& surface, const Body& body, const std::vector<int>& order,
@@ -118,53 +161,6 @@ InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach) 
         (1 / reach - 1) * inverse.last_displacement * static_cast<double>(below.size()) / below.sum();
     return with_scaled_depths(std::move(inverse), below, factor);
 }
-
-namespace {
-
-/// A rising piecewise linear y(x), x >= 0, and its inverse.
-class Rising {
-  public:
-    Rising(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-        const Index n = x.size();
-        const double first_slope = n > 1 ? std::max(0.0, (y[1] - y[0]) / (x[1] - x[0])) : 0.5 * y[0] / x[0];
-        points_.emplace_back(0.0, std::max(0.0, y[0] - first_slope * x[0]));
-        for (Index k = 0; k < n; ++k)
-            points_.emplace_back(x[k], std::max(points_.back().second, y[k]));
-        const auto& [x_last, y_last] = points_.back();
-        const auto& [x_before, y_before] = points_[points_.size() - 2];
-        const double slope = std::max((y_last - y_before) / (x_last - x_before), 0.05 * y_last / x_last);
-        points_.emplace_back(x_last * 1000, y_last + slope * x_last * 999);
-    }
-    /// The first x at which y reaches the value.
-    double reaches(double value) const {
-        if (value <= points_.front().second)
-            return 0;
-        const auto above = std::find_if(points_.begin(), points_.end(),
-                                        [&](const auto& point) { return point.second >= value; });
-        if (above == points_.end())
-            return points_.back().first;
-        const auto below = above - 1;
-        return below->first +
-               (above->first - below->first) * (value - below->second) / (above->second - below->second);
-    }
-
-  private:
-    std::vector<std::pair<double, double>> points_;
-};
-
-/// K(P) of a load curve: secants from (0, 0), at their mean pressures.
-Rising stiffness_of(const Target& target) {
-    Eigen::VectorXd P(target.points()), K(target.points());
-    double x = 0, y = 0;
-    for (Index k = 0; k < target.points(); ++k) {
-        P[k] = 0.5 * (target.y[k] + y);
-        K[k] = std::max(0.0, target.y[k] - y) / (target.x[k] - x);
-        x = target.x[k], y = target.y[k];
-    }
-    return {P, K};
-}
-
-} // namespace
 
 Advance advance_for(const Target& target, Index nodes) {
     const bool by_area = is_contact_fraction(target.quantity);

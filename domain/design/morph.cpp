@@ -31,12 +31,9 @@ constexpr double cost_of_misfit = 100;
 std::string chromosomes_of(const Genome& genome) {
     std::string words;
     for (std::size_t s = 0; s < genome.series.size(); ++s) {
-        const auto& all = genome.series[s].chromosomes;
-        const auto [first, last] = std::minmax_element(
-            all.begin(), all.end(), [](const Chromosome& a, const Chromosome& b) { return a.n < b.n; });
-        const std::string place = std::to_string(s + 1) + ":";
-        words +=
-            (s ? ", " : "") + place + std::to_string(first->n) + " to " + place + std::to_string(last->n);
+        const auto [first, last] =
+            std::ranges::minmax_element(genome.series[s].chromosomes, {}, &Chromosome::n);
+        words += line_of(s ? ", " : "", s + 1, ":", first->n, " to ", s + 1, ":", last->n);
     }
     return words;
 }
@@ -170,11 +167,9 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
                    word.size() == static_cast<std::size_t>(end),
                " is not a chromosome; use SERIES:CHROMOSOME, e.g. 1:3");
         const ChromosomeName name{static_cast<std::size_t>(series), n};
-        bool known = false;
-        if (series >= 1 && name.series <= genome.series.size())
-            for (const Chromosome& chromosome : genome.series[name.series - 1].chromosomes)
-                known = known || chromosome.n == n;
-        expect(known, " is not in the genome; use " + chromosomes_of(genome));
+        expect(series >= 1 && name.series <= genome.series.size() &&
+                   std::ranges::count(genome.series[name.series - 1].chromosomes, n, &Chromosome::n) > 0,
+               " is not in the genome; use " + chromosomes_of(genome));
         expect(!std::count(names.begin(), names.end(), name), " is named twice; name each chromosome once");
         names.push_back(name);
     }
@@ -227,8 +222,7 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
 SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {
     SearchResult found;
     found.setup = completed(setup);
-    const DesignSetup reported = as_reported(found.setup);
-    found.best = verified_answer(reported, morphed.genome);
+    found.best = verified_answer(as_reported(found.setup), morphed.genome);
     found.alternatives = {found.best};
     found.counters.gradients = morphed.gradients;
     found.counters.asked = morphed.gradients;

@@ -50,8 +50,7 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
             context.make_child(tries.back(), ga::Parents(design.identity));
         }
         const std::vector<double> over = excesses(tries, context);
-        shorter.push_back(
-            tries[static_cast<std::size_t>(std::min_element(over.begin(), over.end()) - over.begin())]);
+        shorter.push_back(tries[static_cast<std::size_t>(std::ranges::min_element(over) - over.begin())]);
     }
     return shorter;
 }
@@ -122,7 +121,7 @@ Pipeline within_limits(const ga::Arguments&, const Pipeline& body) {
     };
     step.apply = [body](Designs designs, ga::Context<DesignProblem>& context) {
         const std::vector<double> over = excesses(designs, context);
-        if (std::any_of(over.begin(), over.end(), [](double excess) { return excess <= 0; }))
+        if (std::ranges::any_of(over, [](double excess) { return excess <= 0; }))
             return designs;
         Designs all = shortened(designs, context);
         all.insert(all.end(), designs.begin(), designs.end());
@@ -223,9 +222,7 @@ Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
 }
 
 std::string usual_variant(const DesignSetup& setup, bool stored) {
-    const bool asks_for_area =
-        std::any_of(setup.targets.begin(), setup.targets.end(),
-                    [](const Target& target) { return is_contact_fraction(target.quantity); });
+    const bool asks_for_area = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     return stored                        ? "in-line"
            : setup.model.grid.is_2d()    ? "maps"
            : setup.errors.any()          ? "made"

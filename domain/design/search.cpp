@@ -5,8 +5,6 @@
 #include "domain/design/starts.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
-#include "domain/problem/stored.hpp"
-#include "domain/text/json.hpp"
 
 namespace rough {
 
@@ -25,9 +23,7 @@ bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && 
 /// A line's set-up is returned as it is.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
     if (setup.model.grid.is_2d())
-        setup.model.contact.stop = [watch = ga::Watch({std::numeric_limits<long>::max(), seconds, stop})] {
-            return watch.expired();
-        };
+        setup.model.contact.stop = ending_after(seconds, stop);
     return setup;
 }
 
@@ -122,25 +118,20 @@ std::vector<Answer> best_with_and_without(std::vector<Answer> answers) {
 Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification verified) {
     DesignSetup setup = reported;
     setup.model.contact.stop = {};
-    Answer answer{genome};
-    if (std::isnan(verified.worst())) {
-        if (verified.on_own.empty()) {
-            verified.on_own = pressed(setup, genome, refined(setup.model, 1));
-            verified.misfits[0] = misfits_of(setup, scored(setup, verified.on_own));
-            verified.similarity = least_similarity(verified.misfits[0]);
+    Answer answer{std::move(verified), genome};
+    if (answer.is_verified()) {
+        answer.genome = in_final_form(setup, genome);
+    } else {
+        if (answer.on_own.empty()) {
+            answer.on_own = pressed(setup, genome, refined(setup.model, 1));
+            answer.misfits[0] = misfits_of(setup, scored(setup, answer.on_own));
+            answer.similarity = least_similarity(answer.misfits[0]);
         }
         if (setup.max_pressure)
-            answer.genome.scale = eq_11(setup, verified.on_own.front());
-    } else {
-        answer.genome = in_final_form(setup, genome);
+            answer.genome.scale = eq_11(setup, answer.on_own.front());
     }
     answer.genome = folded(answer.genome);
-    answer.similarity = verified.similarity;
-    answer.similarity_refined = verified.refined;
-    answer.similarity_stepped = verified.stepped;
-    answer.similarity_worst = verified.worst();
     answer.within_limits = holds_limits(setup, answer.genome);
-    answer.verification = std::move(verified);
     return answer;
 }
 
@@ -151,8 +142,7 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
-    return answer.is_verified() ? respond(setup, answer.genome, setup.model)
-                                : scored(setup, answer.verification.on_own);
+    return answer.is_verified() ? respond(setup, answer.genome, setup.model) : scored(setup, answer.on_own);
 }
 
 std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,
@@ -223,10 +213,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
         genome = fitting_grid(setup, genome);
     const std::string text = options.pipeline.empty() ? usual_variant(setup) : options.pipeline;
     const Pipeline pipeline = design_pipeline(setup, text);
-    result.name = design_variants().count(text) ? text : "pipeline";
-    result.pipeline = pipeline.text();
     if (!options.starts.empty() && pipeline.begins())
-        throw InputError("design: the pipeline '" + result.pipeline +
+        throw InputError("design: the pipeline '" + pipeline.text() +
                          "' makes its starts itself; use one that begins with the given ones (score | ...)");
     const VerificationPlan plan = plan_verification(setup, options);
     const int threads = ga::thread_count(options.threads);
@@ -240,27 +228,22 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     const std::vector<Genome> starts = !options.starts.empty() ? options.starts
                                        : pipeline.begins() ? std::vector<Genome>{any_start(setup, options)}
                                                            : database_starts(setup, options.threads);
-    explored.run(pipeline, result.name, starts, options, for_pipeline,
-                 RUGOSA_VERSION " " + json_text(description(setup), true), std::move(observers));
-    ga::HallOfFame<DesignProblem>& seen = explored.seen;
-    if (seen.members.empty() && !explored.nothing.empty())
+    explored.run(pipeline, design_variants().count(text) ? text : "pipeline", starts, options, for_pipeline,
+                 std::move(observers));
+    const ga::Population<Genome>& seen = explored.seen.members;
+    if (seen.empty() && !explored.nothing.empty())
         throw NotConverged(explored.nothing);
-    result.counters = explored.counters;
-    result.notes = explored.notes;
-    result.stopped = explored.stopped;
+    static_cast<SearchRun&>(result) = explored.spent;
     std::vector<Genome>& front = explored.front;
     if (!front.empty()) {
-        for (const auto& kept : seen.members)
+        for (const auto& kept : seen)
             front.push_back(kept.genome);
         result.front = compromises(reported, front, max_compromises, options.threads);
     }
-    const auto offer = [&](const Genome& genome, double similarity) {
-        seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
-    };
     for (const Compromise& one : result.front)
-        offer(one.genome, *std::min_element(one.similarity.begin(), one.similarity.end()));
-    if (seen.members.empty()) // stopped before the first curve on the search grid
-        offer(explored.nearest ? *explored.nearest : any_start(setup, options), 0);
+        explored.offer(one.genome, std::ranges::min(one.similarity));
+    if (seen.empty()) // stopped before the first curve on the search grid
+        explored.offer(explored.nearest ? *explored.nearest : any_start(setup, options), 0);
 
     const Verifier verifier(reported, threads);
     const auto verified = [&](const Genome& genome) {
@@ -272,8 +255,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
                                      {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
         return answer;
     };
-    const std::vector<Genome> candidates = candidates_of(
-        problem, explored.population, explored.verified.members, seen.members, options, plan.answers);
+    const std::vector<Genome> candidates =
+        candidates_of(problem, explored.population, explored.verified.members, seen, options, plan.answers);
     std::vector<Answer> answers(candidates.size());
     ga::parallel_for(answers.size(), threads, [&](std::size_t i) { answers[i] = verified(candidates[i]); });
     result.best = *std::ranges::max_element(answers, {}, rank_of);
@@ -292,7 +275,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     if (!result.best.is_verified() && !(options.stop && options.stop->load()))
         result.notes.push_back(
             "the answer was not verified on this grid and the finer one, for lack of time");
-    if (const double error = result.best.verification.reading_error; error > 0 && result.best.is_verified())
+    if (const double error = result.best.reading_error; error > 0 && result.best.is_verified())
         result.notes.push_back(
             line_of("some load steps on the finer grid are interpolated; the error that this "
                     "makes on the search grid is subtracted from similarity_worst: ",

@@ -10,29 +10,19 @@ using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< options of a 
 using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< checkpoints of a search for genomes
 
 /// A genome that a search returns, and its similarities. If time ran out during the verification of a map,
-/// the similarities without a result and similarity_worst are NaN.
-struct Answer {
-    Genome genome;                 ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
-    double similarity = 0;         ///< similarity on the set-up's grid
-    double similarity_refined = 0; ///< similarity on a grid four times finer; Eq. 11 is applied again
-    /// Similarity in four times the load steps. A target that is computed from a measured profile is computed
-    /// again in these steps, too.
-    double similarity_stepped = 0;
-    /// The lowest of four similarities: the three above, and the similarity on the finer grid in four times
-    /// the load steps.
-    double similarity_worst = 0;
+/// the similarities without a result and worst() are NaN; `similarity` is always known.
+struct Answer : Verification {
+    Genome genome = {}; ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
     /// The lower of two similarities under DesignSetup::errors. The first is the similarity that 95 % of 200
     /// draws of noise reach. The second is the lowest similarity over the tilts. NaN without errors, for a
     /// map, for an unverified answer and from verified_answer().
     double similarity_made = std::numeric_limits<double>::quiet_NaN();
-    bool within_limits = true;      ///< whether the genome keeps every limit of the set-up
-    double difference = 1;          ///< smallest difference() from the answers before it in a list
-    Verification verification = {}; ///< the responses and misfits of these similarities
+    bool within_limits = true; ///< whether the genome keeps every limit of the set-up
+    double difference = 1;     ///< smallest difference() from the answers before it in a list
 
     /// The similarity that counts: the lowest on finer grids, in finer load steps and under the given errors.
-    double lowest() const { return similarity_made < similarity_worst ? similarity_made : similarity_worst; }
-    /// Whether similarity_worst is known.
-    bool is_verified() const { return !std::isnan(similarity_worst); }
+    double lowest() const { return similarity_made < worst() ? similarity_made : worst(); }
+    bool is_verified() const { return !std::isnan(worst()); } ///< whether worst() is known
 };
 
 /// Verifies one genome. `reported` is the set-up that as_reported() returns. If ContactOptions::stop ends the
@@ -57,7 +47,7 @@ std::vector<Compromise> compromises(const DesignSetup& setup, const std::vector<
                                     std::size_t max_count, int threads);
 
 /// The result of a search and its cost.
-struct SearchResult {
+struct SearchResult : SearchRun {
     Answer best; ///< the answer with the highest rank, see search()
     /// The best answer, then further answers that differ from all answers before them, the best first.
     std::vector<Answer> alternatives;
@@ -66,12 +56,7 @@ struct SearchResult {
     /// The similarity without errors falls from answer to answer. Empty for a map, and if no errors are
     /// given.
     std::vector<Answer> made;
-    ga::Counters counters;          ///< evaluations spent
-    std::vector<std::string> notes; ///< remarks of stages
-    std::string stopped;            ///< why a stop or a budget ended the pipeline early; empty if neither did
-    std::string name;     ///< name of the variant, or "pipeline"; the paths of all stages begin with it
-    std::string pipeline; ///< text of the pipeline that was run
-    DesignSetup setup;    ///< set-up with its default values
+    DesignSetup setup; ///< set-up with its default values
 };
 
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.

@@ -4,11 +4,7 @@
 #include "domain/numerics/statistics.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
-#include "ga/base/random.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <span>
 
 namespace rough {
@@ -220,8 +216,7 @@ std::pair<double, double> share_interval(double share, int draws) {
 /// jump when a node touches, so there are more parts for such targets.
 std::pair<int, int> effort_for(Trials& trials, const DesignSetup& setup, const ToleranceOptions& options) {
     const Grid& grid = setup.model.grid;
-    const auto is_counted = [](const Target& target) { return is_contact_fraction(target.quantity); };
-    const bool jumps = std::any_of(setup.targets.begin(), setup.targets.end(), is_counted);
+    const bool jumps = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     std::pair effort(draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8);
     auto& [draws, parts] = effort;
     if (options.fixed_draws || std::isinf(options.seconds))

@@ -3,8 +3,6 @@
 #include "domain/problem/made.hpp"
 
 #include <atomic>
-#include <cstdint>
-#include <limits>
 
 namespace rough {
 

@@ -2,7 +2,6 @@
 
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
-#include "domain/numerics/statistics.hpp"
 #include "domain/problem/drawn_start.hpp"
 
 #include <numbers>
@@ -89,7 +88,7 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
     const auto under = [&](Job::Kind kind, const std::string& name, const Model& model) {
         jobs.push_back({kind, name, [&, model] { return similarity(setup, respond(setup, genome, model)); }});
     };
-    const auto ask = [&](const std::string& name, const Model& model, double Answer::*known) {
+    const auto ask = [&](const std::string& name, const Model& model, double Verification::*known) {
         if (!verified || !known || !setup.model.grid.is_2d())
             under(check, name, model);
         else if (std::isnan(verified->*known))
@@ -97,12 +96,12 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
         else
             jobs.push_back({check, name, [=] { return verified->*known; }});
     };
-    ask(as_designed, setup.model, &Answer::similarity);
+    ask(as_designed, setup.model, &Verification::similarity);
     ask("2 times the nodes", refined(setup.model, 2), nullptr);
-    ask("4 times the nodes", refined(setup.model, 4), &Answer::similarity_refined);
+    ask("4 times the nodes", refined(setup.model, 4), &Verification::refined);
     Model steps = setup.model;
     steps.loading.steps *= 4;
-    ask("4 times the load steps", steps, &Answer::similarity_stepped);
+    ask("4 times the load steps", steps, &Verification::stepped);
     if (setup.like)
         jobs.push_back({check, in_finer_steps_too, [&] {
                             const DesignSetup finer = in_finer_steps(setup);
@@ -195,9 +194,7 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     Trust trust;
     DesignSetup setup = completed(given);
     assess_strains(setup, genome, options, designed ? *designed : respond(setup, genome, setup.model), trust);
-    const auto late = [watch = ga::Watch({std::numeric_limits<long>::max(), options.seconds, options.stop})] {
-        return watch.expired();
-    };
+    const auto late = ending_after(options.seconds, options.stop);
     setup.model.contact.stop = late;
     const Jobs jobs = jobs_for(setup, genome, options, trust, verified);
     std::vector<double> values(jobs.size());
@@ -212,11 +209,11 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
         }
         done[i] = std::isfinite(values[i]) || !late();
     });
-    std::vector<double> phases_moved, deciding;
+    std::vector<double> deciding;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         const auto& [kind, name, similarity, decides] = jobs[i];
         if (done[i] && kind == redrawn) {
-            phases_moved.push_back(values[i]);
+            trust.redrawn.push_back(values[i]);
         } else if (done[i]) {
             (kind == check ? trust.checks : trust.kernels).push_back({name, values[i], decides});
             if (decides)
@@ -236,16 +233,8 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
             flag(trust, "with ", in_finer_steps_too, ", the similarity is ", one.similarity,
                  ": the two curves agree less between the ", setup.model.loading.steps,
                  " steps than at them");
-    const std::vector<double> checked = column(trust.checks, &Check::similarity);
-    trust.median = quantile(checked, 0.5);
-    trust.tenth = quantile(checked, 0.1);
-    trust.redrawn = static_cast<int>(phases_moved.size());
-    trust.redrawn_best = quantile(phases_moved, 1);
-    trust.redrawn_median = quantile(phases_moved, 0.5);
-    trust.redrawn_tenth = quantile(phases_moved, 0.1);
-    if (trust.redrawn < options.phase_draws)
-        trust.left_out.push_back(std::to_string(options.phase_draws - trust.redrawn) +
-                                 " sets of redrawn phases");
+    if (const int missing = options.phase_draws - static_cast<int>(trust.redrawn.size()); missing > 0)
+        trust.left_out.push_back(std::to_string(missing) + " sets of redrawn phases");
     return trust;
 }
 
@@ -276,7 +265,7 @@ std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& an
         add("numerical", "the accuracy that the search was allowed", setup.model);
     budget.push_back(
         {"target", "the remaining mismatch with the target on the model's grid", 1 - answer.similarity});
-    budget.push_back({"target", "the remaining mismatch on the finer grid", 1 - answer.similarity_refined});
+    budget.push_back({"target", "the remaining mismatch on the finer grid", 1 - answer.refined});
     return budget;
 }
 

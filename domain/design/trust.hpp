@@ -25,20 +25,15 @@ struct Check {
 /// The results of the checks of an answer.
 struct Trust {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< value if not checked
-    std::vector<Check>
-        checks; ///< as designed, finer grids, more load steps, farther datum, noise, tilt, hardness
+    /// The checks: as designed, finer grids, more load steps, farther datum, noise, tilt, hardness.
+    std::vector<Check> checks;
     double under = unknown;     ///< lowest similarity of the checks that decide; NaN if one has no response
     bool all_decided = true;    ///< whether all checks that decide were made
-    double median = unknown;    ///< median similarity of the checks
-    double tenth = unknown;     ///< tenth percentile of the checks' similarities
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
-    /// Highest similarity of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If
-    /// this similarity is near the answer's, the response follows from the spectrum. Otherwise the response
+    /// Similarities of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If the
+    /// highest is near the similarity of the answer, the response follows from the spectrum. Otherwise it
     /// follows from the phases.
-    double redrawn_best = unknown;
-    double redrawn_median = unknown;   ///< median similarity of these genomes
-    double redrawn_tenth = unknown;    ///< tenth percentile of their similarities
-    int redrawn = 0;                   ///< number of these genomes
+    std::vector<double> redrawn;
     double rms_slope = 0;              ///< root mean square slope of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa
     double shortest_wave_nodes = 0;    ///< shortest wavelength in units of the node spacing

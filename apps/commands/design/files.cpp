@@ -3,6 +3,7 @@
 #include "apps/report/output.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/mwm/genome.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/target/target.hpp"
 #include "domain/text/atomic_file.hpp"
 
@@ -20,24 +21,22 @@ namespace {
 using nlohmann::json;
 
 json answer_json(const rough::Answer& answer) {
-    return {{"similarity", answer.similarity},
-            {"similarity_refined", answer.similarity_refined},
-            {"similarity_worst", answer.similarity_worst},
-            {"similarity_made", answer.similarity_made},
-            {"difference", answer.difference},
-            {"genome", rough::genome_to_json(answer.genome)}};
+    return {{"similarity", answer.similarity},    {"similarity_refined", answer.refined},
+            {"similarity_worst", answer.worst()}, {"similarity_made", answer.similarity_made},
+            {"difference", answer.difference},    {"genome", rough::genome_to_json(answer.genome)}};
 }
 
 json trust_json(const rough::Trust& trust) {
+    const std::vector<double> checked = rough::column(trust.checks, &rough::Check::similarity);
     return {{"checks", trust.checks},
-            {"median", trust.median},
-            {"tenth_percentile", trust.tenth},
+            {"median", rough::median(checked)},
+            {"tenth_percentile", rough::quantile(checked, 0.1)},
             {"other_kernels", trust.kernels},
             {"phases_redrawn",
-             {{"draws", trust.redrawn},
-              {"best", trust.redrawn_best},
-              {"median", trust.redrawn_median},
-              {"tenth_percentile", trust.redrawn_tenth}}},
+             {{"draws", trust.redrawn.size()},
+              {"best", rough::quantile(trust.redrawn, 1)},
+              {"median", rough::median(trust.redrawn)},
+              {"tenth_percentile", rough::quantile(trust.redrawn, 0.1)}}},
             {"rms_slope", trust.rms_slope},
             {"peak_pressure_MPa", trust.peak_pressure},
             {"shortest_wave_nodes", trust.shortest_wave_nodes},
@@ -106,10 +105,9 @@ json design_json(const DesignRun& run) {
     json result = result_json(run.origin, run.searched, {variant});
     result["target"]["weight"] = run.setup.targets.front().weight;
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t)
-        result["targets"].push_back(
-            shown_json(run.setup.targets[t], t,
-                       std::string(run.found.best.verification.on_finer.empty() ? "" : " finer") +
-                           (run.from ? " before" : "")));
+        result["targets"].push_back(shown_json(run.setup.targets[t], t,
+                                               std::string(run.found.best.on_finer.empty() ? "" : " finer") +
+                                                   (run.from ? " before" : "")));
     result["is_2d"] = run.setup.model.grid.is_2d();
     result["required_similarity"] = run.setup.required_similarity;
     result["verified"] = run.found.best.is_verified();
@@ -156,7 +154,7 @@ constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 /// surface in production.
 void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
     std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.response}};
-    if (const auto& finer = run.found.best.verification.on_finer; !finer.empty())
+    if (const auto& finer = run.found.best.on_finer; !finer.empty())
         responses.emplace_back("finer", scored(run.setup, finer));
     if (run.from)
         responses.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));

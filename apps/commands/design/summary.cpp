@@ -104,7 +104,7 @@ struct LargestMisfit {
 
 LargestMisfit largest_misfit(const DesignRun& run, std::size_t t) {
     std::vector<std::vector<Eigen::VectorXd>> all{misfits_of(run.setup, run.response)};
-    const auto& verified = run.found.best.verification.misfits;
+    const auto& verified = run.found.best.misfits;
     if (!run.morphed && run.found.best.is_verified())
         all.insert(all.end(), verified.begin(), verified.end());
     const double weight = run.setup.targets[t].weight;
@@ -147,11 +147,10 @@ std::string worst_case(const DesignRun& run) {
         return std::isnan(similarity) ? "not verified" : readable(similarity, 4);
     };
     std::string all =
-        "similarity " + known(best.similarity) + " on the search grid, " + known(best.similarity_refined) +
-        " on a grid 4 times finer, " + known(best.similarity_stepped) + " in 4 times the load steps; " +
-        (best.is_verified()
-             ? "the lowest of these and of one with both together is " + known(best.similarity_worst)
-             : "so the lowest is not known");
+        "similarity " + known(best.similarity) + " on the search grid, " + known(best.refined) +
+        " on a grid 4 times finer, " + known(best.stepped) + " in 4 times the load steps; " +
+        (best.is_verified() ? "the lowest of these and of one with both together is " + known(best.worst())
+                            : "so the lowest is not known");
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)

@@ -135,8 +135,7 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
     run.run = variant_run(name, found, std::move(stages), clock.seconds());
-    run.last_displacement =
-        scored(found.setup, found.best.verification.on_own).responses.front().displacement.tail(1)[0];
+    run.last_displacement = scored(found.setup, found.best.on_own).responses.front().displacement.tail(1)[0];
     run.history.push_back(
         {static_cast<double>(found.counters.asked), run.run.seconds, std::max(best, run.run.similarity)});
     return run;

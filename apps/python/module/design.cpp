@@ -1,6 +1,7 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <cmath>
 
@@ -166,10 +167,12 @@ py::dict trust_of(const Design& design, double noise, double tilt, double hardne
             similarities[py::str(check.name)] = check.similarity;
         return similarities;
     };
+    const std::vector<double> checked = rough::column(trust.checks, &rough::Check::similarity);
     return py::dict("checks"_a = by_name(trust.checks), "kernels"_a = by_name(trust.kernels),
-                    "median"_a = trust.median, "tenth_percentile"_a = trust.tenth,
-                    "redrawn_best"_a = trust.redrawn_best, "redrawn_median"_a = trust.redrawn_median,
-                    "rms_slope"_a = trust.rms_slope, "peak_pressure"_a = trust.peak_pressure,
+                    "median"_a = rough::median(checked), "tenth_percentile"_a = rough::quantile(checked, 0.1),
+                    "redrawn_best"_a = rough::quantile(trust.redrawn, 1),
+                    "redrawn_median"_a = rough::median(trust.redrawn), "rms_slope"_a = trust.rms_slope,
+                    "peak_pressure"_a = trust.peak_pressure,
                     "shortest_wave_nodes"_a = trust.shortest_wave_nodes,
                     "contact_at_ends"_a = trust.contact_at_ends, "flags"_a = trust.flags);
 }
@@ -191,15 +194,12 @@ void add_design(py::module_& module) {
         .def_readonly("genome", &Answer::genome)
         .def_readonly("similarity", &Answer::similarity, "On the grid of the design (Eq. 12).")
         .def_property_readonly(
-            "similarity_refined", [](const Answer& a) { return if_verified(a.similarity_refined); },
+            "similarity_refined", [](const Answer& a) { return if_verified(a.refined); },
             "On a grid four times finer; None if the time was too short to verify a 2-D design.")
         .def_property_readonly(
-            "similarity_worst", [](const Answer& a) { return if_verified(a.similarity_worst); },
+            "similarity_worst", [](const Answer& a) { return if_verified(a.worst()); },
             "The lowest on that grid, in four times the load steps, and with both; None likewise.")
         .def_readonly("within_limits", &Answer::within_limits, "Whether it keeps all limits on shape.");
-    const auto similarity = [](double Answer::*member) {
-        return [member](const Design& d) { return if_verified(d.best().*member); };
-    };
     const auto of_heights = [](const char* member) {
         return [member](const py::object& self) -> py::object { return self.attr("profile").attr(member); };
     };
@@ -214,8 +214,10 @@ void add_design(py::module_& module) {
         .def_property_readonly("spacing", of_heights("spacing"),
                                "Node spacing, mm; a pair along x and y of a Surface.")
         .def_property_readonly("similarity", [](const Design& d) { return d.best().similarity; })
-        .def_property_readonly("similarity_refined", similarity(&Answer::similarity_refined))
-        .def_property_readonly("similarity_worst", similarity(&Answer::similarity_worst))
+        .def_property_readonly("similarity_refined",
+                               [](const Design& d) { return if_verified(d.best().refined); })
+        .def_property_readonly("similarity_worst",
+                               [](const Design& d) { return if_verified(d.best().worst()); })
         .def_property_readonly(
             "found", [](const Design& d) { return is_found(d.run); },
             "Whether similarity_worst is as high as requested, by default 0.99.")

@@ -1,10 +1,7 @@
 #include "domain/asperities/design.hpp"
 #include "domain/errors.hpp"
-#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <cmath>
 
 using namespace rough;
 
@@ -24,12 +21,10 @@ CapSetup made_of_pdms(Index n, CapModel model = CapModel::interacting) {
 /// The law of a force per area (mm^2 against N) as a target.
 template <class Law>
 Target target_of(const CapSetup& setup, double from, double to, Law law) {
-    Target target;
-    target.quantity = Quantity::area_at_pressure;
-    target.x = Eigen::VectorXd::LinSpaced(8, from, to) / setup.array.nominal_area();
-    target.y = target.x.unaryExpr(
-        [&](double x) { return law(x * setup.array.nominal_area()) / setup.array.nominal_area(); });
-    return target;
+    const double nominal = setup.array.nominal_area();
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(8, from, to) / nominal;
+    return {Quantity::area_at_pressure, "", x,
+            x.unaryExpr([&](double p) { return law(p * nominal) / nominal; })};
 }
 
 CapGenome random_genome(CapSetup setup, std::uint64_t seed) {

@@ -1,10 +1,6 @@
-#include "domain/design/search.hpp"
 #include "domain/design/trust.hpp"
 #include "tests/domain/design/setups.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <numbers>
 
 using namespace rough;
@@ -73,11 +69,10 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
                 CHECK(difference(profile, other) >= different);
             before.push_back(profile);
             CHECK(answer.similarity == Approx(similarity(reported, answer.genome, 1)).epsilon(1e-9));
-            CHECK(answer.similarity_refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
-            CHECK(answer.similarity_refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
-            CHECK(answer.lowest() == answer.similarity_worst);
-            CHECK(answer.lowest() <=
-                  std::min({answer.similarity, answer.similarity_refined, answer.similarity_stepped}));
+            CHECK(answer.refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
+            CHECK(answer.refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
+            CHECK(answer.lowest() == answer.worst());
+            CHECK(answer.lowest() <= std::min({answer.similarity, answer.refined, answer.stepped}));
         }
         if (requested > 1)
             CHECK(found.alternatives[1].difference == Approx(difference(before[0], before[1])));
@@ -88,8 +83,7 @@ TEST_CASE("the default search of an area meets the drawn target on a grid four t
     const DesignSetup setup = drawn(24, true);
     SearchOptions options{.alternatives = 1};
     const SearchResult found = search(setup, options);
-    CHECK(found.best.similarity_worst > 0.85); // K differs by several per cent between the two grids
-    CHECK(found.best.similarity_worst == found.best.verification.worst());
+    CHECK(found.best.worst() > 0.85); // K differs by several per cent between the two grids
     options.threads = 1;
     CHECK(search(setup, options).best.lowest() == found.best.lowest());
     options.seconds = 1e6;
@@ -98,7 +92,7 @@ TEST_CASE("the default search of an area meets the drawn target on a grid four t
     CHECK(timed.notes == found.notes);
     const Trust verified = trust_in(setup, found.best.genome, {.phase_draws = 2}, &found.best);
     CHECK(verified.checks.size() == 4); // without the datum
-    CHECK(verified.checks[2].similarity == found.best.similarity_refined);
+    CHECK(verified.checks[2].similarity == found.best.refined);
     CHECK(verified.checks[1].similarity ==
           Approx(similarity(setup, respond(setup, found.best.genome, refined(setup.model, 2)))));
     CHECK(verified.kernels.size() == 1); // without the strip
@@ -110,8 +104,8 @@ TEST_CASE("an area's answer without time to verify it has a curve and a note", "
         const SearchResult found = search(setup, {.pipeline = pipeline, .seconds = 0, .alternatives = 2});
         const Answer& best = found.best;
         CHECK_FALSE(best.is_verified());
-        CHECK(std::isnan(best.similarity_refined));
-        CHECK(best.verification.on_finer.empty());
+        CHECK(std::isnan(best.refined));
+        CHECK(best.on_finer.empty());
         CHECK_FALSE(found.setup.model.contact.stop);
         const DesignResponse own = response_of(found.setup, best);
         CHECK(best.similarity == similarity(found.setup, own));
@@ -136,7 +130,7 @@ TEST_CASE("an area's search that is stopped verifies nothing and counts no failu
                }});
     CHECK(stop);
     CHECK_FALSE(found.best.is_verified());
-    CHECK(found.best.verification.on_finer.empty());
+    CHECK(found.best.on_finer.empty());
     CHECK(found.best.similarity > 0.9);
     CHECK(found.counters.failures == 0);
     CHECK(found.stopped == "stop requested");

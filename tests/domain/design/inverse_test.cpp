@@ -1,17 +1,9 @@
-#include "domain/contact/solve.hpp"
 #include "domain/design/inverse.hpp"
 #include "domain/design/starts.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/problem/response.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <limits>
-#include <numeric>
 
 using namespace rough;
 

@@ -1,12 +1,9 @@
 #include "domain/design/morph.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/target/target.hpp"
-#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <numbers>
 
 using namespace rough;

@@ -1,17 +1,9 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/sampling.hpp"
-#include "domain/problem/response.hpp"
-#include "domain/response/response.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <array>
-#include <cmath>
-#include <random>
 
 using namespace rough;
 using rough::testing::uniform;

@@ -1,13 +1,9 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/problem/setup.hpp"
-#include "domain/profile/preparation.hpp"
-#include "ga/base/random.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
 #include <numbers>
 
 using namespace rough;

@@ -1,8 +1,4 @@
 #include "domain/design/search.hpp"
-#include "domain/mwm/sampling.hpp"
-#include "domain/mwm/test_surfaces.hpp"
-#include "domain/target/out_of_reach.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -86,7 +82,7 @@ TEST_CASE("17 of 20 targets are not out of reach, and at least 16 are met", "[lo
             continue;
         ++attainable;
         const Answer best = search(setup).best;
-        WARN(wanted.target.name << ": " << best.similarity << ", refined " << best.similarity_refined);
+        WARN(wanted.target.name << ": " << best.similarity << ", refined " << best.refined);
         met += best.lowest() >= 0.99;
     }
     CHECK(attainable == 17);

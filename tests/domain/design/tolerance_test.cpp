@@ -1,17 +1,9 @@
 #include "domain/design/tolerance.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/problem/response.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/target/target.hpp"
-#include "ga/base/random.hpp"
 
 #include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <numbers>
 
 using namespace rough;

@@ -75,7 +75,7 @@ TEST_CASE("a design under noise survives it better than a plain one, with equal 
     const SearchResult one = under_noise(1), two = under_noise(2);
     CHECK(shape_key(one.best.genome) == shape_key(two.best.genome));
     CHECK(one.best.genome.scale == two.best.genome.scale);
-    CHECK(one.best.lowest() == std::min(one.best.similarity_worst, one.best.similarity_made));
+    CHECK(one.best.lowest() == std::min(one.best.worst(), one.best.similarity_made));
     const auto fresh = [&](const Genome& genome) {
         return similarity_when_made(setup, genome, {.seed = 77}, 400);
     };
