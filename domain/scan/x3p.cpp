@@ -2,10 +2,10 @@
 #include "domain/scan/map.hpp"
 #include "domain/text/bytes.hpp"
 #include "domain/text/zip.hpp"
+#include "ga/base/number.hpp"
 
 #include <boost/uuid/detail/md5.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <pugixml.hpp>
 
@@ -104,11 +104,6 @@ void expect_checksum(std::string_view given, std::string_view bytes, const std::
                given.substr(0, 60), "; export it again");
 }
 
-std::string written(double number) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
-
 } // namespace
 
 HeightMap read_x3p(const std::string& bytes, const std::string& file) {
@@ -191,8 +186,9 @@ std::string x3p(const Profile& surface) {
         "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"
         "  <Record1>\n    <Revision>ISO5436 - 2000</Revision>\n    <FeatureType>" +
         std::string(surface.is_2d() ? "SUR" : "PRF") + "</FeatureType>\n    <Axes>\n" +
-        axis("CX", "I", written(1e-3 * surface.spacing)) +
-        axis("CY", "I", surface.is_2d() ? written(1e-3 * surface.row_spacing) : "1") + axis("CZ", "A", "1") +
+        axis("CX", "I", ga::number(1e-3 * surface.spacing)) +
+        axis("CY", "I", surface.is_2d() ? ga::number(1e-3 * surface.row_spacing) : "1") +
+        axis("CZ", "A", "1") +
         "    </Axes>\n  </Record1>\n"
         "  <Record2>\n    <Date>1980-01-01T00:00:00Z</Date>\n    <Creator>rugosa</Creator>\n"
         "    <Instrument><Manufacturer>none</Manufacturer><Model>rugosa</Model><Serial>none</Serial>"

@@ -23,10 +23,9 @@ void expect(bool done, const char* what) {
 
 } // namespace
 
-void Zip::Discard::operator()(zip* archive) const { zip_discard(archive); }
-
 Zip::Zip(const std::string& bytes, std::string file)
-    : file_(std::move(file)), max_unpacked_(std::max<std::size_t>(40'000'000, 20 * bytes.size())) {
+    : archive_(nullptr, zip_discard), file_(std::move(file)),
+      max_unpacked_(std::max<std::size_t>(40'000'000, 20 * bytes.size())) {
     zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, nullptr);
     expect(source != nullptr, "be opened");
     archive_.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
@@ -36,33 +35,17 @@ Zip::Zip(const std::string& bytes, std::string file)
     }
 }
 
-bool Zip::read(const std::string& name, std::size_t max_size,
-               const std::function<void(std::string_view)>& take) const {
+std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_size) const {
     zip_stat_t found;
     if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &found) != 0)
-        return false;
+        return std::nullopt;
     if (const std::size_t most = std::min(max_size, max_unpacked_); found.size > most)
         throw InputError(file_ + ": its entry " + name + " is too large; give one of at most " +
                          std::to_string(most) + " bytes");
     const Owned<zip_file_t> opened(zip_fopen_index(archive_.get(), found.index, 0));
-    std::vector<char> piece(65536);
-    std::size_t got = 0;
-    while (opened && got < found.size) {
-        const zip_int64_t count = zip_fread(opened.get(), piece.data(), piece.size());
-        if (count <= 0)
-            break;
-        got += static_cast<std::size_t>(count);
-        take({piece.data(), static_cast<std::size_t>(count)});
-    }
-    if (!opened || got != found.size)
+    std::string bytes(found.size, '\0');
+    if (!opened || zip_fread(opened.get(), bytes.data(), bytes.size()) != std::ssize(bytes))
         throw InputError(file_ + ": its entry " + name + " is damaged; export it again");
-    return true;
-}
-
-std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_size) const {
-    std::string bytes;
-    if (!read(name, max_size, [&](std::string_view piece) { bytes += piece; }))
-        return std::nullopt;
     return bytes;
 }
 

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,19 +16,13 @@ class Zip {
     /// `bytes` must outlive the archive; `file` begins the messages. Throws InputError on a damaged archive.
     Zip(const std::string& bytes, std::string file);
 
-    /// Passes an entry's bytes to `take`, piece by piece. False if it does not exist. Throws InputError if
-    /// the entry is damaged. Also throws, before unpacking, if the entry has more than `max_size` bytes, or
-    /// more than the larger of 40 MB and 20 times the archive.
-    bool read(const std::string& name, std::size_t max_size,
-              const std::function<void(std::string_view)>& take) const;
-    /// An entry's bytes as read() passes them, or nothing.
+    /// An entry's bytes, or nothing if it does not exist. Throws InputError if the entry is damaged. Also
+    /// throws, before unpacking, if the entry has more than `max_size` bytes, or more than the larger of
+    /// 40 MB and 20 times the archive.
     std::optional<std::string> entry(const std::string& name, std::size_t max_size) const;
 
   private:
-    struct Discard {
-        void operator()(zip* archive) const;
-    };
-    std::unique_ptr<zip, Discard> archive_;
+    std::unique_ptr<zip, void (*)(zip*)> archive_;
     std::string file_;
     std::size_t max_unpacked_;
 };
