@@ -75,6 +75,21 @@ class Batches {
     bool goes_on_ = true;
 };
 
+void compute_on_threads(int threads, const DatabaseSetup& setup, const Orders& orders) {
+    std::mutex lock;
+    const int count = ga::thread_count(threads);
+    ga::parallel_for(static_cast<std::size_t>(count), count, [&](std::size_t) {
+        std::unique_lock held(lock);
+        while (const auto genome = orders.next()) {
+            held.unlock();
+            Response response = response_for(setup, *genome);
+            held.lock();
+            if (!orders.ended())
+                orders.take(*genome, std::move(response));
+        }
+    });
+}
+
 } // namespace
 
 Response response_for(const DatabaseSetup& setup, std::uint64_t genome) {
@@ -87,32 +102,18 @@ Response response_for(const DatabaseSetup& setup, std::uint64_t genome) {
     }
 }
 
-Computing on_threads(int threads) {
-    return [=](const DatabaseSetup& setup, const Orders& orders) {
-        std::mutex lock;
-        const int count = ga::thread_count(threads);
-        ga::parallel_for(static_cast<std::size_t>(count), count, [&](std::size_t) {
-            std::unique_lock held(lock);
-            while (const auto genome = orders.next()) {
-                held.unlock();
-                Response response = response_for(setup, *genome);
-                held.lock();
-                if (!orders.ended())
-                    orders.take(*genome, std::move(response));
-            }
-        });
-    };
-}
-
 void build(GenomeStore& store, const BuildOptions& options) {
     for (const Span& span : store.batches()) // nothing is appended to a damaged file
         store.responses(span);
     Batches batches(store, options);
-    const Computing computing = options.computing ? options.computing : on_threads(options.threads);
-    computing(store.setup(),
-              {batches.missing(), [&] { return batches.next(); },
-               [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },
-               [&] { return batches.ended(); }});
+    const Orders orders{
+        batches.missing(), [&] { return batches.next(); },
+        [&](std::uint64_t genome, Response response) { batches.take(genome, std::move(response)); },
+        [&] { return batches.ended(); }};
+    if (options.computing)
+        options.computing(store.setup(), orders);
+    else
+        compute_on_threads(options.threads, store.setup(), orders);
 }
 
 std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out) {

@@ -20,16 +20,13 @@ struct Orders {
 /// other machines.
 using Computing = std::function<void(const DatabaseSetup& setup, const Orders& orders)>;
 
-/// Computes on `threads` threads (0: all).
-Computing on_threads(int threads);
-
 /// Options of a build.
 struct BuildOptions {
     std::uint64_t genomes = 100'000; ///< number of genomes to store
     std::uint64_t first = 0;         ///< number of the first genome, for a part of a distribution
     std::uint64_t batch = 250;       ///< number of genomes stored together; a kill loses at most one batch
     int threads = 0;                 ///< number of threads; 0: all
-    Computing computing = {};        ///< computes the responses; empty: on_threads(threads)
+    Computing computing = {};        ///< computes the responses; empty: the threads of this process do
     /// Called after every batch with the number of stored genomes. The build ends if it returns false.
     std::function<bool(std::uint64_t stored)> go_on = [](std::uint64_t) { return true; };
     /// If it becomes true, the build ends and drops unfinished batches.

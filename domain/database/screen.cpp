@@ -98,6 +98,11 @@ Match settled(Match match, const std::vector<Curve>& curves, const std::vector<T
     return match;
 }
 
+bool need_fractions(const std::vector<Target>& targets) {
+    return std::any_of(targets.begin(), targets.end(),
+                       [](const Target& target) { return is_contact_fraction(target.quantity); });
+}
+
 void check(const StoredCurves& curves, const std::vector<Target>& targets, const ScreenOptions& options) {
     for (const Target& target : targets) {
         validate(target);
@@ -115,11 +120,6 @@ void check(const StoredCurves& curves, const std::vector<Target>& targets, const
 }
 
 } // namespace
-
-bool need_fractions(const std::vector<Target>& targets) {
-    return std::any_of(targets.begin(), targets.end(),
-                       [](const Target& target) { return is_contact_fraction(target.quantity); });
-}
 
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options) {
@@ -193,6 +193,16 @@ double settled(double stretched, double wanted) {
     return std::abs(stretched - wanted) <= 1e-12 * std::abs(wanted) ? wanted : stretched;
 }
 
+/// A target in the units of the database's model.
+Target unscaled(Target target, const DatabaseScale& scale) {
+    if (target.against_pressure())
+        target.x /= scale.pressure;
+    if (!is_contact_fraction(target.quantity))
+        for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
+            *values /= scale.pressure;
+    return target;
+}
+
 /// A match and its genome, stretched and with the match's amplitude.
 struct Stored {
     Match match;
@@ -231,15 +241,6 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
         throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
                          "; use another");
     return scale;
-}
-
-Target unscaled(Target target, const DatabaseScale& scale) {
-    if (target.against_pressure())
-        target.x /= scale.pressure;
-    if (!is_contact_fraction(target.quantity))
-        for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
-            *values /= scale.pressure;
-    return target;
 }
 
 Genome drawn_out(Genome genome, double factor) {

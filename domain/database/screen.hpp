@@ -19,9 +19,6 @@ struct ScreenOptions {
     int threads = 0;         ///< number of threads; 0: all
 };
 
-/// Whether targets need the stored contact fractions.
-bool need_fractions(const std::vector<Target>& targets);
-
 /// The stored genomes nearest to the targets, best first. Equal similarities are ordered by index. Genomes
 /// whose curves end before a target are omitted. Throws InputError if a target extends beyond max_pressure,
 /// or if nothing is stored.
@@ -32,10 +29,8 @@ bool need_fractions(const std::vector<Target>& targets);
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
 
-/// Factors that convert a database's responses to a model of another length and modulus, exactly. A profile
-/// is stretched to `length` times its length and keeps its heights. The body's datum or strip width is
-/// stretched by the same factor. At every displacement the mean pressure is then multiplied by `pressure`:
-/// the ratio of the moduli E* divided by `length`.
+/// Factors that convert a database's responses to a model of another length and modulus, exactly (README.md,
+/// "The file"). Profiles keep their heights.
 struct DatabaseScale {
     double length = 1;   ///< factor on lengths: the model's length divided by the database's length
     double pressure = 1; ///< factor on pressures, and on stiffness
@@ -43,8 +38,6 @@ struct DatabaseScale {
 /// The scale between a database and a model. Throws InputError naming the first difference if they differ in
 /// more than length and modulus.
 DatabaseScale scale_to(const GenomeStore& store, const Model& model);
-/// A target in the units of the database's model.
-Target unscaled(Target target, const DatabaseScale& scale);
 /// A genome stretched to `factor` times its wavelengths, with its heights kept.
 Genome drawn_out(Genome genome, double factor);
 

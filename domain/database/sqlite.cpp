@@ -8,10 +8,8 @@
 
 namespace rough {
 
-void Sqlite::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
-void Statement::Finalise::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-
-Sqlite::Sqlite(std::filesystem::path file, Access access) : file_(std::move(file)) {
+Sqlite::Sqlite(std::filesystem::path file, Access access)
+    : file_(std::move(file)), handle_(nullptr, sqlite3_close) {
     // SQLite opens a file that may not be written for reading.
     const int flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
     if (const std::string name = file_.string();
@@ -55,7 +53,7 @@ std::uint64_t Sqlite::number(const std::string& sql) {
 void Statement::prepare(const std::string& sql) {
     sqlite3_stmt* statement = nullptr;
     expect_done(sqlite3_prepare_v2(sqlite_.handle_.get(), sql.c_str(), -1, &statement, nullptr));
-    statement_.reset(statement);
+    statement_ = {statement, sqlite3_finalize};
 }
 
 void Statement::expect_done(int result) {

@@ -28,11 +28,8 @@ class Sqlite {
     friend class Statement;
     friend class Transaction;
     [[noreturn]] void fail() const;
-    struct Close {
-        void operator()(sqlite3* handle) const;
-    };
     std::filesystem::path file_;
-    std::unique_ptr<sqlite3, Close> handle_;
+    std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
 };
 
 /// Bytes to store as a blob. (A string_view is stored as text.)
@@ -56,16 +53,13 @@ class Statement {
     std::string_view bytes(int column) const; ///< text or blob, valid until the next step
 
   private:
-    struct Finalise {
-        void operator()(sqlite3_stmt* statement) const;
-    };
     void prepare(const std::string& sql);
     void bind(int parameter, std::uint64_t value);
     void bind(int parameter, std::string_view text);
     void bind(int parameter, Blob blob);
     void expect_done(int result);
     Sqlite& sqlite_;
-    std::unique_ptr<sqlite3_stmt, Finalise> statement_;
+    std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_{nullptr, nullptr};
 };
 
 /// A write transaction: it begins at once and is rolled back unless it is committed.

@@ -155,6 +155,10 @@ std::string_view packed(const std::vector<double>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
 }
 
+void append(std::vector<double>& list, const auto& values) {
+    list.insert(list.end(), values.begin(), values.end());
+}
+
 /// A genome as numbers: series, and for each A, H, gamma, lambda, chromosomes, and for each of those n,
 /// ridges and the phases.
 std::vector<double> numbers_of(const Genome& genome) {
@@ -346,15 +350,13 @@ std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
 
 bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) {
     std::vector<double> pressure, contact, genomes;
-    for (std::uint64_t i = 0; i < span.count; ++i) {
-        const auto numbers = numbers_of(drawn(setup_.law, span.first + i));
-        genomes.insert(genomes.end(), numbers.begin(), numbers.end());
-    }
+    for (std::uint64_t i = 0; i < span.count; ++i)
+        append(genomes, numbers_of(drawn(setup_.law, span.first + i)));
     for (const Response& response : responses) {
         pressure.push_back(response.range);
-        pressure.insert(pressure.end(), response.pressure.begin(), response.pressure.end());
-        contact.insert(contact.end(), response.contact_fraction.begin(), response.contact_fraction.end());
-        contact.insert(contact.end(), response.tangent_stiffness.begin(), response.tangent_stiffness.end());
+        append(pressure, response.pressure);
+        append(contact, response.contact_fraction);
+        append(contact, response.tangent_stiffness);
     }
     Transaction transaction(*sqlite_);
     const bool there = Statement(*sqlite_, "SELECT 1 FROM batch WHERE first = ?", span.first).step();
@@ -391,25 +393,22 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
                      " is not stored; give a smaller number");
 }
 
-/// A batch's row in a table: `per_genome` numbers for each of its genomes.
-std::vector<double> GenomeStore::numbers(const char* table, const Span& span, std::size_t per_genome) const {
+/// A batch's row in a table: one column of numbers for each of its genomes.
+Eigen::MatrixXd GenomeStore::numbers(const char* table, const Span& span, Index per_genome) const {
     Statement row(*sqlite_, std::string("SELECT numbers, checksum FROM ") + table + " WHERE first = ?",
                   span.first);
     if (!row.step() || row.number(1) != checksum_of(table, span, row.bytes(0)))
         refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ",
                        span.first + span.count - 1, " was altered");
-    const std::size_t count = span.count * per_genome, size = count * sizeof(double);
+    const std::size_t size = span.count * static_cast<std::size_t>(per_genome) * sizeof(double);
     if (row.bytes(0).size() != size)
         refuse_changed(*sqlite_, "a batch of ", row.bytes(0).size(), " bytes in place of ", size);
-    std::vector<double> values(count);
+    Eigen::MatrixXd values(per_genome, static_cast<Index>(span.count));
     std::memcpy(values.data(), row.bytes(0).data(), size);
-    // All numbers of a genome without a response are NaN (response_for).
-    for (std::size_t i = 0; i < count; i += per_genome) {
-        const Eigen::Map<const Eigen::ArrayXd> part(values.data() + i, static_cast<Eigen::Index>(per_genome));
-        if (!part.isFinite().all() && !part.isNaN().all())
+    for (const auto& genome : values.colwise()) // all NaN without a response (response_for)
+        if (!genome.array().isFinite().all() && !genome.array().isNaN().all())
             refuse_changed(*sqlite_, "the ", table, " of genomes from ", span.first,
                            " has numbers that are not finite");
-    }
     return values;
 }
 
@@ -431,35 +430,30 @@ void GenomeStore::expect_genomes(const Span& span) const {
 std::vector<Response> GenomeStore::responses(const Span& span) const {
     expect_genomes(span);
     const Index steps = setup_.model.loading.steps;
-    const auto count = static_cast<std::size_t>(steps);
-    const auto pressure = numbers("pressure", span, count + 1), contact = numbers("contact", span, 2 * count);
+    const Eigen::MatrixXd pressure = numbers("pressure", span, steps + 1),
+                          contact = numbers("contact", span, 2 * steps);
     std::vector<Response> responses(span.count);
-    for (std::size_t i = 0; i < span.count; ++i) {
-        const double *p = &pressure[i * (count + 1)], *c = &contact[2 * i * count];
-        responses[i].range = p[0];
-        responses[i].pressure = Eigen::VectorXd::Map(p + 1, steps);
-        responses[i].contact_fraction = Eigen::VectorXd::Map(c, steps);
-        responses[i].tangent_stiffness = Eigen::VectorXd::Map(c + steps, steps);
+    for (Index i = 0; i < pressure.cols(); ++i) {
+        Response& response = responses[static_cast<std::size_t>(i)];
+        response.range = pressure(0, i);
+        response.pressure = pressure.col(i).tail(steps);
+        response.contact_fraction = contact.col(i).head(steps);
+        response.tangent_stiffness = contact.col(i).tail(steps);
     }
     return responses;
 }
 
 StoredCurves GenomeStore::curves(bool with_fractions) const {
-    const auto steps = static_cast<std::size_t>(setup_.model.loading.steps);
+    const Index steps = setup_.model.loading.steps;
     StoredCurves curves;
-    const auto append = [&](std::vector<double>& list, const double* values) {
-        list.insert(list.end(), values, values + steps);
-    };
     for (const Span& span : batches()) {
-        const auto pressure = numbers("pressure", span, steps + 1);
-        const auto contact = with_fractions ? numbers("contact", span, 2 * steps) : std::vector<double>{};
-        for (std::size_t g = 0; g < span.count; ++g) {
-            curves.index.push_back(span.first + g);
-            curves.range.push_back(pressure[g * (steps + 1)]);
-            append(curves.pressure, &pressure[g * (steps + 1) + 1]);
-            if (with_fractions)
-                append(curves.fraction, &contact[g * 2 * steps]);
-        }
+        const Eigen::MatrixXd pressure = numbers("pressure", span, steps + 1);
+        append(curves.range, pressure.row(0));
+        append(curves.pressure, pressure.bottomRows(steps).reshaped());
+        if (with_fractions)
+            append(curves.fraction, numbers("contact", span, 2 * steps).topRows(steps).reshaped());
+        for (std::uint64_t g = span.first; g < span.first + span.count; ++g)
+            curves.index.push_back(g);
     }
     return curves;
 }
@@ -474,8 +468,7 @@ Response GenomeStore::response(std::uint64_t index) const {
     const Span span = batch_of(index);
     Response response = responses(span)[index - span.first];
     const auto displacements = load_displacements(response.range, model.loading, model.body.kernel);
-    response.displacement =
-        Eigen::Map<const Eigen::VectorXd>(displacements.data(), static_cast<Index>(displacements.size()));
+    response.displacement = Eigen::VectorXd::Map(displacements.data(), model.loading.steps);
     response.full_stiffness = full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body);
     return response;
 }

@@ -117,7 +117,7 @@ class GenomeStore {
   private:
     explicit GenomeStore(Sqlite sqlite);
     Span batch_of(std::uint64_t index) const;
-    std::vector<double> numbers(const char* table, const Span& span, std::size_t per_genome) const;
+    Eigen::MatrixXd numbers(const char* table, const Span& span, Index per_genome) const;
     void expect_genomes(const Span& span) const;
 
     std::unique_ptr<Sqlite> sqlite_;
