@@ -1,5 +1,7 @@
 #include "domain/numerics/fourier.hpp"
 
+#include "domain/numerics/fft_library.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -10,6 +12,14 @@
 namespace rough {
 
 namespace {
+
+/// A transform and its inverse, planned once under a lock and safe to execute from any thread.
+template <typename Real>
+struct PlanPair {
+    typename FftLibrary<Real>::Plan forward;  ///< unnormalised
+    typename FftLibrary<Real>::Plan backward; ///< its inverse, times the number of values
+};
+using FourierPlan = PlanPair<double>;
 
 std::mutex planner; ///< planning is not thread-safe; executing a plan on new arrays is
 
@@ -134,8 +144,7 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
     });
 }
 
-} // namespace
-
+/// The plan for real to half-complex transforms of a grid. One row is a line.
 FourierPlan fourier_plan(Extent shape) {
     static std::map<std::pair<Index, Index>, FourierPlan> plans;
     return cached({shape.columns, shape.rows}, plans, [shape] {
@@ -147,6 +156,7 @@ FourierPlan fourier_plan(Extent shape) {
     });
 }
 
+/// The plan for complex transforms of a grid in place.
 FourierPlan complex_fourier_plan(Extent shape) {
     static std::map<std::pair<Index, Index>, FourierPlan> plans;
     return cached({shape.columns, shape.rows}, plans, [shape] {
@@ -157,6 +167,8 @@ FourierPlan complex_fourier_plan(Extent shape) {
         return FourierPlan{plan(false), plan(true)};
     });
 }
+
+} // namespace
 
 Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
     const Extent shape{numbers.rows(), numbers.cols()}, half{shape.columns / 2 + 1, shape.rows};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/numerics/aligned.hpp"
-#include "domain/numerics/fft_library.hpp"
 #include "domain/numerics/team.hpp"
 
 #include <array>
@@ -10,20 +9,6 @@
 #include <vector>
 
 namespace rough {
-
-/// A transform and its inverse, planned once under a lock and safe to execute from any thread.
-template <typename Real>
-struct PlanPair {
-    typename FftLibrary<Real>::Plan forward;  ///< unnormalised
-    typename FftLibrary<Real>::Plan backward; ///< its inverse, times the number of values
-};
-/// In double precision.
-using FourierPlan = PlanPair<double>;
-/// The plan for real to half-complex transforms of a grid's rows x columns numbers. The half-complex rows are
-/// columns/2 + 1 long; one row is a line.
-FourierPlan fourier_plan(Extent shape);
-/// The plan for complex transforms of a grid in place.
-FourierPlan complex_fourier_plan(Extent shape);
 
 /// The half-complex transform of N_x x N_y numbers: N_x/2 + 1 x N_y, unnormalised.
 Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers);
