@@ -3,7 +3,6 @@
 #include "domain/profile/profile.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace rough {
 
@@ -32,19 +31,10 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// change.
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
-/// The indices of outliers of a measured profile, in increasing order. A node is an outlier if its height is
-/// far outside the range of four predictions. The seven nodes on each side give two: their median (Hampel
-/// 1974) and their line of median slope (Theil 1950, Sen 1968). Wedges, saw teeth, steps and smooth peaks are
-/// not outliers, because at least one side predicts their heights.
-///
-/// The distance from the range must exceed three limits. The first is six times the median difference between
-/// neighbours in the whole profile. The second is six times the median of the 24 differences around the node.
-/// The third is three times the resolution of the heights.
-///
-/// Then neighbours of outliers are tested again without the outliers found so far. Only the lines of median
-/// slope predict now, and the first two limits are halved. So a particle is found whole, up to the points at
-/// which its flanks return to the surface. Particles of up to four nodes are found. Much wider particles
-/// count as surface. The three nodes at each end are not tested, nor are profiles of under 16 nodes.
+/// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md, step 4.
+/// Particles of up to four nodes are found, up to the points at which their flanks return to the surface. Much
+/// wider particles count as surface. The three nodes at each end are not tested, nor are profiles of under 16
+/// nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.

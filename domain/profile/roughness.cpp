@@ -95,12 +95,8 @@ Derivatives derivatives(const Profile& surface, bool periodic) {
         return sum;
     };
     const double dx = surface.spacing, dy = surface.row_spacing;
-    Derivatives of{along(first, 60 * dx, false), {}, along(second, 180 * dx * dx, false), {}};
-    if (is_2d) {
-        of.y = along(first, 60 * dy, true);
-        of.yy = along(second, 180 * dy * dy, true);
-    }
-    return of;
+    return {along(first, 60 * dx, false), is_2d ? along(first, 60 * dy, true) : Eigen::ArrayXXd(),
+            along(second, 180 * dx * dx, false)};
 }
 
 std::string SurfaceParameter::key() const {

@@ -10,14 +10,13 @@
 /// means over the nodes.
 namespace rough {
 
-/// First and second derivatives of a surface by the seven-point formulas of ISO 21920-2 (exact for
-/// polynomials up to degree 6), columns x rows. On a periodic surface they are given at all nodes, otherwise
-/// at nodes three or more from every end. A line has only those along x.
+/// Derivatives of a surface by the seven-point formulas of ISO 21920-2 (exact for polynomials up to degree
+/// 6), columns x rows. On a periodic surface they are given at all nodes, otherwise at nodes three or more
+/// from every end. A line has only those along x.
 struct Derivatives {
     Eigen::ArrayXXd x;  ///< dz/dx
     Eigen::ArrayXXd y;  ///< dz/dy; empty for a line
     Eigen::ArrayXXd xx; ///< d2z/dx2, 1/mm
-    Eigen::ArrayXXd yy; ///< d2z/dy2, 1/mm; empty for a line
 };
 /// The derivatives of a surface. Throws InputError on fewer than seven nodes along x or y.
 Derivatives derivatives(const Profile& surface, bool periodic = false);

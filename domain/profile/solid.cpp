@@ -212,12 +212,8 @@ HeightImage height_image(const Profile& surface, const Extrusion& extrusion) {
                    {"row_spacing_mm", surface.is_2d() ? surface.row_spacing : width / (rows - 1)}};
     std::vector<std::pair<std::string, std::string>> texts{
         {"Description", "height = lowest_height_mm + grey * height_per_grey_mm, x to the right, y upwards"}};
-    for (const auto& [name, value] : image.scale) {
-        PlainStream digits;
-        digits.precision(17);
-        digits << value;
-        texts.emplace_back(name, digits.str());
-    }
+    for (const auto& [name, value] : image.scale)
+        texts.emplace_back(name, line_with_digits(17, value));
     std::vector<png_text> chunks(texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
         chunks[i].compression = PNG_TEXT_COMPRESSION_NONE;
