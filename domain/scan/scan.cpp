@@ -416,7 +416,7 @@ void check(const ScanOptions& options) {
 
 } // namespace
 
-Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
+Source open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
     std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
@@ -457,10 +457,13 @@ Scan read_scan(const std::filesystem::path& path, const ScanOptions& options) {
     if (!(range > 1e-12 * size))
         refuse(file, ": the heights are constant (", removed, " removed); give a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
-    PlainStream said;
-    said << file << ": " << counted(read, "point") << ", length " << length << " mm, height range " << range
-         << " mm, rms " << rms << " mm; " << account.text.str();
-    return {std::move(profile), said.str(), std::move(kept)};
+    return {.name = file,
+            .genome = {},
+            .measured = std::move(profile),
+            .account =
+                line_with_digits(6, file, ": ", counted(read, "point"), ", length ", length,
+                                 " mm, height range ", range, " mm, rms ", rms, " mm; ", account.text.str()),
+            .outliers = std::move(kept)};
 }
 
 Grid Source::grid(bool periodic) const {
@@ -486,15 +489,6 @@ Profile Source::on(const Grid& wanted) const {
 Source open_genome(const std::filesystem::path& file) {
     GenomeFile read = read_genome_file(file);
     return {file.string(), std::move(read.genome), read.length};
-}
-
-Source open_scan(const std::filesystem::path& file, const ScanOptions& options) {
-    Scan scan = read_scan(file, options);
-    return {.name = file.string(),
-            .genome = {},
-            .measured = std::move(scan.profile),
-            .account = std::move(scan.account),
-            .outliers = std::move(scan.outliers)};
 }
 
 } // namespace rough

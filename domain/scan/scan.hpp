@@ -28,26 +28,12 @@ struct ScanOptions {
     double lambda_c = 0;
 };
 
-/// A measured profile, ready for contact.
-struct Scan {
-    Profile profile; ///< heights in mm at evenly spaced nodes, x growing, without the form
-    std::string
-        account; ///< one line: points, length, height range, rms, units, resampling, filling, detrending
-    std::vector<Index> outliers; ///< outliers that were kept
-};
-
-/// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or two
-/// columns of x and height. A running index before them and a validity column (0 or 1) after them are
-/// optional. From an instrument's file, the function takes a profile, or one row of a map. Throws InputError
-/// with one line that names the file, the line and the fault.
-Scan read_scan(const std::filesystem::path& path, const ScanOptions& options = {});
-
 /// A line profile from a file: a genome, which has a height at every x, or a measured scan. Lengths in mm.
 struct Source {
     std::string name;                 ///< path of the file
     std::optional<Genome> genome;     ///< the genome; nothing for a scan
     double length = standard_length;  ///< length L of a genome's profile; not used for a scan
-    Profile measured = {};            ///< heights of a scan at evenly spaced nodes; empty for a genome
+    Profile measured = {};            ///< a scan at evenly spaced nodes, x growing; empty for a genome
     std::string account = {};         ///< how a scan was read and changed, in one line
     std::vector<Index> outliers = {}; ///< outliers of a scan that were kept
 
@@ -63,7 +49,10 @@ struct Source {
 /// Opens a genome file (JSON). Throws InputError as read_genome_file.
 Source open_genome(const std::filesystem::path& file);
 
-/// Opens a measured scan (text). Throws InputError as read_scan.
+/// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or two
+/// columns of x and height. A running index before them and a validity column (0 or 1) after them are
+/// optional. From an instrument's file, the function takes a profile, or one row of a map. Throws InputError
+/// with one line that names the file, the line and the fault.
 Source open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
 
 } // namespace rough

@@ -11,5 +11,5 @@ FUZZ(scan) {
     options.spacing = bytes[0] & 2 ? 0.001 : 0;
     options.unit = bytes[0] & 4 ? "um" : "";
     options.nodes = bytes[0] & 8 ? 16 : 0;
-    rough::read_scan(fuzz::as_file(bytes.substr(1)), options);
+    rough::open_scan(fuzz::as_file(bytes.substr(1)), options);
 }

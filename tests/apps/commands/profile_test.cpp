@@ -46,8 +46,8 @@ TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a g
     CHECK(numbers["Pk_mm"].get<double>() == roughness(profile)["Pk"]);
     CHECK_FALSE(numbers.contains("Ra_mm"));
     CHECK(numbers["lambda_c_mm"].is_null());
-    CHECK(rough::read_scan(out / "profile.x3p", {.detrend = rough::Detrend::none})
-              .profile.heights.isApprox(profile.heights, 1e-14));
+    CHECK(rough::open_scan(out / "profile.x3p", {.detrend = rough::Detrend::none})
+              .measured.heights.isApprox(profile.heights, 1e-14));
     CHECK(rough::read_whole(out / "profile.3mf") == three_mf(profile, {.magnify = 100}));
     CHECK(rough::read_whole(out / "profile.png") == height_image(profile).png);
     CHECK(json_in(out / "profile-scale.json")["lowest_height_mm"] == profile.heights.minCoeff());

@@ -108,6 +108,13 @@ TEST_CASE("reading takes at most 20 times the file or 200 MB, for every class of
     const std::vector<Case> cases{
         {"cells of a row", profile, "columns",
          [&] { return times(9, "1 2 3 4\n") + times(1'000'000, "1.5 "); }},
+        {"rows of all widths", profile, "columns, but the other rows have",
+         [&] {
+             std::string rows = times(1'000'000, "1 ") + "\n"; // each width is as common as the widest
+             for (std::size_t width = 1; width < 1000; ++width)
+                 rows += times(width, "1 ") + "\n";
+             return rows;
+         }},
         {"characters in a line", profile, "numbers in a line", [&] { return times(11'000'000, "1 "); }},
         {"lines", profile, "constant", [&] { return times(11'900'000, "\n") + "1 2\n2 3\n"; }},
         {"lines", surface, "lines", [&] { return times(12'100'000, "\n"); }},

@@ -119,12 +119,13 @@ std::string x3p_file(char type = 'I') {
 
 namespace {
 
-Scan read(const std::string& bytes, ScanOptions options) {
+Source read(const std::string& bytes, ScanOptions options) {
     const tests::Folder folder;
     options.detrend = Detrend::none;
-    return read_scan(folder.write("scan.bin", bytes), options);
+    return open_scan(folder.write("scan.bin", bytes), options);
 }
 
+const Profile line{1e-3 * Eigen::VectorXd::Random(300), 0.002};
 const Profile relief =
     maps::map_of({6, 4}, 0.01, 0.025, [](double x, double y) { return 1e-3 * std::sin(300 * x) - y; });
 
@@ -193,11 +194,11 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
             else
                 CHECK(height == Approx(1e-5 * testing::map_heights[std::size_t(i)]).epsilon(1e-6));
         }
-        const Scan scan = read(bytes, {.row = 1});
-        CHECK(scan.profile.nodes() == 9);
-        CHECK(scan.profile.heights[5] == Approx(9e-5).epsilon(1e-6));
+        const Source scan = read(bytes, {.row = 1});
+        CHECK(scan.measured.nodes() == 9);
+        CHECK(scan.measured.heights[5] == Approx(9e-5).epsilon(1e-6));
         CHECK_THAT(scan.account, Catch::Contains("row 1 of 2 rows of 9 heights"));
-        CHECK(read(bytes, {.fill = true, .row = 2}).profile.heights[7] ==
+        CHECK(read(bytes, {.fill = true, .row = 2}).measured.heights[7] ==
               Approx(has_mark ? 3e-5 : -8e-5).epsilon(1e-6));
         CHECK_THAT(refusal(bytes, {.row = 2}), Catch::Contains(has_mark ? "missing value" : "read as"));
         for (const Index row : {0, 3})
@@ -209,19 +210,24 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
 TEST_CASE("an ASCII surface data file of several profiles is a map") {
     const std::string text = "aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-6\nYscale = 2e-6\n"
                              "Zscale = 1e-6\nDataType = 5\n*\n1 2 1\n4 -32768 5\n*\n";
-    CHECK(read(text, {.row = 1}).profile.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
-    CHECK(read(text, {.fill = true, .row = 2}).profile.heights[1] == Approx(4.5e-3));
+    CHECK(read(text, {.row = 1}).measured.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
+    CHECK(read(text, {.fill = true, .row = 2}).measured.heights[1] == Approx(4.5e-3));
     CHECK_THAT(refusal(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
     CHECK_THAT(refusal(text, {}), Catch::Contains("the row to take"));
+    const Map map = as_map(changed(text, "-32768", "3"));
+    CHECK(map.heights.shape() == Extent{3, 2});
+    CHECK(map.heights.spacing == Approx(1e-3));
+    CHECK(map.heights.row_spacing == Approx(2e-3));
+    CHECK(map.heights.heights.isApprox(1e-3 * Eigen::Vector<double, 6>(1, 2, 1, 4, 3, 5)));
 }
 
 TEST_CASE("a profile written as X3P is read back to the last bit") {
     Profile profile{1e-3 * Eigen::VectorXd::Random(500), 0.84942 / 511};
     const std::string bytes = x3p(profile);
     CHECK(bytes == x3p(profile)); // without a date
-    const Scan scan = read(bytes, {});
-    CHECK(scan.profile.spacing == Approx(profile.spacing).epsilon(1e-15));
-    CHECK((scan.profile.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
+    const Source scan = read(bytes, {});
+    CHECK(scan.measured.spacing == Approx(profile.spacing).epsilon(1e-15));
+    CHECK((scan.measured.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
     CHECK_THAT(scan.account, Catch::Contains("X3P"));
     CHECK_THAT(refusal(bytes), Catch::Contains("omit the row"));
     CHECK_THAT(refusal(bytes, {.spacing = -1}),
@@ -322,26 +328,20 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
         CHECK_THAT(refusal(bytes), Catch::Contains(fault));
 }
 
-TEST_CASE("surfaces written as SUR are read back to 1e-9 of the highest height", "[map]") {
-    const Map map = as_map(sur(relief));
-    CHECK(map.heights.shape() == relief.shape());
-    CHECK(map.heights.spacing == Approx(0.01).epsilon(1e-7)); // the format's
-    CHECK(map.heights.row_spacing == Approx(0.025).epsilon(1e-7));
+TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
     const double largest = relief.heights.cwiseAbs().maxCoeff();
-    CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() <= 1e-9 * largest);
-    CHECK_THAT(map.account, Catch::Contains("SUR"));
-    const Profile line{1e-3 * Eigen::VectorXd::Random(300), 0.002};
-    const Scan scan = read(sur(line), {});
-    CHECK((scan.profile.heights - line.heights).cwiseAbs().maxCoeff() <= 1e-12);
-}
-
-TEST_CASE("a map written as X3P is read back with both spacings", "[map]") {
-    const Map map = as_map(x3p(relief));
-    CHECK(map.heights.shape() == relief.shape());
-    CHECK(map.heights.spacing == Approx(0.01).epsilon(1e-14));
-    CHECK(map.heights.row_spacing == Approx(0.025).epsilon(1e-14));
-    CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() < 1e-16);
-    CHECK_THAT(map.account, Catch::Contains("X3P"));
+    for (const auto& [format, write, spacing_error, height_error] :
+         {std::tuple("X3P", &x3p, 1e-14, 1e-15), {"SUR", &sur, 1e-7, 1e-9}}) {
+        INFO(format);
+        const Map map = as_map(write(relief));
+        CHECK(map.heights.shape() == relief.shape());
+        CHECK(map.heights.spacing == Approx(0.01).epsilon(spacing_error));
+        CHECK(map.heights.row_spacing == Approx(0.025).epsilon(spacing_error));
+        CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() <= height_error * largest);
+        CHECK_THAT(map.account, Catch::Contains(format));
+        CHECK((read(write(line), {}).measured.heights - line.heights).cwiseAbs().maxCoeff() <=
+              height_error * line.heights.cwiseAbs().maxCoeff());
+    }
     CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
                Catch::Contains("the file gives a spacing along x of 0.01"));
     CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights are in m"));
@@ -360,18 +360,8 @@ TEST_CASE("a matrix and points x, y, height in any order are the same map", "[ma
     }
 }
 
-TEST_CASE("a text in a named format is read as that map", "[map]") {
-    const Map map = as_map("aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-5\nYscale = 2e-5\n"
-                           "Zscale = 1e-6\nDataType = 5\n*\n1 2 3\n4 5 6\n*\n");
-    CHECK(map.heights.shape() == Extent{3, 2});
-    CHECK(map.heights.spacing == Approx(0.01));
-    CHECK(map.heights.row_spacing == Approx(0.02));
-    for (Index k = 0; k < 6; ++k)
-        CHECK(map.heights.heights[k] == Approx(1e-3 * double(k + 1)));
-    CHECK_THAT(map_refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8; give 9"));
-}
-
 TEST_CASE("an incomplete map is refused with its place", "[map]") {
+    CHECK_THAT(map_refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8; give 9"));
     CHECK_THAT(map_refusal("1 2 3 4\n4 5 6 7\n"), Catch::Contains("distance of its nodes"));
     CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n"), Catch::Contains("no height at x = 1, y = 1"));
     CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0 5\n"), Catch::Contains("line 5"));

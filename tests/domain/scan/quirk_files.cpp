@@ -57,32 +57,24 @@ std::string utf16(const std::string& ascii) {
     return bytes;
 }
 
-const Form micro{.x_unit = 1e-3, .height_unit = 1e-3};
-
-Form with(Form form, auto change) {
-    change(form);
-    return form;
-}
-
 std::string swapped(std::string text, const std::string& old, const std::string& fresh) {
     return text.replace(text.find(old), old.size(), fresh);
 }
 
 std::vector<QuirkFile> columns() {
-    const Form comma_points = with(micro, [](Form& f) { f.point = ',', f.separator = ";"; });
+    const auto decimal_commas = [](const std::string& separator) {
+        return Form{.separator = separator, .point = ',', .x_unit = 1e-3, .height_unit = 1e-3};
+    };
     return {
         {"tabs", two_columns({})},
         {"blanks, aligned", two_columns({.separator = "   ", .before = "   "})},
         {"commas", two_columns({.separator = ","})},
         {"semicolons", two_columns({.separator = ";"})},
-        {"semicolons and decimal commas", two_columns(comma_points), "um"},
-        {"tabs and decimal commas", two_columns(with(comma_points, [](Form& f) { f.separator = "\t"; })),
-         "um"},
-        {"comma, blank and decimal commas",
-         two_columns(with(comma_points, [](Form& f) { f.separator = ", "; })), "um"},
+        {"semicolons and decimal commas", two_columns(decimal_commas(";")), "um"},
+        {"tabs and decimal commas", two_columns(decimal_commas("\t")), "um"},
+        {"comma, blank and decimal commas", two_columns(decimal_commas(", ")), "um"},
         {"one column", one_column({}), "", quirk_spacing},
-        {"one column with decimal commas", one_column(with(micro, [](Form& f) { f.point = ','; })), "um",
-         0.5},
+        {"one column with decimal commas", one_column(decimal_commas("")), "um", 0.5},
         {"one column after its count", "8\n" + one_column({}), "", quirk_spacing},
         {"one row", one_column({.end = " "}) + "\n", "", quirk_spacing},
         {"a running index before x", listed("No.;x;z\n",
@@ -116,14 +108,15 @@ std::vector<QuirkFile> headers() {
     return {
         {"units in brackets", "x [mm];z [\xC2\xB5m]\n" + two_columns(mixed)},
         {"units in parentheses over blanks",
-         "Position (mm)  Height (um)\n" + two_columns(with(mixed, [](Form& f) { f.separator = "  "; }))},
+         "Position (mm)  Height (um)\n" + two_columns({.separator = "  ", .height_unit = 1e-3})},
         {"units after a slash", "x/um,z/nm\n" + two_columns(nano)},
         {"two units by one key", "Units: x mm, z um\n" + two_columns(mixed)},
         {"units in words",
-         "Lateral um,Raw Nanometer,\n" + two_columns(with(nano, [](Form& f) { f.behind = ",,"; }))},
+         "Lateral um,Raw Nanometer,\n" +
+             two_columns({.separator = ",", .x_unit = 1e-3, .height_unit = 1e-6, .behind = ",,"})},
         {"units in a separate line", "x;z\n[mm];[um]\n" + two_columns(mixed)},
         {"units alone and a count",
-         "\xC2\xB5m \xC2\xB5m\n8\n" + two_columns(with(micro, [](Form& f) { f.separator = ", "; }))},
+         "\xC2\xB5m \xC2\xB5m\n8\n" + two_columns({.separator = ", ", .x_unit = 1e-3, .height_unit = 1e-3})},
         {"Latin-1 units", "x [mm];z [\xB5m]\n" + two_columns(mixed)},
         {"Greek mu in UTF-8", "x [mm];z [\xCE\xBCm]\n" + two_columns(mixed)},
         {"metres", "x[m] z[m]\n" + two_columns(metres)},
