@@ -6,23 +6,12 @@
 
 using namespace rough;
 
-namespace {
-
-Profile made(Index nodes, double spacing, auto height) {
-    Profile profile{Eigen::VectorXd(nodes), spacing};
-    for (Index i = 0; i < nodes; ++i)
-        profile.heights[i] = height(double(i) * spacing);
-    return profile;
-}
-
-} // namespace
-
 TEST_CASE("the Gaussian filter passes cosines by the standard's law") {
-    const double cut_off = 0.8, spacing = 0.002, pi = std::numbers::pi;
+    const double cut_off = 0.8, pi = std::numbers::pi;
     for (const double length : {0.25, 0.4, 0.8, 1.6, 2.5, 8.0})
         for (const double phase : {0.0, 1.1}) {
             const auto wave = [&](double x) { return 3e-3 * std::cos(2 * pi * x / length + phase); };
-            const Profile profile = made(4001, spacing, wave);
+            const Profile profile = sampled({4001, 8}, wave);
             const Eigen::VectorXd passed = low_passed(profile, cut_off);
             const double share = std::pow(2, -std::pow(cut_off / length, 2)); // ISO 16610-21, eq. (4)
             for (Index i = 401; i < 3600; ++i)                                // a window away from the ends
@@ -31,7 +20,7 @@ TEST_CASE("the Gaussian filter passes cosines by the standard's law") {
 }
 
 TEST_CASE("a line passes the filter up to its ends at any cut-off") {
-    const Profile line = made(700, 0.003, [](double x) { return 5 - 0.3 * x; });
+    const Profile line = sampled({701, 2.1}, [](double x) { return 5 - 0.3 * x; });
     for (const double cut_off : {0.0001, 0.003, 0.01, 0.8, 2.5, 100.0})
         CHECK((low_passed(line, cut_off) - line.heights).cwiseAbs().maxCoeff() < 1e-12);
 }

@@ -11,10 +11,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Profile cosine(double amplitude, int waves, double length, Index nodes) {
-    Profile profile{Eigen::VectorXd(nodes), length / double(nodes)};
-    for (Index i = 0; i < nodes; ++i)
-        profile.heights[i] = 7 + amplitude * std::cos(2 * pi * waves * double(i) / double(nodes));
-    return profile;
+    return sampled({nodes, length, true},
+                   [&](double x) { return 7 + amplitude * std::cos(2 * pi * waves * x / length); });
 }
 
 } // namespace

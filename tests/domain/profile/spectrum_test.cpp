@@ -49,10 +49,9 @@ TEST_CASE("the continuous spectrum of white noise is flat") {
 TEST_CASE("a cosine's continuous spectrum has its wavenumber and mean square") {
     const double amplitude = 0.02, length = 3;
     for (const Index nodes : {512, 513, 1000}) {
-        Profile profile{Eigen::VectorXd(nodes), length / double(nodes)};
         const double k = 2 * pi * 17 / length;
-        for (Index i = 0; i < nodes; ++i)
-            profile.heights[i] = amplitude * std::cos(k * profile.spacing * double(i) + 0.7);
+        const Profile profile =
+            sampled({nodes, length, true}, [&](double x) { return amplitude * std::cos(k * x + 0.7); });
         const Spectrum spectrum = continuous_spectrum(profile);
         Index peak = 0;
         spectrum.density.maxCoeff(&peak);
