@@ -193,6 +193,29 @@ double settled(double stretched, double wanted) {
     return std::abs(stretched - wanted) <= 1e-12 * std::abs(wanted) ? wanted : stretched;
 }
 
+/// Factors that convert a database's responses to a model of another length and modulus, exactly (README.md,
+/// "The file").
+struct DatabaseScale {
+    double length;   ///< factor on lengths; heights are kept
+    double pressure; ///< factor on pressures, and on stiffness
+};
+
+DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
+    const Model wanted = completed(given);
+    Model own = completed(store.setup().model);
+    const double length = wanted.grid.length / own.grid.length;
+    const DatabaseScale scale{length, wanted.body.effective_modulus / own.body.effective_modulus / length};
+    own.grid.length = wanted.grid.length;
+    own.body.effective_modulus = wanted.body.effective_modulus;
+    own.body.datum = settled(own.body.datum * length, wanted.body.datum);
+    own.body.strip_width = settled(own.body.strip_width * length, wanted.body.strip_width);
+    const std::string differs = difference(fields(own), fields(wanted));
+    if (!differs.empty())
+        throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
+                         "; use another");
+    return scale;
+}
+
 /// A target in the units of the database's model.
 Target unscaled(Target target, const DatabaseScale& scale) {
     if (target.against_pressure())
@@ -201,6 +224,15 @@ Target unscaled(Target target, const DatabaseScale& scale) {
         for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
             *values /= scale.pressure;
     return target;
+}
+
+/// A genome stretched to `factor` times its wavelengths, with its heights kept.
+Genome drawn_out(Genome genome, double factor) {
+    for (Series& series : genome.series) {
+        series.lambda *= factor;
+        series.A *= std::pow(factor, -series.H); // Eq. 2: G_n ~ A lambda^H
+    }
+    return genome;
 }
 
 /// A match and its genome, stretched and with the match's amplitude.
@@ -226,30 +258,6 @@ std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, 
 }
 
 } // namespace
-
-DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
-    const Model wanted = completed(given);
-    Model own = completed(store.setup().model);
-    const double length = wanted.grid.length / own.grid.length;
-    const DatabaseScale scale{length, wanted.body.effective_modulus / own.body.effective_modulus / length};
-    own.grid.length = wanted.grid.length;
-    own.body.effective_modulus = wanted.body.effective_modulus;
-    own.body.datum = settled(own.body.datum * length, wanted.body.datum);
-    own.body.strip_width = settled(own.body.strip_width * length, wanted.body.strip_width);
-    const std::string differs = difference(fields(own), fields(wanted));
-    if (!differs.empty())
-        throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
-                         "; use another");
-    return scale;
-}
-
-Genome drawn_out(Genome genome, double factor) {
-    for (Series& series : genome.series) {
-        series.lambda *= factor;
-        series.A *= std::pow(factor, -series.H); // Eq. 2: G_n ~ A lambda^H
-    }
-    return genome;
-}
 
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads) {

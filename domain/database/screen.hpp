@@ -29,21 +29,10 @@ struct ScreenOptions {
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
 
-/// Factors that convert a database's responses to a model of another length and modulus, exactly (README.md,
-/// "The file"). Profiles keep their heights.
-struct DatabaseScale {
-    double length = 1;   ///< factor on lengths: the model's length divided by the database's length
-    double pressure = 1; ///< factor on pressures, and on stiffness
-};
-/// The scale between a database and a model. Throws InputError naming the first difference if they differ in
-/// more than length and modulus.
-DatabaseScale scale_to(const GenomeStore& store, const Model& model);
-/// A genome stretched to `factor` times its wavelengths, with its heights kept.
-Genome drawn_out(Genome genome, double factor);
-
 /// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to the
 /// design's length, and each has its best amplitude. They serve as starts for refinement if an answer is
-/// needed at once. Throws what scale_to() throws.
+/// needed at once. Throws InputError naming the first difference if database and design differ in more than
+/// length and modulus.
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads = 0);
 
@@ -57,7 +46,8 @@ struct StoredAnswer {
 /// The stored genomes whose stored curves are nearest to a design's targets. Unlike in stored_starts(), the
 /// genomes are verified before they are ranked, because stored load steps may be too few for a target. At
 /// least 16 genomes are verified. At most `count` are returned, the highest `worst()` first. Genomes
-/// without a response on a finer grid are omitted. Throws what scale_to() and validate() of the set-up throw.
+/// without a response on a finer grid are omitted. Throws what stored_starts() and validate() of the set-up
+/// throw.
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
                                          std::size_t count, int threads = 0);
 

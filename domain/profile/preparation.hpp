@@ -31,10 +31,10 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// change.
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
-/// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md, step 4.
-/// Particles of up to four nodes are found, up to the points at which their flanks return to the surface. Much
-/// wider particles count as surface. The three nodes at each end are not tested, nor are profiles of under 16
-/// nodes.
+/// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md,
+/// step 4. Particles of up to four nodes are found, up to the points at which their flanks return to the
+/// surface. Much wider particles count as surface. The three nodes at each end are not tested, nor are
+/// profiles of under 16 nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.
