@@ -83,13 +83,10 @@ std::vector<std::string> listed(const std::string& text) {
 }
 
 double number_from(const std::string& word, const std::string& where) {
-    double value = 0;
-    const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
+    const auto read = number(word, Dialect{});
+    if (!read || std::isnan(read->value))
         throw InputError(where + ": \"" + word + "\" is not a finite number; give one");
-    return value;
+    return read->value;
 }
 
 std::string lower(std::string_view text) {
