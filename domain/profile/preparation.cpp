@@ -242,10 +242,7 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     Eigen::VectorXd in_order = steps;
     const double usual = middle(in_order.begin(), in_order.end()),
                  range = heights.maxCoeff() - heights.minCoeff();
-    double resolved = range;
-    for (const double step : steps)
-        if (step > 1e-9 * range)
-            resolved = std::min(resolved, step);
+    const double resolved = (steps.array() > 1e-9 * range).select(steps.array(), range).minCoeff();
 
     std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
     // 1 if the node stands out above its neighbours, -1 below, else 0. Flanks are compared only with the

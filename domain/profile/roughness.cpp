@@ -33,6 +33,29 @@ Eigen::ArrayXXd continued(const Profile& surface, bool periodic) {
     return all;
 }
 
+/// Derivatives of a surface by the seven-point formulas of ISO 21920-2 (exact for polynomials up to degree
+/// 6). On a periodic surface they are given at all nodes, otherwise at nodes three or more from every end.
+struct Derivatives {
+    Eigen::ArrayXXd x;  ///< dz/dx
+    Eigen::ArrayXXd y;  ///< dz/dy; empty for a line
+    Eigen::ArrayXXd xx; ///< d2z/dx2, 1/mm
+};
+Derivatives derivatives(const Profile& surface, bool periodic = false) {
+    const bool is_2d = surface.is_2d();
+    const Eigen::ArrayXXd z = continued(surface, periodic);
+    const Index across = is_2d ? reach : 0, inner = z.rows() - 2 * reach, inner_rows = z.cols() - 2 * across;
+    const auto along = [&](const std::array<double, 7>& weights, double divisor, bool y) {
+        Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(inner, inner_rows);
+        for (Index k = 0; k <= 2 * reach; ++k)
+            sum += weights[static_cast<std::size_t>(k)] / divisor *
+                   (y ? z.block(reach, k, inner, inner_rows) : z.block(k, across, inner, inner_rows));
+        return sum;
+    };
+    const double dx = surface.spacing, dy = surface.row_spacing;
+    return {along(first, 60 * dx, false), is_2d ? along(first, 60 * dy, true) : Eigen::ArrayXXd(),
+            along(second, 180 * dx * dx, false)};
+}
+
 /// The nodes of the evaluation length, about their mean line, and its sections.
 Profile evaluated(const Profile& profile, double section_length, Roughness& r) {
     const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
@@ -58,7 +81,8 @@ struct Stretch {
     double extreme;
 };
 
-/// Hills and dales from left to right. Each starts at the last crossing of the mean line before it counts.
+/// Hills and dales from left to right. Each exceeds a tenth of the largest height or depth, and starts at the
+/// last crossing of the mean line before that.
 std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
     const double hill = z.maxCoeff() / 10, dale = z.minCoeff() / 10;
     std::vector<Stretch> found;
@@ -78,46 +102,13 @@ std::vector<Stretch> stretches(const Eigen::VectorXd& z) {
     return found;
 }
 
-} // namespace
-
-Derivatives derivatives(const Profile& surface, bool periodic) {
-    const auto [columns, rows] = surface.shape();
-    const bool is_2d = surface.is_2d();
-    if (columns < 2 * reach + 1 || (is_2d && rows < 2 * reach + 1))
-        refuse("derivatives: ", columns, " x ", rows, " nodes; use at least 7 along each side");
-    const Eigen::ArrayXXd z = continued(surface, periodic);
-    const Index across = is_2d ? reach : 0, inner = z.rows() - 2 * reach, inner_rows = z.cols() - 2 * across;
-    const auto along = [&](const std::array<double, 7>& weights, double divisor, bool y) {
-        Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(inner, inner_rows);
-        for (Index k = 0; k <= 2 * reach; ++k)
-            sum += weights[static_cast<std::size_t>(k)] / divisor *
-                   (y ? z.block(reach, k, inner, inner_rows) : z.block(k, across, inner, inner_rows));
-        return sum;
-    };
-    const double dx = surface.spacing, dy = surface.row_spacing;
-    return {along(first, 60 * dx, false), is_2d ? along(first, 60 * dy, true) : Eigen::ArrayXXd(),
-            along(second, 180 * dx * dx, false)};
-}
-
-std::string SurfaceParameter::key() const {
-    std::string key = name;
-    std::replace(key.begin(), key.end(), ' ', '_');
-    return key + (unit == "mm"      ? "_mm"
-                  : unit == "1/mm"  ? "_per_mm"
-                  : unit == "mm²"   ? "_mm2"
-                  : unit == "1/mm²" ? "_per_mm2"
-                  : unit == "°"     ? "_degrees"
-                                    : "");
-}
-
-const SurfaceParameter& SurfaceParameters::row(std::string_view name) const {
-    const auto found =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
-    if (found == rows.end())
-        refuse("surface parameter: ", name, " is not known; use a name of this table");
-    return *found;
-}
-
+/// Mean sizes of the profile elements. An element is a hill and a dale next to each other. It extends from
+/// one crossing of the mean line to the next but one (ISO 21920-2: crossing-the-line segmentation, done from
+/// both ends).
+struct ProfileElements {
+    double RSm = 0; ///< mean width, mm; NaN without a whole element
+    double Rc = 0;  ///< mean height from dale to hill, mm
+};
 ProfileElements profile_elements(const Profile& profile) {
     ProfileElements all;
     double count = 0;
@@ -135,26 +126,17 @@ ProfileElements profile_elements(const Profile& profile) {
     return {all.RSm / count, all.Rc / count};
 }
 
-double material_ratio(const Profile& profile, double level) {
-    const Eigen::VectorXd& z = profile.heights;
-    if (profile.is_2d())
-        return (z.array() > level).cast<double>().mean();
-    double sum = 0;
-    for (Index i = 1; i < z.size(); ++i) {
-        const double low = std::min(z[i], z[i - 1]), high = std::max(z[i], z[i - 1]);
-        sum += level <= low ? 1 : level >= high ? 0 : (high - level) / (high - low);
-    }
-    return sum / static_cast<double>(z.size() - 1);
-}
-
-double material_height(const Eigen::VectorXd& heights, double ratio) {
-    return quantile({heights.begin(), heights.end()}, 1 - ratio);
-}
-
+/// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2). The line of least squares through the
+/// flattest 40 % of the curve separates peaks, core and valleys. Among equally flat regions the first is
+/// used.
+struct CoreHeights {
+    double Rk = 0; ///< core height, mm
+    double Rpk = 0,
+           Rvk = 0; ///< heights of triangles as large as the peaks above the core and the valleys, mm
+    double Mr1 = 0, Mr2 = 0; ///< shares of material at the core's upper and lower limit, 0 to 1
+};
 CoreHeights core_heights(const Eigen::VectorXd& heights) {
     const Index n = heights.size();
-    if (n < 5)
-        refuse("material ratio curve: ", n, " nodes; use 5 or more");
     Eigen::VectorXd z = heights; // node i of the curve stands at (i + 1/2)/n
     std::sort(z.begin(), z.end(), std::greater<>());
     const double count = static_cast<double>(n);
@@ -187,6 +169,43 @@ CoreHeights core_heights(const Eigen::VectorXd& heights) {
     result.Rpk = result.Mr1 > 0 ? 2 * peaks / result.Mr1 : 0;
     result.Rvk = result.Mr2 < 1 ? 2 * valleys / (1 - result.Mr2) : 0;
     return result;
+}
+
+} // namespace
+
+std::string SurfaceParameter::key() const {
+    std::string key = name;
+    std::replace(key.begin(), key.end(), ' ', '_');
+    return key + (unit == "mm"      ? "_mm"
+                  : unit == "1/mm"  ? "_per_mm"
+                  : unit == "mm²"   ? "_mm2"
+                  : unit == "1/mm²" ? "_per_mm2"
+                  : unit == "°"     ? "_degrees"
+                                    : "");
+}
+
+const SurfaceParameter& SurfaceParameters::row(std::string_view name) const {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+    if (found == rows.end())
+        refuse("surface parameter: ", name, " is not known; use a name of this table");
+    return *found;
+}
+
+double material_ratio(const Profile& profile, double level) {
+    const Eigen::VectorXd& z = profile.heights;
+    if (profile.is_2d())
+        return (z.array() > level).cast<double>().mean();
+    double sum = 0;
+    for (Index i = 1; i < z.size(); ++i) {
+        const double low = std::min(z[i], z[i - 1]), high = std::max(z[i], z[i - 1]);
+        sum += level <= low ? 1 : level >= high ? 0 : (high - level) / (high - low);
+    }
+    return sum / static_cast<double>(z.size() - 1);
+}
+
+double material_height(const Eigen::VectorXd& heights, double ratio) {
+    return quantile({heights.begin(), heights.end()}, 1 - ratio);
 }
 
 Roughness roughness(const Profile& profile, double section_length) {

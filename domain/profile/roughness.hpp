@@ -10,17 +10,6 @@
 /// means over the nodes.
 namespace rough {
 
-/// Derivatives of a surface by the seven-point formulas of ISO 21920-2 (exact for polynomials up to degree
-/// 6), columns x rows. On a periodic surface they are given at all nodes, otherwise at nodes three or more
-/// from every end. A line has only those along x.
-struct Derivatives {
-    Eigen::ArrayXXd x;  ///< dz/dx
-    Eigen::ArrayXXd y;  ///< dz/dy; empty for a line
-    Eigen::ArrayXXd xx; ///< d2z/dx2, 1/mm
-};
-/// The derivatives of a surface. Throws InputError on fewer than seven nodes along x or y.
-Derivatives derivatives(const Profile& surface, bool periodic = false);
-
 /// One parameter of a surface.
 struct SurfaceParameter {
     std::string name;    ///< name in the standard, e.g. "Ra" or "Sdq"
@@ -44,7 +33,7 @@ struct SurfaceParameters {
 
 /// Parameters of a sampled profile about its mean line. They are Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm,
 /// Rdq, Rmr, Rk, Rpk, Rvk, Rmrk1, Rmrk2. If `section_length` is 0, P replaces R, because no wavelengths
-/// over lambda_c were removed. Slopes and curvatures use the seven-point formula.
+/// over lambda_c were removed. Slopes and curvatures use the seven-point formula of ISO 21920-2.
 ///
 /// Then follow the rms curvature and the spectral moments m0, m2 and m4 (mean squares of height, slope and
 /// second derivative; Nayak 1971). The last is the bandwidth alpha = m0 m4/m2^2, at least 1.
@@ -65,29 +54,6 @@ double material_ratio(const Profile& profile, double level);
 /// 1) of the nodes is higher. It interpolates linearly between the sorted heights. Smr(c) is a step function,
 /// so the result is only approximately its inverse.
 double material_height(const Eigen::VectorXd& heights, double ratio);
-
-/// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2). The line of least squares through the
-/// flattest 40 % of the curve separates peaks, core and valleys. Among equally flat regions the first is
-/// used.
-struct CoreHeights {
-    double Rk = 0;  ///< core height, mm
-    double Rpk = 0; ///< reduced peak height, mm: height of a triangle as large as the peaks above the core
-    double Rvk = 0; ///< reduced valley depth, mm
-    double Mr1 = 0; ///< share of material at the core's upper limit, 0 to 1
-    double Mr2 = 0; ///< share of material at the core's lower limit, 0 to 1
-};
-/// The parameters of heights at evenly spaced nodes, five or more.
-CoreHeights core_heights(const Eigen::VectorXd& heights);
-
-/// Mean sizes of the profile elements. An element is a hill and a dale next to each other. Each counts only
-/// if it exceeds a tenth of the largest height or depth. The element extends from one crossing of the mean
-/// line to the next but one (ISO 21920-2: crossing-the-line segmentation, done from both ends).
-struct ProfileElements {
-    double RSm = 0; ///< mean width, mm; NaN without a whole element
-    double Rc = 0;  ///< mean height from dale to hill, mm
-};
-/// The mean sizes for a profile about its mean line: heights (mm) whose mean is 0.
-ProfileElements profile_elements(const Profile& profile);
 
 /// Texture parameters of a map (ISO 25178-2).
 struct Texture {

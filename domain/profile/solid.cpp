@@ -20,14 +20,15 @@ using Vertex = Eigen::Vector3f;
 /// Lowest number of single-precision levels in a relief, and their number in a whole (2^24).
 constexpr double min_levels = 256, levels = 16777216;
 
-} // namespace
-
+/// The width of the solid in the second direction, mm.
 double width_of(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, rows] = surface.shape();
     return surface.is_2d()        ? surface.row_spacing * static_cast<double>(rows - 1)
            : extrusion.width != 0 ? extrusion.width
                                   : surface.spacing * static_cast<double>(columns - 1) / 4;
 }
+
+} // namespace
 
 Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, map_rows] = surface.shape();

@@ -18,9 +18,6 @@ struct Extrusion {
     double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
 };
 
-/// The width of the solid in the second direction, mm.
-double width_of(const Profile& surface, const Extrusion& extrusion);
-
 /// A closed surface of triangles.
 struct Mesh {
     std::vector<Eigen::Vector3f> vertices;            ///< positions of the corners, mm
@@ -47,7 +44,7 @@ struct HeightImage {
     std::vector<std::pair<std::string, double>> scale; ///< text chunks of the file: name and value
 };
 
-/// The picture of a map, or of a profile extended in the second direction by width_of(). Heights are not
+/// The picture of a map, or of a profile extended in the second direction like its solid. Heights are not
 /// magnified. x is to the right and y upwards, as seen from above. The height (mm) of a pixel is
 /// lowest_height_mm + grey * height_per_grey_mm, to half a grey level. Black (grey 0) is the lowest node and
 /// white (65535) the highest.

@@ -89,32 +89,31 @@ TEST_CASE("Gaussian heights have the core, peaks and valleys of the normal distr
         }
         z[i * 7919 % n] = sigma * low;
     }
-    const CoreHeights core = core_heights(z);
+    const Roughness core = roughness({z, 0.001});
     // The line of least squares through the quantiles of 0.3 to 0.7 has the slope 2.573956. This is 12/0.4^3
     // times the integral of (s - 1/2) q(s) ds, by quadrature. The line cuts off the share 0.099051 on either
     // side. A triangle there has the area of the integral of (u - t) phi(u) du from t = 1.286978. It is
     // 0.945031 high.
-    CHECK(core.Rk == Approx(2.573956 * sigma).epsilon(1e-3));
-    CHECK(core.Mr1 == Approx(0.099051).epsilon(1e-2));
-    CHECK(core.Mr2 == Approx(1 - 0.099051).epsilon(1e-2));
-    CHECK(core.Rpk == Approx(0.945031 * sigma).epsilon(2e-2));
-    CHECK(core.Rvk == Approx(core.Rpk).epsilon(1e-6));
+    CHECK(core["Pk"] == Approx(2.573956 * sigma).epsilon(1e-3));
+    CHECK(core["Pmrk1"] == Approx(0.099051).epsilon(1e-2));
+    CHECK(core["Pmrk2"] == Approx(1 - 0.099051).epsilon(1e-2));
+    CHECK(core["Ppk"] == Approx(0.945031 * sigma).epsilon(2e-2));
+    CHECK(core["Pvk"] == Approx(core["Ppk"]).epsilon(1e-6));
 }
 
 TEST_CASE("profile elements exceed a tenth of the largest height and depth") {
     Profile profile = cosine(1, 8, 2, 1600);
-    profile.heights.array() -= 7;
-    const double plain = profile_elements(profile).RSm;
+    const double plain = roughness(profile)["PSm"];
     CHECK(plain == Approx(0.25));
     for (Index i = 0; i < 1600; ++i)
         profile.heights[i] += 0.04 * std::cos(1.7 * double(i)); // crosses the mean line more than once
-    const ProfileElements rough_ones = profile_elements(profile);
-    CHECK(rough_ones.RSm == Approx(plain).epsilon(0.02));
-    CHECK(rough_ones.Rc == Approx(2).epsilon(0.05));
+    const Roughness r = roughness(profile);
+    CHECK(r["PSm"] == Approx(plain).epsilon(0.02));
+    CHECK(r["Pc"] == Approx(2).epsilon(0.05));
     profile.heights *= 3;
-    CHECK(profile_elements(profile).Rc == Approx(3 * rough_ones.Rc));
-    CHECK(profile_elements(profile).RSm == rough_ones.RSm);
-    CHECK(std::isnan(profile_elements({Eigen::VectorXd::LinSpaced(50, -1, 1), 0.1}).RSm));
+    CHECK(roughness(profile)["Pc"] == Approx(3 * r["Pc"]));
+    CHECK(roughness(profile)["PSm"] == Approx(r["PSm"]));
+    CHECK(std::isnan(roughness({Eigen::VectorXd::LinSpaced(50, -1, 1), 0.1})["PSm"]));
 }
 
 TEST_CASE("spectral moments of a finely sampled profile are those of its cosines") {
