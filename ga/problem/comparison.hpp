@@ -157,15 +157,9 @@ Population<G> joined_with(const Population<G>& start, Population<G> population) 
 
 /// Implements `better` under constraints or several objectives.
 inline bool better_by_rules(const Fitness& a, const Fitness& b) {
-    if (!(a.several() && b.several() && a.feasible() && b.feasible())) {
-        const Fitness* const both[] = {&a, &b};
-        const std::vector<double> worth = merits(both);
-        return worth[0] > worth[1];
-    }
-    if (a.objective_name() != b.objective_name())
-        throw UsageError("fitness under '" + a.objective() + "' was compared with '" + b.objective() +
-                         "'; score both by one objective first");
-    return dominates(a.values(), b.values());
+    const Fitness* const both[] = {&a, &b};
+    const std::vector<double> worth = merits(both);
+    return worth[0] > worth[1];
 }
 /// Whether a is better than b by Deb's rules. Under several objectives, feasible individuals are compared by
 /// dominance. The result depends only on a and b. Throws UsageError if the policies of a and b differ.
