@@ -157,7 +157,6 @@ class Stage {
             text += (text.empty() ? "" : " | ") + place.step.text;
         return text;
     }
-    bool empty() const { return places_.empty(); } ///< whether the pipeline has no stage
     /// Whether the pipeline works without a population.
     bool begins() const { return !places_.empty() && places_.front().step.begins; }
     /// Number of the best individuals of a generation's start that the stages read.

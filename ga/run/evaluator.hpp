@@ -83,12 +83,7 @@ class Evaluator {
         for (Slope<P>* slope : slopes)
             differentiate(problem, *slope);
     }
-    /// Runs job(0) .. job(n-1), in any order. Used for work other than evaluations.
-    virtual void each(std::size_t n, const std::function<void(std::size_t)>& job) {
-        for (std::size_t i = 0; i < n; ++i)
-            job(i);
-    }
-    virtual int threads() const { return 1; } ///< number of threads that `each` uses
+    virtual int threads() const { return 1; } ///< number of threads for work other than evaluations
 };
 
 /// Makes one call after the other, on the calling thread.
@@ -119,9 +114,6 @@ class OnThreads : public Evaluator<P> {
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {
         parallel_for(slopes.size(), threads_, [&](std::size_t i) { differentiate(problem, *slopes[i]); });
     }
-    void each(std::size_t n, const std::function<void(std::size_t)>& job) override {
-        parallel_for(n, threads_, job);
-    }
     int threads() const override { return threads_; }
 
   private:
@@ -150,7 +142,6 @@ class Recording : public Evaluator<P> {
             differentiated.push_back(slope->genome);
         by_.slopes(problem, slopes, watch);
     }
-    void each(std::size_t n, const std::function<void(std::size_t)>& job) override { by_.each(n, job); }
     int threads() const override { return by_.threads(); }
 
   private:

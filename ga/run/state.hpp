@@ -46,11 +46,6 @@ class StagePosition {
                 generations.push_back(*place.generation);
         return generations;
     }
-    /// The generation of the innermost block, from 0; 0 outside all blocks.
-    std::size_t generation() const {
-        const std::vector<std::size_t> all = generations();
-        return all.empty() ? 0 : all.back();
-    }
     /// The best individuals of the innermost generation's first population. The generation's stages determine
     /// how many: five for `elite 5`, all for `plus`. The stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }

@@ -58,7 +58,7 @@ struct Counting : Operator {
     Population<Vector> operator()(Population<Vector> population, Context<Reals>& context,
                                   State& state) const {
         const std::lock_guard lock(*guard);
-        seen->emplace_back(state.calls++, context.position.generation());
+        seen->emplace_back(state.calls++, context.position.generations().back());
         return population;
     }
 };
