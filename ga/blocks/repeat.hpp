@@ -112,6 +112,18 @@ Repeat<Body> repeat(std::size_t n, Body body) {
     return checked(Repeat<Body>{{}, n, std::move(body)});
 }
 
+/// The block `until rules { body }` as one step. Throws UsageError if there is no rule.
+template <Problem P, class G = typename P::Genome>
+[[gnu::cold]] Step<P> until_step(const Stage<P>& body, const std::vector<Rule<G>>& rules) {
+    std::string name = "until";
+    for (const Rule<G>& rule : rules)
+        name += " " + rule.text;
+    if (rules.empty())
+        throw UsageError("until has no end; give one of generations, evaluations, seconds, fitness, "
+                         "stagnation, converged");
+    return generations_step<P>(name, body, rules);
+}
+
 /// Runs a body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block also
 /// ends after 10,000 generations without an improvement. With the rule `evaluations`, these generations must
 /// also be without a requested evaluation.
@@ -126,25 +138,13 @@ struct Generations : Operator {
     /// The block as one step (Block). Throws UsageError if it has no rule.
     template <Problem P>
     Step<P> step() const {
-        const auto& rules = ends.template rules<typename P::Genome>();
-        std::string name = "until";
-        for (const auto& rule : rules)
-            name += " " + rule.text;
-        if (rules.empty())
-            throw UsageError("until has no end; give one of generations, evaluations, seconds, fitness, "
-                             "stagnation, converged");
-        return generations_step<P>(name, body, rules);
+        return until_step<P>(body, ends.template rules<typename P::Genome>());
     }
 };
 
-/// The block `until ... { body }` with the engine's rules.
-template <class Body>
-Generations<Body, Until> until(Until end, Body body) {
-    return {std::move(body), end};
-}
-/// The block `until ... { body }` with any rules.
-template <class Body, class First, class... R>
-Generations<Body, AnyOf<First, R...>> until(AnyOf<First, R...> ends, Body body) {
+/// The block `until ... { body }` with the engine's rules (Until) or any rules (any_of()).
+template <class Body, class Ends = Until>
+Generations<Body, Ends> until(Ends ends, Body body) {
     return {std::move(body), std::move(ends)};
 }
 /// The block `until ... { body }` with any one rule.

@@ -274,15 +274,4 @@ AnyOf<R...> any_of(R... rules) {
     return {{std::move(rules)...}};
 }
 
-/// Rules that a text names.
-template <class Genome>
-struct RuleList {
-    std::vector<Rule<Genome>> list; ///< the rules
-
-    /// The rules for this type of genome.
-    template <class G>
-    requires std::same_as<G, Genome>
-    const std::vector<Rule<G>>& rules() const { return list; }
-};
-
 } // namespace ga

@@ -55,8 +55,7 @@ Registry<P> vocabulary() {
     registry.template add<Repeat<Stage<P>>>();
     registry.add({"until", "blocks", "generations until the first condition holds", {}, {}, 1, true},
                  [](const Arguments& a, const std::vector<Stage<P>>& bodies, const Registry<P>& r) {
-                     using Rules = RuleList<typename P::Genome>;
-                     return Stage<P>(Generations<Stage<P>, Rules>(bodies[0], Rules{r.rules(a)}));
+                     return Stage<P>(until_step<P>(bodies[0], r.rules(a)));
                  });
     registry.template add_rule<AfterGenerations>();
     registry.template add_rule<AfterEvaluations>();
