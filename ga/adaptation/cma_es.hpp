@@ -57,7 +57,6 @@ struct CmaEs : Operator {
             throw UsageError("stage 'cma-es': restarts is '" + restarts + "'; use bipop, ipop or none");
         if (population == 1)
             throw UsageError("stage 'cma-es': population is '1'; give 0, or 2 or more");
-        check_values(*this, words().name);
     }
     void check(CheckState& known) const {
         known.need_repetition(text_of(*this));

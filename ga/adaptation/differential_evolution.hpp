@@ -83,7 +83,6 @@ struct DifferentialEvolution : Operator {
             throw UsageError("stage 'de': base is '" + base + "'; use rand, best or current-to-best");
         if (crossing != "bin" && crossing != "exp")
             throw UsageError("stage 'de': crossing is '" + crossing + "'; use bin or exp");
-        check_values(*this, words().name);
     }
     void check(CheckState& known) const {
         known.need_score(text_of(*this));

@@ -33,7 +33,6 @@ struct SelfAdaptive : Operator {
     void validate() const {
         if (steps != "each" && steps != "one")
             throw UsageError("stage 'self-adaptive': steps is '" + steps + "'; use each or one");
-        check_values(*this, words().name);
     }
     void check(CheckState& known) const {
         known.need_repetition(text_of(*this));

@@ -195,10 +195,13 @@ template <class T>
             throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
                              "'; give " + field.parameter.expected(*given > field.parameter.upper));
 }
-/// Throws UsageError if a value of an object that describes itself is out of range.
+/// Throws UsageError if a value of an object that describes itself is out of range, or as its validate()
+/// does.
 template <class T>
 [[gnu::cold]] void check_values(T described, const std::string& name) {
     check_values(fields_of(described), name);
+    if constexpr (requires { described.validate(); })
+        described.validate();
 }
 
 } // namespace ga

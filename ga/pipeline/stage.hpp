@@ -47,10 +47,7 @@ struct Operator : NoParameters {};
 template <class Op>
 requires std::derived_from<Op, Operator>
 [[gnu::cold]] Op checked(Op op) {
-    if constexpr (requires { op.validate(); })
-        op.validate();
-    else
-        check_values(op, Op::words().name);
+    check_values(op, Op::words().name);
     return op;
 }
 

@@ -46,8 +46,6 @@ auto method_of(V values) {
     using M = std::conditional_t<V::on_residuals, ResidualMethod, Method>;
     M method;
     check_values(values, "refine " + V::words().name);
-    if constexpr (requires { values.validate(); })
-        values.validate();
     method.text = text_of(values);
     if constexpr (requires { values.needs_gradient(); })
         method.needs_gradient = values.needs_gradient();
