@@ -36,6 +36,7 @@ struct CmaEs : Operator {
     };
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {"cma-es", "adaptation",
                 "children drawn from a normal distribution that adapts to earlier children (Hansen and "

@@ -67,6 +67,7 @@ struct DifferentialEvolution : Operator {
     std::string crossing = "bin"; ///< cross-over: bin (binomial) or exp (exponential)
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {"de", "adaptation",
                 "a trial replaces each individual by differential evolution; duel follows the score"};

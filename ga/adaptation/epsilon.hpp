@@ -26,6 +26,7 @@ struct Epsilon : Operator {
     };
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = "constraints: violation(outcome)";
     static Words words() {
         return {"epsilon", "adaptation", "constraints hold up to a level that falls to 0"};
     }

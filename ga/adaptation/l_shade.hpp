@@ -84,6 +84,7 @@ struct LShade : Operator {
     };
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {
             "l-shade", "adaptation",

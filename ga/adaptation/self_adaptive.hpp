@@ -21,6 +21,7 @@ struct SelfAdaptive : Operator {
     };
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {"self-adaptive", "adaptation",
                 "adds normal steps with sizes that are inherited and mutate too"};

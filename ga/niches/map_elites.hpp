@@ -32,6 +32,7 @@ struct MapElites : Operator {
     std::size_t cells = 10;               ///< number of cells per descriptor, >= 1
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = "features of its genomes: descriptors";
     static Words words() {
         return {"map-elites", "niches",
                 "the best in every cell of the descriptors' ranges, the start included"};
@@ -100,6 +101,7 @@ struct Emit : Operator {
     double sigma = 0.1;                   ///< length of a step, > 0
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = MapElites::needs;
     static Words words() {
         return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
     }

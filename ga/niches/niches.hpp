@@ -40,7 +40,7 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
 }
 
 /// The members that a problem without a distance lacks, in words, for the listing.
-inline const char* const no_distance = "real genes, discrete genes, or a distance";
+constexpr const char* no_distance = "real genes, discrete genes, or a distance";
 
 /// Clearing (Petrowski 1996). Individuals are visited from the best to the worst. An individual is removed if
 /// `capacity` better individuals that stay are within the distance `radius`. The result is sorted, best
@@ -50,6 +50,7 @@ struct Clearing : Operator {
     std::size_t capacity = 1; ///< number of individuals per niche, >= 1
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = no_distance;
     static Words words() { return {"clear", "niches", "keeps the best of every niche, best first"}; }
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
@@ -85,6 +86,7 @@ inline Clearing clear(double radius, std::size_t capacity = 1) {
 /// matched with its nearest parent. Put `random | cross` before this stage to mate every individual once.
 struct Crowding : Operator {
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = no_distance;
     static Words words() {
         return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
     }
@@ -142,7 +144,8 @@ inline Crowding crowding() { return {}; }
 /// individuals whose distance d is below `radius`. If a fitness is below 0, all fitnesses are first raised so
 /// that the worst is 0.
 struct Sharing : ByFitness {
-    static constexpr bool one_spin = true; ///< whether one spin fills all places
+    static constexpr const char* needs = no_distance; ///< members that the problem must have, for the listing
+    static constexpr bool one_spin = true;            ///< whether one spin fills all places
 
     double radius = 0.1; ///< niche radius, above 0
     double alpha = 1;    ///< exponent of the sharing function, above 0
@@ -150,7 +153,8 @@ struct Sharing : ByFitness {
     /// The weights, one per individual.
     template <HasDistance P>
     std::vector<double> of(const PopulationOf<P>& population, const P& problem) const {
-        std::vector<double> shared = ByFitness::of(population); // 0 for individuals that do not count
+        std::vector<double> shared =
+            ByFitness::of(population, problem); // 0 for individuals that do not count
         double lowest = 0, highest = -HUGE_VAL;
         for (std::size_t i = 0; i < population.size(); ++i)
             if (const Fitness& f = population[i].fitness; !f.has_failed() && f.feasible()) {

@@ -44,6 +44,7 @@ struct Average : Operator {
     std::size_t limit = 0; ///< maximum number of replicates of one individual; 0 for n
 
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = "a noisy evaluation (evaluate(genome, replicate))";
     static Words words() {
         return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
     }

@@ -35,6 +35,7 @@ struct Step {
 /// @code
 ///     struct State;                           state from one generation to the next; to_json and from_json
 ///                                             write and read it; the call takes a State& as last parameter
+///     static constexpr const char* needs;     members that the problem must have, in words for the listing
 ///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
 ///                                             the operator reads, or `everyone`
 ///     static constexpr bool begins = true;    if the operator works without a population
@@ -57,6 +58,12 @@ template <class Op, class P>
 concept Block = requires(const Op& op) {
     op.template step<P>();
 };
+
+/// An operator that the problem and its genome allow to call.
+template <class Op, class P>
+concept Callable = std::invocable < const Op&,
+        PopulationOf<P>, Context<P>
+& > || std::invocable<const Op&, PopulationOf<P>, Context<P>&, typename Op::State&>;
 
 /// The text of an operator: from its text(), or from its parameters.
 template <class Op>
@@ -248,9 +255,8 @@ class Stage {
 
     template <class Op>
     [[gnu::cold]] void add_operator(const Op& op) {
-        if constexpr (!requires { typename Op::State; } &&
-                      !std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>) {
-            static_assert(std::is_invocable_v<const Op&, Population<Genome>, Context<P>&>,
+        if constexpr (!requires { typename Op::State; } && !Callable<Op, P>) {
+            static_assert(Callable<Op, P>,
                           "this operator needs what the problem or its genome does not have; the compiler "
                           "names it below");
             // Not callable; here the compiler names the constraint.

@@ -182,9 +182,11 @@ inline Threshold<false> below(double threshold, AtLeast least = {}) {
 /// weight 0. If none is feasible, the violation of the constraints is used instead of the fitness; less is
 /// better. If all individuals have failed, every weight is 1.
 struct ByFitness : NoParameters {
+    static constexpr const char* needs = ""; ///< members that the problem must have, for the listing
+
     /// The weights, one per individual, in [0, 1].
-    template <class G>
-    std::vector<double> of(const Population<G>& population) const {
+    template <Problem P>
+    std::vector<double> of(const PopulationOf<P>& population, const P&) const {
         const bool any_feasible = std::any_of(population.begin(), population.end(), [](const auto& each) {
             return !each.fitness.has_failed() && each.fitness.feasible();
         });
@@ -231,13 +233,14 @@ struct Universal : ByFitness {
 /// Linear ranking (Baker 1985). The best individual has the weight `pressure`, and the worst has 2 -
 /// pressure. Between them the weight is linear in the rank.
 struct ByRank {
-    static constexpr bool one_spin = false; ///< whether one spin fills all places
+    static constexpr const char* needs = ""; ///< members that the problem must have, for the listing
+    static constexpr bool one_spin = false;  ///< whether one spin fills all places
 
     double pressure = 1.5; ///< weight of the best, above 1 and at most 2
 
     /// The weights, one per individual, in [0, pressure].
-    template <class G>
-    std::vector<double> of(const Population<G>& population) const {
+    template <Problem P>
+    std::vector<double> of(const PopulationOf<P>& population, const P&) const {
         const std::vector<std::size_t> order = ranking(population);
         const double last = static_cast<double>(order.size()) - 1;
         std::vector<double> weights(order.size(), 1);
@@ -260,20 +263,20 @@ template <class Weights>
 struct Proportional : Operator {
     Weights weights; ///< weights: Roulette, Universal, ByRank or Sharing
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = Weights::needs;
     static Words words() { return Weights::words(); }
     static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
     void check(CheckState& known) const { weights.check(known, text_of(*this)); }
 
     template <Problem P>
+    requires requires(const Weights& all, const PopulationOf<P>& population, const P& problem) {
+        all.of(population, problem);
+    }
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
         if (population.empty())
             return population;
-        std::vector<double> ends;
-        if constexpr (requires { weights.of(population, context.problem()); })
-            ends = weights.of(population, context.problem());
-        else
-            ends = weights.of(population);
+        std::vector<double> ends = weights.of(population, context.problem());
         std::partial_sum(ends.begin(), ends.end(), ends.begin());
         Stream spin = context.stream(n);
         const double offset = spin.uniform();

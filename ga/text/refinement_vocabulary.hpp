@@ -37,7 +37,7 @@ void add_method(Registry<P>& registry) {
                 return refined(method_of(std::move(values)), a, r);
             });
     } else {
-        entry.lacks = V::on_residuals ? "residuals with their derivatives: sensitivity" : words::real_genes;
+        entry.lacks = V::on_residuals ? "residuals with their derivatives: sensitivity" : real_genes;
         registry.add(std::move(entry), {});
     }
 }

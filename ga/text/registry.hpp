@@ -38,32 +38,11 @@ class Registry {
         entry.make = std::move(make);
         entries_.push_back(std::move(entry));
     }
-    /// Adds an operator that describes itself. If it has a member `body`, that is the pipeline in braces.
-    template <Described Op>
-    [[gnu::cold]] void add() {
-        constexpr bool is_block = requires(Op op) { op.body; };
-        Entry entry = entry_of<Op>();
-        entry.bodies = is_block ? 1 : 0;
-        add(
-            std::move(entry), +[](const Arguments& a, const Bodies& bodies, const Registry&) {
-                Op op;
-                if constexpr (is_block)
-                    op.body = bodies[0];
-                a.fill(op);
-                return Stage<P>(std::move(op));
-            });
-    }
-    /// Adds an operator if `possible`. Otherwise it is only listed, with the need that the problem does not
-    /// meet.
-    template <bool possible, Described Op>
-    void add_if(const std::string& lacks) {
-        if constexpr (possible) {
-            add<Op>();
-        } else {
-            Entry entry = entry_of<Op>();
-            entry.lacks = lacks;
-            add(std::move(entry), {});
-        }
+    /// Adds operators that describe themselves. If one has a member `body`, that is the pipeline in braces.
+    /// An operator whose `needs` the problem does not meet is only listed.
+    template <Described... Ops>
+    void add() {
+        (add_one<Ops>(), ...);
     }
     /// The entry of a type that describes itself.
     template <Described T>
@@ -71,20 +50,9 @@ class Registry {
         const Words words = T::words();
         return {words.name, words.group, words.meaning, parameters_of<T>()};
     }
-    /// Adds a stopping rule, which `until` takes by its name.
-    template <class R>
-    requires std::derived_from<R, StoppingRule>
-    [[gnu::cold]] void add_rule() {
-        rules_.push_back({R::words().name, +[](const Arguments& a) {
-                              R rule;
-                              a.fill(rule);
-                              return rule_of<Genome>(std::move(rule));
-                          }});
-        for (auto& entry : entries_)
-            if (entry.pairs_of_words)
-                for (const Parameter& parameter : parameters_of<R>())
-                    entry.parameters.push_back(parameter);
-    }
+    /// Adds stopping rules, which `until` takes by their names.
+    template <class... R>
+    requires(std::derived_from<R, StoppingRule>&&...) void add_rule() { (add_one_rule<R>(), ...); }
     /// The stopping rules that were given, in the order they were added.
     std::vector<Rule<Genome>> rules(const Arguments& arguments) const {
         std::vector<Rule<Genome>> found;
@@ -140,6 +108,38 @@ class Registry {
     }
 
   private:
+    template <class Op>
+    [[gnu::cold]] void add_one() {
+        constexpr bool is_block = requires(Op op) { op.body; };
+        Entry entry = entry_of<Op>();
+        entry.bodies = is_block ? 1 : 0;
+        if constexpr (requires { Op::needs; } && !Callable<Op, P>) {
+            entry.lacks = Op::needs;
+            add(std::move(entry), {});
+        } else {
+            add(
+                std::move(entry), +[](const Arguments& a, const Bodies& bodies, const Registry&) {
+                    Op op;
+                    if constexpr (is_block)
+                        op.body = bodies[0];
+                    a.fill(op);
+                    return Stage<P>(std::move(op));
+                });
+        }
+    }
+    template <class R>
+    [[gnu::cold]] void add_one_rule() {
+        rules_.push_back({R::words().name, +[](const Arguments& a) {
+                              R rule;
+                              a.fill(rule);
+                              return rule_of<Genome>(std::move(rule));
+                          }});
+        for (auto& entry : entries_)
+            if (entry.pairs_of_words)
+                for (const Parameter& parameter : parameters_of<R>())
+                    entry.parameters.push_back(parameter);
+    }
+
     std::vector<Entry> entries_;
     std::vector<std::pair<std::string, std::function<Rule<Genome>(const Arguments&)>>> rules_;
     std::vector<std::pair<Combine<Genome>, std::string>> combines_;

@@ -21,6 +21,7 @@ struct Cross : Operator {
     Way way;         ///< method that crosses two genomes (Crosses)
     double rate = 1; ///< probability for each pair, in [0, 1]
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = Way::needs;
     static Words words() {
         const Words of_way = Way::words();
         return {"cross " + of_way.name, "cross-over", of_way.meaning};
@@ -64,6 +65,9 @@ concept Positional = std::ranges::random_access_range<G> && requires(G& genome, 
     std::swap_ranges(genome.begin(), genome.end(), genome.begin());
     *genome.begin() = *genome.begin(); // the signature of swap does not require it
 };
+
+/// The need of operators on real genes, for the listing.
+constexpr const char* real_genes = "real genes: genes and with_genes, or a vector of double";
 
 /// Calls edit(std::span<double>), which changes a genome's real genes. If the genome is a vector of double,
 /// it is changed in place.
@@ -148,6 +152,7 @@ struct Points {
     std::size_t n = 2; ///< number of cuts, >= 1
 
     ///@{ Members that every cross-over has (Crosses).
+    static constexpr const char* needs = "genes at positions: a random-access range";
     static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
 
@@ -165,6 +170,7 @@ struct Points {
 /// Cross-over with one cut.
 struct OnePoint : NoParameters {
     ///@{ Members that every cross-over has (Crosses).
+    static constexpr const char* needs = Points::needs;
     static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
 
     template <Problem P>
@@ -184,6 +190,7 @@ inline Points n_points(std::size_t n) { return {n}; }
 /// genome.
 struct Uniform : NoParameters {
     ///@{ Members that every cross-over has (Crosses).
+    static constexpr const char* needs = Points::needs;
     static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
 
     template <Problem P>
@@ -216,6 +223,7 @@ inline Uniform uniform() { return {}; }
 /// as they are.
 struct Order : NoParameters {
     ///@{ Members that every cross-over has (Crosses).
+    static constexpr const char* needs = "a permutation for a genome";
     static Words words() {
         return {"order", "cross-over",
                 "keeps a piece of one permutation in place and the other's order elsewhere"};
@@ -265,6 +273,7 @@ struct Blend {
     double alpha = 0.5; ///< extension of the interval relative to the parents' distance, >= 0
 
     ///@{ Members that every cross-over has (Crosses).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {"blend", "cross-over", "draws each gene uniformly around the parents' (BLX-alpha)"};
     }
@@ -295,6 +304,7 @@ struct SimulatedBinary {
     double eta = 15; ///< distribution index; greater values put children nearer to their parents
 
     ///@{ Members that every cross-over has (Crosses).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
     }

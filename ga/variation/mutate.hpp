@@ -23,6 +23,7 @@ struct Mutate : Operator {
     double rate = 0; ///< probability for each gene, in [0, 1]
     Way way;         ///< method that changes a genome (Mutates)
     ///@{ Members that every operator has (Operator).
+    static constexpr const char* needs = Way::needs;
     static Words words() {
         const Words of_way = Way::words();
         return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
@@ -98,6 +99,7 @@ template <bool normal>
 struct GeneStep {
     double size = 0.1; ///< size of a step as a fraction of the distance between the bounds, > 0
     ///@{ Members that every mutation has (Mutates).
+    static constexpr const char* needs = real_genes;
     static Words words() {
         return {normal ? "gaussian" : "uniform", "mutation",
                 normal ? "adds a normal step" : "adds a uniform step"};
@@ -127,6 +129,7 @@ using UniformStep = GeneStep<false>; ///< the method of `mutate RATE uniform`
 struct Polynomial {
     double eta = 20; ///< distribution index; a greater eta gives smaller steps
     ///@{ Members that every mutation has (Mutates).
+    static constexpr const char* needs = "real genes with bounds";
     static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
     static void describe(auto& self, auto visit) {
         visit(self.eta, number("eta", "20", above_zero, no_limit, "greater values give smaller steps"));
@@ -166,6 +169,7 @@ concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, b
 /// is flipped. A real gene with an infinite bound stays as it is.
 struct Reset : NoParameters {
     ///@{ Members that every mutation has (Mutates).
+    static constexpr const char* needs = "bits, or genes with bounds";
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
 
     template <Problem P>
@@ -220,6 +224,7 @@ concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G,
 template <bool piece>
 struct Exchange : NoParameters {
     ///@{ Members that every mutation has (Mutates).
+    static constexpr const char* needs = "genes that may change places";
     static Words words() {
         if (piece)
             return {"reverse", "mutation", "reverses the piece between the gene and another"};
@@ -253,6 +258,7 @@ using Reverse = Exchange<true>; ///< the method of `mutate RATE reverse`
 /// genome: `swap` for permutations, `gaussian 0.1` for real genes, `reset` for bits and whole numbers.
 struct Natural : NoParameters {
     ///@{ Members that every mutation has (Mutates).
+    static constexpr const char* needs = "a member mutate, or genes";
     static Words words() {
         return {"", "mutation", "the genome's natural mutation: the problem's, swap, reset or gaussian 0.1"};
     }

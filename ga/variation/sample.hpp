@@ -9,6 +9,7 @@ struct Sample : Operator {
     std::size_t n = 1; ///< number of individuals, >= 1
     ///@{ Members that every operator has (Operator).
     static constexpr bool begins = true;
+    static constexpr const char* needs = "a problem that samples genomes";
     static Words words() {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
     }
