@@ -66,15 +66,6 @@ TEST_CASE("levels of the epsilon rule end with their block, and with a run that 
     CHECK(strict_again(stopped));
 }
 
-TEST_CASE("violations and levels survive a checkpoint") {
-    Individual<std::vector<double>> individual;
-    individual.fitness = Fitness(sum_of, 0.1, true).constrained({0.3, 1}).relaxed({0.1, 0.5});
-    const auto again = json(individual).get<Individual<std::vector<double>>>().fitness;
-    CHECK(again.violation() == individual.fitness.violation());
-    CHECK(again.violations() == individual.fitness.violations());
-    CHECK(again.minimises());
-}
-
 TEST_CASE("refinement by NLopt follows constraints into the feasible set and along its edge") {
     const auto refined = [](const std::string& method, const Vector& start) {
         return run("score | refine nlopt " + method, ring(), population<Vector>({start}));

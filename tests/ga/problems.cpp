@@ -1,5 +1,9 @@
 #include "tests/ga/problems.hpp"
 
+#include "tests/folder.hpp"
+
+#include <catch2/catch.hpp>
+
 using namespace ga;
 
 GA_PIPELINES_HERE(Reals)
@@ -28,6 +32,34 @@ Stage<Reals> reals(const std::string& pipeline) { return Parser<Reals>(registry(
 Result<Vector> run(const std::string& pipeline, const Reals& problem, const Population<Vector>& start,
                    const RunOptions& options, const Observers& observers, Checkpointer<Reals>* keeper) {
     return run(reals(pipeline), problem, start, options, observers, keeper);
+}
+
+Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long step,
+                         const RunOptions& given, const Observers& observers,
+                         const std::function<void(Checkpoints<Reals>&)>& prepare) {
+    const tests::Folder folder;
+    for (int piece = 0;; ++piece) {
+        REQUIRE(piece < 1000);
+        std::atomic<bool> stop = false;
+        std::atomic<long> left = step;
+        Reals stopping = problem;
+        stopping.f = [&](const Vector& x) {
+            if (--left == 0)
+                stop = true;
+            return problem.f(x);
+        };
+        RunOptions options = given;
+        options.threads = 1 + piece % 3;
+        options.budget.stop = &stop;
+        Checkpoints<Reals> checkpoints(folder / "run", "", true, piece % 2 ? 1000 : 0);
+        if (prepare)
+            prepare(checkpoints);
+        auto part = run(pipeline, stopping, {}, options, observers, &checkpoints);
+        if (part.stopped.empty()) {
+            CHECK(piece > 0);
+            return part;
+        }
+    }
 }
 
 std::string bits_of(const Result<Vector>& result) {

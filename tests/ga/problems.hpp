@@ -228,5 +228,11 @@ ga::Result<Vector> run(const std::string& pipeline, const CurveFit& problem,
                        const ga::Population<Vector>& start, const ga::RunOptions& options = {},
                        const Observers& observers = {});
 
+/// Stops a run every `step` evaluations and resumes it, on 1 to 3 threads, until it ends. `prepare` may keep
+/// values in the checkpoints of each piece.
+ga::Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long step,
+                             const ga::RunOptions& options = {}, const Observers& observers = {},
+                             const std::function<void(ga::Checkpoints<Reals>&)>& prepare = {});
+
 /// A result to the last bit: individuals with parents, genes and fitness, the best, counters and notes.
 std::string bits_of(const ga::Result<Vector>& result);

@@ -163,22 +163,6 @@ TEST_CASE("four threads are 3.5 times as fast as one when evaluations are uneven
     CHECK(seconds(1) > 3.5 * seconds(4));
 }
 
-TEST_CASE("an evaluator's failures mark their individuals") {
-    struct Odd : Serial<Reals> {
-        void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {
-            for (auto& call : calls)
-                if ((*call.genome)[0] < 0)
-                    *call.answer = reason("negative");
-                else
-                    Serial<Reals>::outcomes(problem, {&call, 1}, watch);
-        }
-    } odd;
-    const auto result = run_by(odd, reals("sample 40 | score"), Reals{}, {});
-    for (const auto& each : result.population)
-        CHECK(each.fitness.reason() == (each.genome[0] < 0 ? "negative" : ""));
-    CHECK(result.counters.failures > 5);
-}
-
 TEST_CASE("an evaluator that throws ends the run with its message, on islands too") {
     struct Cut : Serial<Reals> {
         int batches = 0;
