@@ -14,11 +14,9 @@ auto interruptible(rough::Model& model, Solve solve) {
         const py::gil_scoped_release unlocked;
         return solve();
     } catch (const rough::NotConverged&) {
-        if (!interrupt.requested())
-            throw;
+        interrupt.rethrow();
+        throw;
     }
-    PyErr_SetNone(PyExc_KeyboardInterrupt);
-    throw py::error_already_set();
 }
 
 /// The response of a surface under the model, with the requested derivatives. They are with respect to the

@@ -38,10 +38,7 @@ void build_store(const GenomeStore& store, std::uint64_t genomes, int threads) {
         GenomeStore own = GenomeStore::open(store.file()); // other threads may read by `store`
         build(own, options);
     }
-    if (interrupt.requested()) {
-        PyErr_SetNone(PyExc_KeyboardInterrupt);
-        throw py::error_already_set();
-    }
+    interrupt.rethrow();
 }
 
 GenomeStore create_store(const std::filesystem::path& file, std::uint64_t genomes, int threads,

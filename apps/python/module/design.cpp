@@ -79,7 +79,7 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
     const auto starts = keywords.take<std::vector<rough::Genome>>("starts");
     const auto progress = keywords.take<py::object>("progress");
     const auto like = keywords.take<py::object>("like");
-    const Spacing spacing = keywords.take<OneOrTwo<double>>("spacing");
+    const Spacing spacing = keywords.take<OneOrTwo>("spacing");
     if (like && !targets.empty())
         throw py::type_error("design: like and a target were given; give only one of them");
     if (!like && targets.empty())

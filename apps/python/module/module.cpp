@@ -55,6 +55,13 @@ Interruptible::~Interruptible() {
 
 bool Interruptible::requested() const { return holds_ && stop_; }
 
+void Interruptible::rethrow() const {
+    if (!requested())
+        return;
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+}
+
 app::Settings Keywords::settings(const std::vector<app::Setting>& known,
                                  const std::vector<std::string>& except) {
     std::map<std::string, std::string> given;

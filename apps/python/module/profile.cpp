@@ -23,7 +23,8 @@ Profile surface_from(const py::object& heights, const Spacing& spacing, const st
         throw py::type_error(where + ": spacing is missing; give the distance of the nodes, mm");
     if (array.ndim() == 1 && spacing->index() == 1)
         throw py::type_error(where + ": two spacings for heights along a line; give one");
-    const auto [along, across] = both(*spacing);
+    const double* one = std::get_if<double>(&*spacing);
+    const auto [along, across] = one ? std::pair(*one, *one) : std::get<1>(*spacing);
     if (!(along > 0 && across > 0))
         rough::refuse(where, ": spacing ", along > 0 ? across : along, " is out of range (above 0)");
     Profile surface{Eigen::Map<const Eigen::VectorXd>(array.data(), array.size()), along};
@@ -51,13 +52,13 @@ py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
 }
 
 Profile profile_from(const py::object& heights, double spacing) {
-    Profile profile = surface_from(heights, OneOrTwo<double>(spacing), "Profile");
+    Profile profile = surface_from(heights, OneOrTwo(spacing), "Profile");
     if (profile.is_2d())
         rough::refuse("Profile: the heights have 2 dimensions; give one");
     return profile;
 }
 
-Surface map_from(const py::object& heights, const OneOrTwo<double>& spacing) {
+Surface map_from(const py::object& heights, const OneOrTwo& spacing) {
     Surface surface{surface_from(heights, spacing, "Surface")};
     if (!surface.is_2d())
         rough::refuse("Surface: the heights have 1 dimension; give two");

@@ -69,15 +69,9 @@ class Keywords {
 };
 
 /// A number, or one along x and one along y.
-template <class Number>
-using OneOrTwo = std::variant<Number, std::pair<Number, Number>>;
-template <class Number>
-std::pair<Number, Number> both(const OneOrTwo<Number>& given) {
-    const Number* one = std::get_if<Number>(&given);
-    return one ? std::pair(*one, *one) : std::get<std::pair<Number, Number>>(given);
-}
+using OneOrTwo = std::variant<double, std::pair<double, double>>;
 /// Distance of the nodes, mm, if it is given.
-using Spacing = std::optional<OneOrTwo<double>>;
+using Spacing = std::optional<OneOrTwo>;
 
 /// A response, with its resolution band and derivatives, each empty unless it was requested.
 struct Curve : rough::Response, rough::ResolutionBand {
@@ -118,6 +112,7 @@ class Interruptible {
     Interruptible& operator=(const Interruptible&) = delete;
 
     bool requested() const;                     ///< whether Ctrl-C was pressed
+    void rethrow() const;                       ///< throws Python's KeyboardInterrupt if it was
     std::atomic<bool>& stop() { return stop_; } ///< for budgets; others may set it, too
 
   private:
