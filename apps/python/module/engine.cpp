@@ -56,16 +56,6 @@ Optimisation requested(const py::object& problem, const py::kwargs& given) {
     return search;
 }
 
-/// The search of search(). It must not move, because its engine points at `result`.
-struct Search {
-    Optimisation result;
-    std::unique_ptr<AskTell> engine;
-
-    explicit Search(Optimisation of) : result(std::move(of)) {
-        engine = by_kind(result.genes, [this](auto genome) { return ask_tell<decltype(genome)>(result); });
-    }
-};
-
 constexpr const char* help_of_search = R"(The search of optimise() in a loop of the caller; the same keywords.
 
 >>> import rugosa
@@ -133,22 +123,17 @@ void add_engine(py::module_& module) {
             return rough::line_of("<rugosa.Optimisation of ", o.spent, " evaluations>");
         });
     py::class_<Search>(module, "Search", "A search that search() began.")
-        .def(
-            "ask", [](Search& s) { return s.engine->ask(); },
-            "Genomes to evaluate, one per row; no rows after the end of the search.")
-        .def(
-            "tell", [](Search& s, const py::object& answers) { s.engine->tell(py::list(answers)); },
-            "answers"_a, "One answer per row of ask(), as evaluate of optimise() returns it.")
-        .def(
-            "result",
-            [](Search& s) {
-                s.engine->end();
-                return s.result;
-            },
-            "Ends the search and returns its Optimisation.");
+        .def("ask", &Search::ask, "Genomes to evaluate, one per row; no rows after the end of the search.")
+        .def("tell", &Search::tell, "answers"_a,
+             "One answer per row of ask(), as evaluate of optimise() returns it.")
+        .def("result", &Search::result, "Ends the search and returns its Optimisation.");
     module.def(
         "search",
-        [](const py::kwargs& given) { return std::make_unique<Search>(requested(py::none(), given)); },
+        [](const py::kwargs& given) {
+            Optimisation search = requested(py::none(), given);
+            return by_kind(search.genes,
+                           [&](auto genome) { return begin_search<decltype(genome)>(std::move(search)); });
+        },
         help_of_search);
     module.def(
         "optimise",

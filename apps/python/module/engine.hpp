@@ -19,12 +19,12 @@ struct Optimisation : app::OutsideSearch {
 };
 
 /// A search whose evaluations the caller makes in a loop.
-class AskTell {
+class Search {
   public:
-    virtual ~AskTell() = default;
-    virtual py::array ask() = 0;                    ///< genomes x genes; no rows after the end of the search
-    virtual void tell(const py::list& answers) = 0; ///< one per row of ask(), in its order
-    virtual void end() = 0;                         ///< ends it and fills in the Optimisation
+    virtual ~Search() = default;
+    virtual py::array ask() = 0; ///< genomes x genes; no rows after the end of the search
+    virtual void tell(const py::object& answers) = 0; ///< one per row of ask(), in its order
+    virtual Optimisation result() = 0;                ///< ends it
 };
 
 ///@{
@@ -32,7 +32,7 @@ class AskTell {
 template <class G>
 void optimise(Optimisation& search);
 template <class G>
-std::unique_ptr<AskTell> ask_tell(Optimisation& search); ///< `search` must not move until the end
+std::unique_ptr<Search> begin_search(Optimisation search);
 ///@}
 
 } // namespace rugosa::python

@@ -270,20 +270,20 @@ void optimise(Optimisation& search) {
 }
 
 template <class G>
-class AskTellOf : public AskTell {
+class AskTell : public Search {
     using Engine = ga::AskTell<PythonProblem<G>>;
 
   public:
-    explicit AskTellOf(Optimisation& search)
-        : prepared_(search, stop_),
+    explicit AskTell(Optimisation search)
+        : search_(std::move(search)), prepared_(search_, stop_),
           engine_(prepared_.stage, prepared_.problem, {}, prepared_.run, prepared_.observers()) {}
-    ~AskTellOf() override {
+    ~AskTell() override {
         const py::gil_scoped_release unlocked; // its thread may call Python
         engine_.stop();
         stop_ = true;
         try {
             engine_.result();
-        } catch (...) { // thrown before by ask() or end(), or not needed any more
+        } catch (...) { // thrown before by ask() or result(), or not needed any more
         }
     }
 
@@ -304,25 +304,28 @@ class AskTellOf : public AskTell {
         asker_ = std::this_thread::get_id();
         return rows_of<G>(open_, prepared_.problem.count, &Engine::Question::genome);
     }
-    void tell(const py::list& given) override {
+    void tell(const py::object& iterable) override {
+        const py::list given(iterable);
         expect_answers("tell", given.size(), open_.size());
         if (asker_ != std::this_thread::get_id() && !open_.empty())
             rough::refuse("tell: another thread has asked since; use a search in one thread");
         std::vector<app::Answer> answers;
         for (const py::handle& each : given)
-            answers.push_back(answer_of(each, prepared_.search.minimise.size()));
+            answers.push_back(answer_of(each, search_.minimise.size()));
         const auto open = std::exchange(open_, {}); // another thread may ask
         for (std::size_t i = 0; i < answers.size(); ++i)
-            prepared_.search.record.take({app::genes_text(open[i].genome), answers[i]});
+            search_.record.take({app::genes_text(open[i].genome), answers[i]});
         const py::gil_scoped_release unlocked;
         for (std::size_t i = 0; i < answers.size(); ++i)
             engine_.tell(open[i].id, std::move(answers[i]));
     }
-    void end() override {
+    Optimisation result() override {
         prepared_.finish([&] { return engine_.result(); });
+        return search_;
     }
 
   private:
+    Optimisation search_;
     std::atomic<bool> stop_ = false;
     Prepared<G> prepared_;
     Engine engine_;
@@ -331,8 +334,8 @@ class AskTellOf : public AskTell {
 };
 
 template <class G>
-std::unique_ptr<AskTell> ask_tell(Optimisation& search) {
-    return std::make_unique<AskTellOf<G>>(search);
+std::unique_ptr<Search> begin_search(Optimisation search) {
+    return std::make_unique<AskTell<G>>(std::move(search));
 }
 
 } // namespace rugosa::python

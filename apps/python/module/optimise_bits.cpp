@@ -3,6 +3,6 @@
 namespace rugosa::python {
 
 template void optimise<std::vector<bool>>(Optimisation&);
-template std::unique_ptr<AskTell> ask_tell<std::vector<bool>>(Optimisation&);
+template std::unique_ptr<Search> begin_search<std::vector<bool>>(Optimisation);
 
 } // namespace rugosa::python

@@ -3,6 +3,6 @@
 namespace rugosa::python {
 
 template void optimise<ga::Permutation>(Optimisation&);
-template std::unique_ptr<AskTell> ask_tell<ga::Permutation>(Optimisation&);
+template std::unique_ptr<Search> begin_search<ga::Permutation>(Optimisation);
 
 } // namespace rugosa::python

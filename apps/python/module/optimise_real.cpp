@@ -4,6 +4,6 @@
 namespace rugosa::python {
 
 template void optimise<std::vector<double>>(Optimisation&);
-template std::unique_ptr<AskTell> ask_tell<std::vector<double>>(Optimisation&);
+template std::unique_ptr<Search> begin_search<std::vector<double>>(Optimisation);
 
 } // namespace rugosa::python
