@@ -12,12 +12,9 @@ using namespace py::literals;
 
 namespace {
 
-/// A design run with the response of its answer.
-struct Design {
-    app::DesignRun run; ///< its tolerance is computed when it is first read
+/// A design run with the response of its answer. Its tolerance is computed when it is first read.
+struct Design : app::DesignRun {
     Curve curve;
-
-    const Answer& best() const { return run.found.best; }
 };
 
 /// None if the similarity was not verified.
@@ -97,15 +94,14 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
     }
     const app::Settings settings = keywords.settings(app::search_settings(), unknown);
     keywords.expect_none_left();
-    Design design;
-    app::DesignRun& run = design.run;
-    run = app::design_from(settings, [&](const app::Settings&, app::DesignRun& begun) {
+    const auto take_targets = [&](const app::Settings&, app::DesignRun& begun) {
         if (surface)
             return like_surface(*surface, model_of(*surface, settings.with({{"nodes", ""}})), "like",
                                 settings, begun.setup);
         begun.setup.targets = targets;
         begun.setup.model = surface_model_from(settings);
-    });
+    };
+    Design run{app::design_from(settings, take_targets), {}};
     if (starts)
         run.options.starts = *starts;
     Interruptible interrupt;
@@ -118,22 +114,21 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
         const py::gil_scoped_release unlocked;
         run.found = search(run.searched, run.options, observers);
         run.setup = rough::exactly(run.found.setup);
-        static_cast<rough::Response&>(design.curve) =
-            response_of(run.setup, run.found.best).responses.front();
+        static_cast<rough::Response&>(run.curve) = response_of(run.setup, run.found.best).responses.front();
     }
     callback.rethrow();
     run.interrupted = interrupt.requested();
-    return design;
+    return run;
 }
 
 /// The object `tolerance` of result.json, without units in its keys.
 py::dict tolerance_of(Design& design) {
-    if (!design.run.tolerance) {
+    if (!design.tolerance) {
         const py::gil_scoped_release unlocked;
-        design.run.tolerance =
-            rough::tolerance_of(design.run.setup, design.best().genome, design.run.tolerance_options);
+        design.tolerance =
+            rough::tolerance_of(design.setup, design.found.best.genome, design.tolerance_options);
     }
-    const rough::Tolerance& tolerance = *design.run.tolerance;
+    const rough::Tolerance& tolerance = *design.tolerance;
     py::list levels, curve;
     for (const rough::ToleranceLevel& level : tolerance.levels)
         levels.append(py::dict("similarity"_a = level.similarity, "noise_rms"_a = level.noise_rms,
@@ -149,8 +144,8 @@ py::dict tolerance_of(Design& design) {
 
 py::dict trust_of(const Design& design, double noise, double tilt, double hardness, std::uint64_t seed,
                   int threads) {
-    rough::TrustOptions options = design.run.trust_options;
-    rough::DesignSetup setup = design.run.setup;
+    rough::TrustOptions options = design.trust_options;
+    rough::DesignSetup setup = design.setup;
     setup.errors.noise = noise;
     setup.errors.tilt = tilt;
     options.hardness = hardness;
@@ -159,7 +154,7 @@ py::dict trust_of(const Design& design, double noise, double tilt, double hardne
     rough::Trust trust;
     {
         const py::gil_scoped_release unlocked;
-        trust = trust_in(setup, design.best().genome, options);
+        trust = trust_in(setup, design.found.best.genome, options);
     }
     const auto by_name = [](const std::vector<rough::Check>& checks) {
         py::dict similarities;
@@ -205,49 +200,45 @@ void add_design(py::module_& module) {
     };
     py::class_<Design>(module, "Design", "The result of design().")
         .def_property_readonly(
-            "genome", [](const Design& d) -> const rough::Genome& { return d.best().genome; }, inside)
+            "genome", [](const Design& d) -> const rough::Genome& { return d.found.best.genome; }, inside)
         .def_property_readonly(
             "profile",
-            [](const Design& d) { return as_python(sample(d.best().genome, d.run.setup.model.grid)); },
+            [](const Design& d) { return as_python(sample(d.found.best.genome, d.setup.model.grid)); },
             "Its heights on the grid of the design: a Profile or a Surface.")
         .def_property_readonly("heights", of_heights("heights"), "N heights, mm; N_y x N_x of a Surface.")
         .def_property_readonly("spacing", of_heights("spacing"),
                                "Node spacing, mm; a pair along x and y of a Surface.")
-        .def_property_readonly("similarity", [](const Design& d) { return d.best().similarity; })
+        .def_property_readonly("similarity", [](const Design& d) { return d.found.best.similarity; })
         .def_property_readonly("similarity_refined",
-                               [](const Design& d) { return if_verified(d.best().refined); })
+                               [](const Design& d) { return if_verified(d.found.best.refined); })
         .def_property_readonly("similarity_worst",
-                               [](const Design& d) { return if_verified(d.best().worst()); })
+                               [](const Design& d) { return if_verified(d.found.best.worst()); })
         .def_property_readonly(
-            "found", [](const Design& d) { return is_found(d.run); },
+            "found", [](const Design& d) { return is_found(d); },
             "Whether similarity_worst is as high as requested, by default 0.99.")
-        .def_property_readonly(
-            "bound", [](const Design& d) { return d.run.bound; },
-            "Upper bound of the similarity of every profile.")
+        .def_readonly("bound", &Design::bound, "Upper bound of the similarity of every profile.")
         .def_property_readonly(
             "out_of_reach",
             [](const Design& d) {
                 std::vector<std::string> reasons;
-                for (const auto& reason : d.run.out_of_reach)
+                for (const auto& reason : d.out_of_reach)
                     reasons.push_back(reason.verdict());
                 return reasons;
             },
             "Reasons why no profile can match the target exactly; empty if one may.")
         .def_property_readonly(
             "alternatives",
-            [](const Design& d) -> const std::vector<Answer>& { return d.run.found.alternatives; },
+            [](const Design& d) -> const std::vector<Answer>& { return d.found.alternatives; },
             "Different answers, the best first.")
-        .def_property_readonly("targets", [](const Design& d) { return d.run.setup.targets; })
+        .def_property_readonly("targets", [](const Design& d) { return d.setup.targets; })
         .def_readonly("curve", &Design::curve, "The response of the answer.")
+        .def_readonly("interrupted", &Design::interrupted,
+                      "Whether Ctrl-C ended the search; the answer is then the best so far.")
+        .def_property_readonly("evaluations", [](const Design& d) { return d.found.counters.evaluations; })
+        .def_property_readonly("pipeline", [](const Design& d) { return d.found.pipeline; })
+        .def_property_readonly("notes", [](const Design& d) { return d.found.notes; })
         .def_property_readonly(
-            "interrupted", [](const Design& d) { return d.run.interrupted; },
-            "Whether Ctrl-C ended the search; the answer is then the best so far.")
-        .def_property_readonly("evaluations",
-                               [](const Design& d) { return d.run.found.counters.evaluations; })
-        .def_property_readonly("pipeline", [](const Design& d) { return d.run.found.pipeline; })
-        .def_property_readonly("notes", [](const Design& d) { return d.run.found.notes; })
-        .def_property_readonly(
-            "stopped", [](const Design& d) { return d.run.found.stopped; },
+            "stopped", [](const Design& d) { return d.found.stopped; },
             "Why the search ended before its pipeline did; empty if it did not.")
         .def_property_readonly(
             "tolerance", &tolerance_of,
@@ -259,10 +250,10 @@ and scale.)")
              R"(Checks the answer on finer grids, in more load steps, with another datum, under height noise
 (mm rms) or a tilt (mm over the length) and on other bodies; a dictionary of similarities and flags.)")
         .def("__repr__", [](const Design& d) {
-            return d.best().is_verified()
-                       ? rough::line_of("<rugosa.Design, ", is_found(d.run) ? "found" : "not found",
-                                        ": lowest similarity ", d.best().lowest(), ">")
-                       : rough::line_of("<rugosa.Design, not verified: similarity ", d.best().similarity,
+            return d.found.best.is_verified()
+                       ? rough::line_of("<rugosa.Design, ", is_found(d) ? "found" : "not found",
+                                        ": lowest similarity ", d.found.best.lowest(), ">")
+                       : rough::line_of("<rugosa.Design, not verified: similarity ", d.found.best.similarity,
                                         " on its grid>");
         });
     module.def("design", &design, "target_pressure"_a = py::none(), "target_stiffness"_a = py::none(),
