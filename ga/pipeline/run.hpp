@@ -112,12 +112,19 @@ template <Problem P>
     context.show(population);
 }
 
-/// Implements `run_by` for any type of pipeline.
+/// Runs a pipeline on a population. `evaluator` makes every call of `evaluate` and computes every derivative.
+/// Throws UsageError before any evaluation if the pipeline cannot work.
+///
+/// The same seed gives the same bits for any number of threads, any memory and any evaluator with the same
+/// outcomes. The result may differ only if a time limit or a stop request ends the run. A run that is resumed
+/// from its checkpoints gives the same bits, too.
+/// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
-run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Population<G> population,
-          const RunOptions& options, std::vector<Observer<G>> observers, Checkpointer<P>* checkpointer) {
-    check(stage, problem, population);
+run_by(Evaluator<P>& evaluator, const std::type_identity_t<Stage<P>>& pipeline, const P& problem,
+       Population<G> population, const RunOptions& options = {}, std::vector<Observer<G>> observers = {},
+       Checkpointer<P>* checkpointer = nullptr) {
+    check(pipeline, problem, population);
     for (std::size_t i = 0; i < population.size(); ++i)
         if (!is_valid(problem, population[i].genome))
             throw UsageError(
@@ -135,14 +142,14 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
         std::optional<Population<G>> answer;
         if (checkpointer) {
             if (auto kept =
-                    checkpointer->begin(ledger, identity_of_run(stage, problem, options.seed, population)))
+                    checkpointer->begin(ledger, identity_of_run(pipeline, problem, options.seed, population)))
                 context.resume(std::move(*kept));
             answer = checkpointer->answer();
         }
         const bool known = answer.has_value();
         if (!known && context.state.saved.empty())
             score_given(population, context);
-        result.population = known ? std::move(*answer) : stage(std::move(population), context);
+        result.population = known ? std::move(*answer) : pipeline(std::move(population), context);
         ledger.expect_success();
         if (checkpointer && !known)
             checkpointer->write(context.snapshot(), ledger, &result.population);
@@ -164,30 +171,12 @@ run_stage(Evaluator<P>& evaluator, const Stage<P>& stage, const P& problem, Popu
     return result;
 }
 
-/// Runs a pipeline on a population. `evaluator` makes every call of `evaluate` and computes every derivative.
-/// Throws UsageError before any evaluation if the pipeline cannot work.
-///
-/// The same seed gives the same bits for any number of threads, any memory and any evaluator with the same
-/// outcomes. The result may differ only if a time limit or a stop request ends the run. A run that is resumed
-/// from its checkpoints gives the same bits, too.
-/// @param population  may be empty if the pipeline begins with `sample`
-template <Problem P, class Pipeline, class G = typename P::Genome>
-requires(std::convertible_to<Pipeline, Stage<P>>)
-    [[gnu::cold]] Result<G> run_by(Evaluator<P>& evaluator, const Pipeline& pipeline, const P& problem,
-                                   Population<G> population, const RunOptions& options = {},
-                                   std::vector<Observer<G>> observers = {},
-                                   Checkpointer<P>* checkpointer = nullptr) {
-    const Stage<P>& stage = pipeline;
-    return run_stage(evaluator, stage, problem, std::move(population), options, std::move(observers),
-                     checkpointer);
-}
-
 /// Runs a pipeline as run_by() does, with the evaluations spread over threads.
-template <Problem P, class Pipeline, class G = typename P::Genome>
-requires(std::convertible_to<Pipeline, Stage<P>>)
-    [[gnu::cold]] Result<G> run(const Pipeline& pipeline, const P& problem, Population<G> population,
-                                const RunOptions& options = {}, std::vector<Observer<G>> observers = {},
-                                Checkpointer<P>* checkpointer = nullptr) {
+template <Problem P, class G = typename P::Genome>
+[[gnu::cold]] Result<G> run(const std::type_identity_t<Stage<P>>& pipeline, const P& problem,
+                            Population<G> population, const RunOptions& options = {},
+                            std::vector<Observer<G>> observers = {},
+                            Checkpointer<P>* checkpointer = nullptr) {
     OnThreads<P> threads(options.threads);
     return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers),
                   checkpointer);

@@ -21,7 +21,7 @@
     instantiate ga::Result<P::Genome> ga::run(const ga::Stage<P>&, const P&, ga::Population<P::Genome>,      \
                                               const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>,   \
                                               ga::Checkpointer<P>*);                                         \
-    instantiate ga::Result<P::Genome> ga::run_stage(                                                         \
+    instantiate ga::Result<P::Genome> ga::run_by(                                                            \
         ga::Evaluator<P>&, const ga::Stage<P>&, const P&, ga::Population<P::Genome>, const ga::RunOptions&,  \
         std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
 /// @endcond
