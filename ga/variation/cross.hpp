@@ -168,16 +168,11 @@ struct Points {
 };
 
 /// Cross-over with one cut.
-struct OnePoint : NoParameters {
+struct OnePoint : Points {
+    OnePoint() : Points{1} {} ///< a cut at one place
     ///@{ Members that every cross-over has (Crosses).
-    static constexpr const char* needs = Points::needs;
     static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
-
-    template <Problem P>
-    requires Crosses<Points, P>
-    void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
-        Points{1}(problem, a, b, stream);
-    }
+    static void describe(auto&, auto) {}
     ///@}
 };
 
