@@ -126,7 +126,6 @@ struct CmaEs : Operator {
         std::vector<bool> altered;
         for (const std::size_t i : order) {
             const auto& individual = population[i];
-            const Fitness& fitness = individual.fitness;
             const auto child =
                 std::lower_bound(state.children.begin(), state.children.end(), individual.identity);
             if (child == state.children.end() || *child != individual.identity ||
@@ -140,9 +139,8 @@ struct CmaEs : Operator {
                 step *= std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.cloud.whitened(step).norm());
             steps.col(static_cast<Eigen::Index>(values.size())) = step;
             altered.push_back(state.mirrored[static_cast<std::size_t>(child - state.children.begin())]);
-            values.push_back(fitness.has_failed() ? -HUGE_VAL
-                             : fitness.feasible() ? fitness.merit()
-                                                  : -fitness.violation());
+            const Fitness& fitness = individual.fitness;
+            values.push_back(fitness.feasible() ? fitness.merit() : -fitness.violation());
         }
         if (values.empty())
             return;

@@ -148,7 +148,7 @@ struct LShade : Operator {
                                         cr};
             auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
-            Trial trial{0, f, cr, violation(fitness), merit(fitness), genes[i]};
+            Trial trial{0, f, cr, fitness.violation(), merit(fitness), genes[i]};
             individual.genome = with_genes(
                 context.problem(), individual.genome,
                 difference.trial(genes[i], variables_of(context.problem(), individual.genome), stream));
@@ -168,10 +168,7 @@ struct LShade : Operator {
         std::swap(from[i], from.back());
         from.pop_back();
     }
-    static double violation(const Fitness& f) {
-        return f.has_failed() ? HUGE_VAL : f.feasible() ? 0 : f.violation();
-    }
-    static double merit(const Fitness& f) { return f.has_failed() || !f.feasible() ? 0 : f.merit(); }
+    static double merit(const Fitness& f) { return f.feasible() ? f.merit() : 0; }
 
     template <class G>
     void learn(const Population<G>& population, State& state, Stream& random) const {
@@ -184,7 +181,7 @@ struct LShade : Operator {
             if (child == of.end())
                 continue;
             const Fitness& fitness = *child->second;
-            double gain = trial.violation - violation(fitness);
+            double gain = trial.violation - fitness.violation();
             if (!(gain > 0 || gain < 0)) // both feasible, or equally infeasible
                 gain = merit(fitness) - trial.merit;
             if (!(gain > 0))

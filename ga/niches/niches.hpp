@@ -157,12 +157,12 @@ struct Sharing : ByFitness {
             ByFitness::of(population, problem); // 0 for individuals that do not count
         double lowest = 0, highest = -HUGE_VAL;
         for (std::size_t i = 0; i < population.size(); ++i)
-            if (const Fitness& f = population[i].fitness; !f.has_failed() && f.feasible()) {
+            if (const Fitness& f = population[i].fitness; f.feasible()) {
                 lowest = std::min(lowest, f.merit());
                 highest = std::max(highest, f.merit());
             }
         for (std::size_t i = 0; i < population.size(); ++i)
-            if (const Fitness& f = population[i].fitness; highest > lowest && !f.has_failed() && f.feasible())
+            if (const Fitness& f = population[i].fitness; highest > lowest && f.feasible())
                 shared[i] = f.merit() - lowest;
         std::vector<double> crowd(population.size(), 1);
         for (std::size_t i = 0; i < population.size(); ++i)

@@ -16,8 +16,7 @@ constexpr std::size_t everyone = static_cast<std::size_t>(-1);
 inline std::vector<double> classes_by_rules(std::span<const Fitness* const> all) {
     const auto key = [&](std::size_t i) {
         const Fitness& f = *all[i];
-        const double violation = f.has_failed() ? HUGE_VAL : f.feasible() ? 0 : f.violation();
-        return std::pair(violation, violation == 0 ? -f.merit() : 0.0);
+        return std::pair(f.violation(), f.feasible() ? -f.merit() : 0.0);
     };
     const auto order = in_order(all.size(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     std::vector<double> merits(all.size());
@@ -36,7 +35,7 @@ inline std::vector<double> crowded_merits(std::span<const Fitness* const> all) {
     std::vector<Point> points;
     std::vector<std::size_t> feasible, others;
     for (std::size_t i = 0; i < all.size(); ++i)
-        if (!all[i]->has_failed() && all[i]->feasible()) {
+        if (all[i]->feasible()) {
             feasible.push_back(i);
             points.push_back(all[i]->values());
         } else {

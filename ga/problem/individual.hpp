@@ -62,9 +62,10 @@ class Fitness {
     /// The values under several objectives, with higher being better.
     Fitness(Name policy, Point values)
         : policy_(policy), detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr, {}})) {}
-    /// A failed evaluation under a policy.
+    /// A failed evaluation under a policy. Its violation is infinite.
     static Fitness failed(Name policy, Reason why) {
         Fitness fitness(policy, -std::numeric_limits<double>::infinity());
+        fitness.violation_ = std::numeric_limits<double>::infinity();
         fitness.detail_ = std::make_shared<const Detail>(Detail{{}, std::move(why), {}});
         return fitness;
     }
@@ -101,11 +102,11 @@ class Fitness {
     /// Whether the individual was scored under this policy.
     bool known(Name policy) const { return policy_ == policy; }
     bool has_failed() const { return detail_ && detail_->failure; } ///< whether the evaluation failed
-    bool several() const {
-        return detail_ && !detail_->values.empty();
-    }                                                   ///< whether it has several objectives
-    bool feasible() const { return !(violation_ > 0); } ///< whether all constraints hold
-    /// The sum of violations beyond the constraints' levels, 0 or more.
+    /// Whether it has several objectives.
+    bool several() const { return detail_ && !detail_->values.empty(); }
+    /// Whether the evaluation succeeded and all constraints hold.
+    bool feasible() const { return !(violation_ > 0); }
+    /// The sum of violations beyond the constraints' levels, 0 or more; infinite if the evaluation failed.
     double violation() const { return violation_; }
     /// The violation of each constraint, 0 or more, without regard to levels; empty if all constraints hold.
     const std::vector<double>& violations() const {

@@ -122,7 +122,7 @@ template <Problem P, class G = typename P::Genome>
     Population<G> passed;
     for (const auto& individual : population)
         if (const Fitness& f = individual.fitness;
-            !f.has_failed() && f.feasible() && (upwards ? f.value() > threshold : f.value() < threshold))
+            f.feasible() && (upwards ? f.value() > threshold : f.value() < threshold))
             passed.push_back(individual);
     if (passed.size() >= std::max<std::size_t>(1, least.count))
         return passed;
@@ -187,9 +187,8 @@ struct ByFitness : NoParameters {
     /// The weights, one per individual, in [0, 1].
     template <Problem P>
     std::vector<double> of(const PopulationOf<P>& population, const P&) const {
-        const bool any_feasible = std::any_of(population.begin(), population.end(), [](const auto& each) {
-            return !each.fitness.has_failed() && each.fitness.feasible();
-        });
+        const bool any_feasible = std::any_of(population.begin(), population.end(),
+                                              [](const auto& each) { return each.fitness.feasible(); });
         std::vector<double> weights;
         for (const auto& individual : population) {
             const Fitness& f = individual.fitness;

@@ -68,9 +68,7 @@ bool improves(const Progress<G>& now, Numbers& memory) {
         const Fitness& fitness = individual.fitness;
         if (!fitness.known())
             return false;
-        if (fitness.has_failed())
-            continue;
-        const double own = fitness.feasible() ? 0 : fitness.violation();
+        const double own = fitness.violation();
         const double merit = fitness.several() || own > 0 ? -HUGE_VAL : fitness.merit();
         if (std::pair(own, -merit) < std::pair(violation, -worth))
             violation = own, worth = merit;
@@ -169,8 +167,7 @@ struct AtFitness : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return std::any_of(now.population.begin(), now.population.end(), [&](const auto& individual) {
             const Fitness& f = individual.fitness;
-            return f.known() && !f.has_failed() && f.feasible() &&
-                   (f.minimises() ? f.value() <= value : f.value() >= value);
+            return f.known() && f.feasible() && (f.minimises() ? f.value() <= value : f.value() >= value);
         });
     }
     ///@}
@@ -211,7 +208,7 @@ struct AtConvergence : StoppingRule {
         Point least, greatest;
         for (const auto& individual : now.population) {
             const Fitness& fitness = individual.fitness;
-            if (!fitness.known() || fitness.has_failed() || !fitness.feasible())
+            if (!fitness.known() || !fitness.feasible())
                 return false;
             const Point values = fitness.several() ? fitness.values() : Point{fitness.merit()};
             if (least.empty())
