@@ -112,7 +112,7 @@ Repeat<Body> repeat(std::size_t n, Body body) {
     return checked(Repeat<Body>{{}, n, std::move(body)});
 }
 
-/// The block `until rules { body }` as one step. Throws UsageError if there is no rule.
+/// The block `until rules { body }` as one step. Throws UsageError without a rule.
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold]] Step<P> until_step(const Stage<P>& body, const std::vector<Rule<G>>& rules) {
     std::string name = "until";

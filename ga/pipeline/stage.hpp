@@ -35,7 +35,7 @@ struct Step {
 /// @code
 ///     struct State;                           state from one generation to the next; to_json and from_json
 ///                                             write and read it; the call takes a State& as last parameter
-///     static constexpr const char* needs;     members that the problem must have, in words for the listing
+///     static constexpr const char* needs;     members that the problem must have, in words
 ///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
 ///                                             the operator reads, or `everyone`
 ///     static constexpr bool begins = true;    if the operator works without a population
