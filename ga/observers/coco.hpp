@@ -28,8 +28,7 @@ Observer<G> coco_observer(CocoRun& run, double optimum) {
     return [&run, optimum](const Event<G>& event) {
         run.evaluations = event.counters.evaluations;
         for (const auto& individual : event.population) {
-            if (event.derived || !individual.fitness.known() || individual.fitness.has_failed() ||
-                individual.fitness.several())
+            if (event.derived || !individual.fitness.has_value())
                 continue;
             const double precision = std::abs(individual.value() - optimum);
             if (run.found.empty() || precision < run.found.back().second)

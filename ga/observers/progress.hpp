@@ -12,7 +12,7 @@ template <class G>
 std::optional<double> best_value(const Population<G>& population) {
     const Fitness* best = nullptr;
     for (const auto& individual : population)
-        if (const Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
+        if (const Fitness& f = individual.fitness; f.has_value())
             if (!best || (best->known(f.objective_name()) && better(f, *best)))
                 best = &f;
     return best ? std::optional(best->value()) : std::nullopt;
@@ -35,7 +35,7 @@ Summary summary(const P& problem, const PopulationOf<P>& population) {
     Table<bool> different;
     for (const auto& individual : population) {
         different.at(identify(problem, individual.genome)) = true;
-        if (individual.fitness.known() && !individual.fitness.has_failed() && !individual.fitness.several())
+        if (individual.fitness.has_value())
             values.push_back(individual.value());
     }
     summary.diversity = population.empty()

@@ -116,6 +116,8 @@ class Fitness {
     bool minimises() const { return minimise_; }           ///< whether a lower value is better
     std::size_t replicates() const { return replicates_; } ///< number of replicates in the mean, 1 or more
 
+    /// Whether it has the value of one objective: it was scored under one, and the evaluation succeeded.
+    bool has_value() const { return known() && !has_failed() && !several(); }
     /// The value under one objective; minus infinity if the evaluation failed. Throws UsageError if the
     /// individual is unscored or scored under several objectives.
     double value() const {

@@ -60,7 +60,7 @@ std::vector<rough::Target> targets_from(const std::optional<Eigen::VectorXd>& pr
 ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callback) {
     return [progress, &callback, best = -HUGE_VAL](const ga::Event<rough::Genome>& event) mutable {
         for (const auto& individual : event.population)
-            if (const ga::Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
+            if (individual.fitness.has_value())
                 best = std::max(best, individual.value());
         callback([&] { progress(event.path, event.generation, event.counters.asked, best); });
     };

@@ -30,9 +30,7 @@ template <class G>
 py::array_t<double> fitness_of(const ga::Population<G>& population) {
     py::array_t<double> fitness(population.size());
     for (std::size_t i = 0; i < population.size(); ++i) {
-        const ga::Fitness& f = population[i].fitness;
-        fitness.mutable_at(i) =
-            f.known() && !f.has_failed() && !f.several() ? population[i].value() : std::nan("");
+        fitness.mutable_at(i) = population[i].fitness.has_value() ? population[i].value() : std::nan("");
     }
     return fitness;
 }
