@@ -31,8 +31,8 @@ struct Trust {
     bool all_decided = true;    ///< whether all checks that decide were made
     std::vector<Check> kernels; ///< similarities of the profile on other bodies, only for comparison
     /// Similarities of genomes with the answer's spectrum, redrawn phases and a fitted amplitude. If the
-    /// highest is near the similarity of the answer, the response follows from the spectrum. Otherwise it
-    /// follows from the phases.
+    /// highest is near the similarity of the answer, the response follows from the spectrum. Otherwise the
+    /// response follows from the phases.
     std::vector<double> redrawn;
     double rms_slope = 0;              ///< root mean square slope of the profile, dimensionless
     double peak_pressure = 0;          ///< highest node pressure at the last load step, MPa

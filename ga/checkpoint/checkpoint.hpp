@@ -401,7 +401,7 @@ class Checkpoints : public Checkpointer<P> {
     }
     static void recall(const json& j, Ledger<P>& ledger) {
         if constexpr (Storable<Outcome>) {
-            const auto each = [&ledger](const json& list, auto take) {
+            const auto each = [&](const json& list, auto take) {
                 for (const json& entry : list) {
                     Fingerprint print;
                     read_parts(entry, print.high, print.low);
