@@ -5,8 +5,8 @@
 
 namespace rough {
 
-/// Responses of pressed() by a problem's key, shared by problems that request the same curves. Such problems
-/// have one model and differ only in target or threshold.
+/// Responses of pressed() under DesignProblem::key(). Problems that share them have one model and differ only
+/// in the threshold or, under Eq. 11, in the targets.
 struct ResponseMemory : KeyedMemory<std::vector<Response>> {};
 
 /// Features in which surfaces with the same response may differ. Their derivatives are exact as long as

@@ -25,16 +25,15 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// <= lambda. A cosine of wavelength l keeps 2^-(lambda/l)^2 of its amplitude, which is a half at l = lambda.
 /// Roughness is the heights minus the filtered heights.
 ///
-/// Near the ends the window is cut off. There the weighted least-squares line through its nodes gives the
-/// value (ISO 16610-28, moments up to the first). So a straight line does not change, and no length is lost.
+/// Near the ends, the value is that of the weighted least-squares line through the nodes within lambda
+/// (ISO 16610-28, moments up to the first). So a straight line does not change, and no length is lost.
 /// On a map, filtering along x and then along y is the areal Gaussian filter (ISO 16610-61). A plane does not
 /// change.
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
 /// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md,
-/// step 4. Particles of up to four nodes are found, up to the points at which their flanks return to the
-/// surface. Much wider particles count as surface. The three nodes at each end are not tested, nor are
-/// profiles of under 16 nodes.
+/// step 4. Particles of up to four nodes are found together with their flanks. Much wider particles count as
+/// surface. The three nodes at each end are not tested, nor are profiles of under 16 nodes.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.

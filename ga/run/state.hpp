@@ -46,8 +46,8 @@ class StagePosition {
                 generations.push_back(*place.generation);
         return generations;
     }
-    /// The best individuals of the innermost generation's first population. The generation's stages determine
-    /// how many: five for `elite 5`, all for `plus`. The stage `epsilon` changes their fitness.
+    /// The best individuals of the innermost generation's first population, as many as its stages read: five
+    /// for `elite 5`, all for `plus`. The stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
 
     /// Makes a stage the current one as long as this object exists.
@@ -145,7 +145,7 @@ class HeldState {
 };
 
 /// Reads a value that its to_json has written. Throws UsageError if the JSON has a real number instead of a
-/// whole one, because C++ may not define the conversion. Any other mismatch throws nlohmann's exceptions.
+/// whole one, because the conversion may be undefined. Any other mismatch throws nlohmann's exceptions.
 template <class T, class Json>
 void read_part(const Json& j, T& value) {
     if constexpr (std::integral<T> && !std::same_as<T, bool>) {
