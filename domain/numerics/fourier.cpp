@@ -7,7 +7,6 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <optional>
 
 namespace rough {
 
@@ -44,51 +43,50 @@ constexpr Index ahead = 16;
 
 /// Memory of this thread for one transform at a time, which its operators share.
 char* shared_bytes(Index size) {
-    thread_local Index held = 0;
-    thread_local std::optional<AlignedBuffer<char>> memory;
+    thread_local Index held = 1;
+    thread_local AlignedBuffer<char> memory(held);
     if (size > held) {
-        held = 0;
-        memory.reset();
-        memory.emplace(size);
+        held = 1; // frees the memory before more is taken
+        memory = AlignedBuffer<char>(held);
+        memory = AlignedBuffer<char>(size);
         held = size;
     }
-    return memory->data();
+    return memory.data();
 }
 template <typename Number>
 Number* shared_memory(Index count) {
     return reinterpret_cast<Number*>(shared_bytes(count * static_cast<Index>(sizeof(Number))));
 }
 
-/// Plans of `count` complex transforms of n numbers in place, `stride` apart.
+/// Plans of `count` complex transforms of a shape in place, `apart` numbers apart.
 template <typename Real>
-PlanPair<Real> complex_lines(Index n, Index count, Index stride) {
-    static std::map<std::array<Index, 3>, PlanPair<Real>> plans;
-    return cached({n, count, stride}, plans, [=] {
-        AlignedBuffer<std::complex<Real>> lines(count * stride);
+PlanPair<Real> complex_plans(Extent shape, Index count, Index apart) {
+    static std::map<std::array<Index, 4>, PlanPair<Real>> plans;
+    return cached({shape.columns, shape.rows, count, apart}, plans, [=] {
+        AlignedBuffer<std::complex<Real>> numbers(count * apart);
         const auto plan = [&](bool inverse) {
-            return FftLibrary<Real>::complex_plan({n, 1}, count, stride, lines.data(), inverse);
+            return FftLibrary<Real>::complex_plan(shape, count, apart, numbers.data(), inverse);
         };
         return PlanPair<Real>{plan(false), plan(true)};
+    });
+}
+
+/// Plans of `count` real transforms of a shape, to half-complex ones that are `apart` numbers apart.
+template <typename Real>
+PlanPair<Real> real_plans(Extent shape, Index count, Index apart) {
+    static std::map<std::array<Index, 4>, PlanPair<Real>> plans;
+    return cached({shape.columns, shape.rows, count, apart}, plans, [=] {
+        AlignedBuffer<Real> real(count * shape.nodes());
+        AlignedBuffer<std::complex<Real>> wave(count * apart);
+        return PlanPair<Real>{FftLibrary<Real>::forward_plan(shape, count, apart, real.data(), wave.data()),
+                              FftLibrary<Real>::backward_plan(shape, count, apart, wave.data(), real.data())};
     });
 }
 
 /// Plans of complex transforms of a block of columns.
 template <typename Real>
 PlanPair<Real> column_plans(Index rows) {
-    return complex_lines<Real>(rows, block, column_stride(rows));
-}
-
-/// Plans of real transforms of `count` rows, each of `columns` numbers, to rows `apart` numbers apart.
-template <typename Real>
-PlanPair<Real> real_lines(Index columns, Index count, Index apart) {
-    static std::map<std::array<Index, 3>, PlanPair<Real>> plans;
-    return cached({columns, count, apart}, plans, [=] {
-        AlignedBuffer<Real> real(count * columns);
-        AlignedBuffer<std::complex<Real>> wave(count * apart);
-        return PlanPair<Real>{
-            FftLibrary<Real>::forward_plan({columns, 1}, count, apart, real.data(), wave.data()),
-            FftLibrary<Real>::backward_plan({columns, 1}, count, apart, wave.data(), real.data())};
-    });
+    return complex_plans<Real>({rows}, block, column_stride(rows));
 }
 
 /// Plans of a block of rows, and of those that are left after whole blocks.
@@ -144,30 +142,6 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
     });
 }
 
-/// The plan for real to half-complex transforms of a grid. One row is a line.
-FourierPlan fourier_plan(Extent shape) {
-    static std::map<std::pair<Index, Index>, FourierPlan> plans;
-    return cached({shape.columns, shape.rows}, plans, [shape] {
-        const Index half = (shape.columns / 2 + 1) * shape.rows;
-        AlignedBuffer<double> real(shape.nodes());
-        AlignedBuffer<std::complex<double>> wave(half);
-        return FourierPlan{FftLibrary<double>::forward_plan(shape, 1, half, real.data(), wave.data()),
-                           FftLibrary<double>::backward_plan(shape, 1, half, wave.data(), real.data())};
-    });
-}
-
-/// The plan for complex transforms of a grid in place.
-FourierPlan complex_fourier_plan(Extent shape) {
-    static std::map<std::pair<Index, Index>, FourierPlan> plans;
-    return cached({shape.columns, shape.rows}, plans, [shape] {
-        AlignedBuffer<std::complex<double>> work(shape.nodes());
-        const auto plan = [&](bool inverse) {
-            return FftLibrary<double>::complex_plan(shape, 1, shape.nodes(), work.data(), inverse);
-        };
-        return FourierPlan{plan(false), plan(true)};
-    });
-}
-
 } // namespace
 
 Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
@@ -175,7 +149,8 @@ Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.nodes());
     std::copy_n(numbers.data(), shape.nodes(), real.data());
-    FftLibrary<double>::execute(fourier_plan(shape).forward, real.data(), transform.data());
+    FftLibrary<double>::execute(real_plans<double>(shape, 1, half.nodes()).forward, real.data(),
+                                transform.data());
     return Eigen::ArrayXXcd::Map(transform.data(), half.columns, half.rows);
 }
 
@@ -184,15 +159,17 @@ Eigen::ArrayXXd inverse_fourier_transform(const Eigen::ArrayXXcd& half, Index co
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.size());
     std::copy_n(half.data(), half.size(), transform.data());
-    FftLibrary<double>::execute(fourier_plan(shape).backward, transform.data(), real.data());
+    FftLibrary<double>::execute(real_plans<double>(shape, 1, half.size()).backward, transform.data(),
+                                real.data());
     return Eigen::ArrayXXd::Map(real.data(), shape.columns, shape.rows);
 }
 
 Eigen::ArrayXXcd inverse_complex_transform(const Eigen::ArrayXXcd& transform) {
     AlignedBuffer<std::complex<double>> work(transform.size());
     std::copy_n(transform.data(), transform.size(), work.data());
-    FftLibrary<double>::execute(complex_fourier_plan({transform.rows(), transform.cols()}).backward,
-                                work.data(), work.data());
+    const Extent shape{transform.rows(), transform.cols()};
+    FftLibrary<double>::execute(complex_plans<double>(shape, 1, shape.nodes()).backward, work.data(),
+                                work.data());
     return Eigen::ArrayXXcd::Map(work.data(), transform.rows(), transform.cols());
 }
 
@@ -226,7 +203,8 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
     // `lines` transforms of n even numbers each; put(line, k, value) takes them for k <= n/2.
     const auto transform = [&team](Index lines, Index n, auto number, auto put) {
         const Index half = n / 2 + 1;
-        const RowPlans<double> plans(lines, [=](Index count) { return real_lines<double>(n, count, half); });
+        const RowPlans<double> plans(lines,
+                                     [=](Index count) { return real_plans<double>({n}, count, half); });
         Workspace<double>(2 * block * half, team)
             .each_range(lines, block, [&](Index first, Index count, std::complex<double>* out) {
                 double* in = reinterpret_cast<double*>(out + block * half);
@@ -287,7 +265,7 @@ template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
     const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
     const Index apart = row_stride(half_);
-    const RowPlans<Real> plans(rows, [=](Index count) { return real_lines<Real>(longer, count, apart); });
+    const RowPlans<Real> plans(rows, [=](Index count) { return real_plans<Real>({longer}, count, apart); });
     auto* const transform = shared_memory<std::complex<Real>>(apart * rows);
     // A line is padded in place, rows of an area in a workspace.
     const auto each_rows = [&](auto job) {
@@ -420,7 +398,7 @@ template <class Fill>
 void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
     const Index n = whole_.columns, half = n / 2, apart = row_stride(half + !skew_x);
     const RowPlans<double> plans(rows, [&](Index count) {
-        return skew_x ? complex_lines<double>(half, count, apart) : real_lines<double>(n, count, apart);
+        return skew_x ? complex_plans<double>({half}, count, apart) : real_plans<double>({n}, count, apart);
     });
     work_.each_range(rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
@@ -443,7 +421,7 @@ template <class Take>
 void SplitOperator::backward(bool skew_x, Take take) {
     const Index n = whole_.columns, half = n / 2, apart = row_stride(half + !skew_x);
     const RowPlans<double> plans(shape_.rows, [&](Index count) {
-        return skew_x ? complex_lines<double>(half, count, apart) : real_lines<double>(n, count, apart);
+        return skew_x ? complex_plans<double>({half}, count, apart) : real_plans<double>({n}, count, apart);
     });
     work_.each_range(shape_.rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
