@@ -232,8 +232,7 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
 template <typename Real>
 BasicFourierOperator<Real>::BasicFourierOperator(Extent shape, Extent padded, Team& team)
     : team_(&team), shape_(shape), padded_(padded), half_(padded.columns / 2 + 1),
-      lines_(padded.rows / 2 + 1), real_(shape.rows == 1 ? padded.columns : shape.nodes()),
-      spectrum_(half_ * lines_),
+      lines_(padded.rows / 2 + 1), spectrum_(half_ * lines_),
       work_(shape.rows == 1 ? 0 : block * std::max(column_stride(padded.rows), half_), team) {}
 
 template <typename Real>
@@ -262,7 +261,20 @@ BasicFourierOperator<Real>::circulant(Extent shape, const Eigen::VectorXd& eigen
 }
 
 template <typename Real>
+Real* BasicFourierOperator<Real>::input() {
+    if (!real_)
+        real_.emplace(shape_.rows == 1 ? padded_.columns : shape_.nodes());
+    return real_->data();
+}
+
+template <typename Real>
 const Real* BasicFourierOperator<Real>::apply() {
+    apply(input(), input());
+    return input();
+}
+
+template <typename Real>
+void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
     const Index apart = row_stride(half_);
     const RowPlans<Real> plans(rows, [=](Index count) { return real_plans<Real>({longer}, count, apart); });
@@ -270,14 +282,14 @@ const Real* BasicFourierOperator<Real>::apply() {
     // A line is padded in place, rows of an area in a workspace.
     const auto each_rows = [&](auto job) {
         work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
-            job(real_.data() + first * n, rows == 1 ? real_.data() : reinterpret_cast<Real*>(memory), count,
-                plans.of(count), transform + first * apart);
+            job(first * n, rows == 1 ? input() : reinterpret_cast<Real*>(memory), count, plans.of(count),
+                transform + first * apart);
         });
     };
-    each_rows([&](const Real* from, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
+    each_rows([&](Index node, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
         for (Index c = 0; c < count; ++c) {
-            if (rows > 1)
-                std::copy_n(from + c * n, n, row + c * longer);
+            if (from != row)
+                std::copy_n(from + node + c * n, n, row + c * longer);
             std::fill(row + c * longer + n, row + (c + 1) * longer, Real(0));
         }
         FftLibrary<Real>::execute(plan.forward, row, wave);
@@ -295,12 +307,11 @@ const Real* BasicFourierOperator<Real>::apply() {
                         FftLibrary<Real>::execute(plan.backward, columns, columns);
                     });
     }
-    each_rows([&](Real* to, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
+    each_rows([&](Index node, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
         FftLibrary<Real>::execute(plan.backward, wave, row);
-        for (Index c = 0; rows > 1 && c < count; ++c)
-            std::copy_n(row + c * longer, n, to + c * n);
+        for (Index c = 0; to != row && c < count; ++c)
+            std::copy_n(row + c * longer, n, to + node + c * n);
     });
-    return real_.data();
 }
 
 template <typename Real>

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -70,14 +71,16 @@ class BasicFourierOperator {
     }
 
     Index nodes() const { return shape_.nodes(); } ///< N
-    /// Write p (N entries) here, then call apply().
-    Real* input() { return real_.data(); }
+    /// Write p (N entries) here, then call apply(). The first call allocates the memory.
+    Real* input();
     /// Returns u (N entries), valid until the next write to input().
     const Real* apply();
+    /// Reads p from `from` and writes u to `to`, N entries each, which may be the same.
+    void apply(const Real* from, Real* to);
     /// u for pressures at these nodes, 0 at all others.
     const Real* apply(const std::vector<int>& nodes, const Eigen::VectorXd& pressure);
     /// The last u again, as long as input() was not written to.
-    const Real* applied() const { return real_.data(); }
+    const Real* applied() const { return real_->data(); }
 
   private:
     template <typename>
@@ -86,7 +89,8 @@ class BasicFourierOperator {
     Team* team_;
     Extent shape_, padded_;
     Index half_, lines_; ///< numbers of a half-complex row; unmirrored eigenvalues per column
-    AlignedBuffer<Real> real_, spectrum_; ///< eigenvalues column after column
+    std::optional<AlignedBuffer<Real>> real_; ///< input and output, if input() was called
+    AlignedBuffer<Real> spectrum_;            ///< eigenvalues column after column
     Workspace<Real> work_;
 };
 /// In double precision.

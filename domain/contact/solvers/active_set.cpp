@@ -43,8 +43,8 @@ class ActiveSet {
         : problem_(problem), options_(options), purpose_(purpose), solver_(problem),
           set_(problem.nodes(), *problem.team), load_(problem.nodes()), tangent_(problem.nodes()) {}
 
-    StepSolution press(double approach, const std::optional<Eigen::VectorXd>& guess) {
-        start(approach, guess);
+    StepSolution press(double approach, std::optional<Eigen::VectorXd> guess) {
+        start(approach, std::move(guess));
         for (double tolerance = options_.tolerance;;) {
             problem_.is_2d() ? settle_area(approach, tolerance) : settle_line(approach, tolerance);
             if (purpose_ == Purpose::guess)
@@ -61,10 +61,11 @@ class ActiveSet {
     /// Presses an area to a load and sets `approach` to the one found. The sum of the pressures is kept while
     /// they settle, and the approach follows from them. A step along the tangent is too long, because the
     /// stiffness of rough areas grows about as the load (Persson 2007).
-    StepSolution press_to(double load, double& approach, const std::optional<Eigen::VectorXd>& guess) {
+    StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
         sum_ = load;
         if (guess) {
-            load_.pressure = *guess * (load / guess->sum());
+            load_.pressure = *std::exchange(guess, std::nullopt); // frees the pressures before
+            load_.pressure *= load / load_.pressure.sum();
             set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         } else {
             const double before = sum_of(load_), growth = load / before - 1,
@@ -132,28 +133,39 @@ class ActiveSet {
 
     /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
     /// since then, whichever leaves the smaller residual. That growth is not negative, because no node's
-    /// pressure falls with the load.
-    void start(double approach, const std::optional<Eigen::VectorXd>& guess) {
+    /// pressure falls with the load. The first step starts from the coarser grid's pressures or from none.
+    void start(double approach, std::optional<Eigen::VectorXd> guess) {
+        const bool is_guided = guess.has_value(), is_first = approach_ == 0;
         std::optional<Loaded> grown;
-        if (guess) {
+        if (is_guided && !is_first) {
             grown = load_;
-            if (last_guess_)
-                grown->pressure += (*guess - *last_guess_).cwiseMax(0);
-            else
-                grown->pressure = *guess;
+            grown->pressure += (*guess - *last_guess_).cwiseMax(0);
         }
-        last_guess_ = guess;
-        move(approach - approach_);
+        if (!problem_.is_2d()) // a map has no guess for later steps
+            last_guess_ = guess;
+        if (is_guided && is_first)
+            load_.pressure = *std::exchange(guess, std::nullopt);
+        else
+            move(approach - approach_);
         approach_ = approach;
         solver_.load(load_, rough_accuracy * approach);
         stale_ = false;
-        if (!grown)
+        if (!is_guided)
             return;
-        solver_.load(*grown, rough_accuracy * approach);
-        const double left = residual(*grown, approach);
-        if (left > residual(load_, approach))
+        double left = residual(load_, approach);
+        if (is_first && left > std::max(0.0, approach - problem_.gap.minCoeff()) / approach) {
+            load_.pressure.setZero();
+            solver_.load(load_);
             return;
-        load_ = std::move(*grown);
+        }
+        if (grown) {
+            solver_.load(*grown, rough_accuracy * approach);
+            const double of_grown = residual(*grown, approach);
+            if (of_grown > left)
+                return;
+            left = of_grown;
+            load_ = std::move(*grown);
+        }
         set_.assign([&](Index i) { return load_.pressure[i] > 0; });
         // The guess errs in its pressures more than in its set: those first.
         improve(approach, loosening * left);
@@ -408,8 +420,8 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
         }
         if (!by_load)
             approach = problem.approach[j];
-        StepSolution found =
-            by_load ? solver.press_to(problem.load[j], approach, start) : solver.press(approach, start);
+        StepSolution found = by_load ? solver.press_to(problem.load[j], approach, std::move(start))
+                                     : solver.press(approach, std::move(start));
         found.approach = approach;
         if (check)
             certify_step("active set", problem, found, *check, solver.pressure(), 2 * options.tolerance);

@@ -220,10 +220,7 @@ SetSolver::SetSolver(const ContactProblem& problem)
 }
 
 void SetSolver::load(Loaded& x) {
-    Eigen::Map<Eigen::VectorXd> input(forward_.input(), x.pressure.size());
-    team_.copy(x.pressure, input);
-    forward_.apply();
-    team_.copy(input, x.displacement); // apply() has written the product to it
+    forward_.apply(x.pressure.data(), x.displacement.data());
     if (x.updated.size() > 0)
         team_.copy(x.pressure, x.updated);
     x.blur = 0;
