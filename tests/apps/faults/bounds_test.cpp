@@ -1,6 +1,7 @@
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/zip.hpp"
 #include "tests/apps/results.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/sanitized.hpp"
 
 #include <catch2/catch.hpp>
@@ -184,6 +185,23 @@ TEST_CASE("an endless loop and a population beyond memory end with a result, in 
         CHECK(ended.megabytes < 400);
         CHECK(fs::exists(folder / "o/result.json"));
     }
+}
+
+TEST_CASE("the curve of a map takes at most 180 bytes for each node", "[bounds]") {
+    if (tests::sanitized)
+        return;
+    const Folder folder;
+    const auto megabytes = [&](rough::Index n) {
+        std::ostringstream text;
+        text << maps::self_affine(n, 0.8, 3, 0.1).heights.reshaped(n, n);
+        folder.write("map.txt", text.str());
+        const Spent ended = spent("contact --surface map.txt --spacing 0.002 --kernel free --resolution off "
+                                  "--to-pressure 0.005 --steps 10 --threads 1 --force --out c.csv",
+                                  folder.path());
+        REQUIRE(ended.code == 0);
+        return static_cast<double>(ended.megabytes);
+    };
+    CHECK((megabytes(512) - megabytes(64)) * 1024 * 1024 < 180 * (512 * 512 - 64 * 64));
 }
 
 TEST_CASE("the table of readers lists every source that reads, and its tests exist") {
