@@ -31,8 +31,6 @@ def flags_of(law):
     given = {name: SETTINGS["caps." + name] for name in FLAGS}
     given["asperities"] = SETTINGS["caps.large-asperities" if law in LARGE else "caps.asperities"]
     given["reach-similarity"] = SETTINGS["caps.similarity"]
-    if law in LARGE:
-        given["accuracy"] = SETTINGS["caps.large-accuracy"]
     return given
 
 

@@ -102,7 +102,6 @@ Experiment metainterfaces_experiment() {
               {"caps.accuracy", "", "relative error allowed for the model of the search"},
               {"caps.large-laws", "", "names of the laws of the larger array"},
               {"caps.large-asperities", "40x25", "caps of the larger array, NXxNY"},
-              {"caps.large-accuracy", "0.02", "accuracy for the larger array"},
               {"caps.large-pipeline", "default", "pipeline for the larger array"}},
              caps}),
         .files = {"laws.csv", "curves.csv"},

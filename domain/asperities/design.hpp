@@ -34,6 +34,11 @@ struct CapSetup {
     bool positions = false; ///< whether the pipeline `default` ends with stages that swap the places of caps
 };
 
+/// Whether all targets are areas against pressure. Independent caps are wrong for all other quantities.
+inline bool only_areas(const CapSetup& setup) {
+    return std::ranges::all_of(
+        setup.targets, [](const Target& target) { return target.quantity == Quantity::area_at_pressure; });
+}
 /// The caps of a genome.
 Caps caps_of(const CapSetup& setup, const CapGenome& genome);
 
@@ -51,6 +56,11 @@ struct CapCurve {
 /// smooth function of the heights.
 CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& genome, CapModel model,
                   bool with_derivatives = false);
+
+/// The set-up with independent caps, if all targets are areas against pressure. Otherwise the given set-up,
+/// because independent caps are wrong for other quantities. With `like`, targets are multiplied by the ratio
+/// of its curves by independent caps and by the given model. So `like` has the same misfits under both.
+CapSetup with_independent_caps(CapSetup setup, const CapGenome* like = nullptr);
 
 /// A genome's misfits to the targets.
 struct CapOutcome {

@@ -154,17 +154,16 @@ CapStage exchange_stage(double rate) {
     return step;
 }
 
-/// Runs `body` under the model of independent caps, if all targets are areas against pressure. That model is
-/// wrong for any other target.
-CapStage independent_stage(const CapStage& body) {
+/// Runs `body` under independent caps (with_independent_caps). `corrected`: the targets are corrected for the
+/// first individual.
+CapStage independent_stage(const std::string& name, const CapStage& body, bool corrected) {
     return ga::derived_step<CapProblem>(
-        "independent", body, [](Designs designs, const CapStage& stages, ga::Context<CapProblem>& context) {
-            CapSetup setup = context.problem().setup();
-            if (std::ranges::all_of(setup.targets, [](const Target& target) {
-                    return target.quantity == Quantity::area_at_pressure;
-                }))
-                setup.model = CapModel::independent;
-            return run_derived(stages, CapProblem(setup), std::move(designs), context);
+        name, body, [corrected](Designs designs, const CapStage& stages, ga::Context<CapProblem>& context) {
+            const CapGenome* like = corrected && !designs.empty() ? &designs.front().genome : nullptr;
+            const CapProblem problem(with_independent_caps(context.problem().setup(), like));
+            if (like) // its curves by both models
+                context.counters().asked += 2, context.counters().evaluations += 2;
+            return run_derived(stages, problem, std::move(designs), context);
         });
 }
 
@@ -215,16 +214,17 @@ ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
                  [setup](const ga::Arguments& a, const auto&...) {
                      return round_stage(setup, static_cast<int>(a.count("evaluations")));
                  });
-    registry.add(
-        {"independent",
-         "asperities",
-         "runs the pipeline with caps that do not interact, if all targets are areas against pressure",
-         {},
-         "",
-         1},
-        [](const ga::Arguments&, const std::vector<CapStage>& bodies, const auto&...) {
-            return independent_stage(bodies[0]);
-        });
+    for (const auto& [name, meaning] :
+         {std::pair("independent",
+                    "runs the pipeline with caps that do not interact, if all targets are areas against "
+                    "pressure"),
+          {"corrected",
+           "as independent, with targets corrected for the interaction of the first individual"}})
+        registry.add({name, "asperities", meaning, {}, "", 1},
+                     [name = std::string(name)](const ga::Arguments&, const std::vector<CapStage>& bodies,
+                                                const auto&...) {
+                         return independent_stage(name, bodies[0], name == "corrected");
+                     });
     registry.add({"exchange",
                   "asperities",
                   "exchanges the places of caps, which changes interaction only",
@@ -244,8 +244,8 @@ ga::Variants cap_variants(const CapSetup& setup) {
     variants["default"] =
         "pass | until fitness " + enough + " generations 4 { pass | plus 1 }" +
         (setup.positions ? " | repeat 30 { parents | exchange 0.05 | score | plus 1 }" : "");
-    variants["genetic"] =
-        "sample 50 | score | repeat 500 { tournament 2 | cross uniform | mutate 0.03 | score | elite 2 }";
+    variants["genetic"] = "independent { sample 50 | score | repeat 500 { tournament 2 | cross uniform | "
+                          "mutate 0.03 | score | elite 2 } | best 3 } | score";
     return variants;
 }
 
@@ -293,7 +293,9 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
         return false;
     });
     if (explored.seen.members.empty()) {
-        const CapGenome genome = within(nearest.empty() ? starts.front() : nearest.front().genome);
+        const CapGenome genome = within(!nearest.empty()   ? nearest.front().genome
+                                        : explored.nearest ? *explored.nearest
+                                                           : starts.front());
         explored.offer(genome, problem.evaluate(genome).similarity());
     }
     const auto ranks = ga::pareto_ranks(points);

@@ -21,7 +21,7 @@ constexpr double independent_error = 0.02; ///< error of A(F) by independent cap
 constexpr double base_depth =
     0.25; ///< depth of a tile's base below the lowest summit, over the smallest radius
 constexpr double solid_nodes = 90000; ///< nodes of the tile
-constexpr int drawn_points = 200;     ///< points of a drawn curve
+constexpr int drawn_points = 60;      ///< points of a drawn curve
 
 /// "independent" or "interacting"
 std::string name_of(rough::CapModel model) {
@@ -86,10 +86,7 @@ CapRun cap_run_from(const Settings& settings) {
         validate(setup);
         return 0;
     });
-    const bool only_areas = std::ranges::all_of(setup.targets, [](const rough::Target& target) {
-        return target.quantity == rough::Quantity::area_at_pressure;
-    });
-    if (only_areas && accuracy_from(settings) >= independent_error)
+    if (only_areas(setup) && accuracy_from(settings) >= independent_error)
         setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
     take(settings, fields_of(run.options));

@@ -115,6 +115,24 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
     }
 }
 
+TEST_CASE("corrected targets give interacting caps the law that independent caps miss") {
+    CapSetup setup = made_of_pdms(8);
+    setup.targets = {
+        target_of(setup, 0.1, 0.6, [](double force) { return 1.3 * std::pow(force / 0.2, 0.8); })};
+    const CapGenome genome = random_genome(setup, 4);
+    const auto misfits = [&](const CapSetup& of) { return CapProblem(of).evaluate(genome).misfits[0]; };
+    CHECK((misfits(setup) - misfits(with_independent_caps(setup))).cwiseAbs().maxCoeff() > 1e-3);
+    CHECK((misfits(setup) - misfits(with_independent_caps(setup, &genome))).cwiseAbs().maxCoeff() < 1e-12);
+
+    const auto error = [&](const std::string& pipeline) {
+        return 1 - search(setup, {.pipeline = pipeline, .threads = 1}).best.similarity;
+    };
+    const std::string separate =
+        "independent { sample 100 | score | best 4 | refine lm 60 sharpen=20 | best 1 | round 50 } | score";
+    CHECK(error(separate + " | corrected { score | refine lm 30 sharpen=5 | round 50 } | score") <
+          0.5 * error(separate));
+}
+
 TEST_CASE("no caps have an area beyond the limits") {
     for (const CapModel model : {CapModel::independent, CapModel::interacting})
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
