@@ -10,63 +10,48 @@ import subprocess
 import sys
 
 GIVEN = json.loads(sys.argv[1])
-SETTINGS, FOLDER = GIVEN["settings"], pathlib.Path(GIVEN["folder"])
-FLAGS = ["pitch", "radius", "heights", "modulus", "nodes", "accuracy"]
-LARGE = SETTINGS["caps.large-laws"].replace(" ", "").split(",")
-
-
-def designed(target, name, flags):
-    """The result.json of a design, and its folder."""
-    out = FOLDER / name
-    command = [GIVEN["program"], "design", "--target", target, "--seed", str(GIVEN["seed"]), "--threads",
-               str(GIVEN["threads"]), "--pictures", "off", "--force", "--out", str(out)] + flags
-    ended = subprocess.run(command, capture_output=True, text=True, check=False)
-    if ended.returncode not in (0, 3):
-        sys.exit(ended.stderr.strip() or f"{name}: rugosa design ended with code {ended.returncode}")
-    return json.loads((out / "result.json").read_text()), out
-
-
-def flags_of(law):
-    """The flags of the array of a law."""
-    given = {name: SETTINGS["caps." + name] for name in FLAGS}
-    given["asperities"] = SETTINGS["caps.large-asperities" if law in LARGE else "caps.asperities"]
-    given["reach-similarity"] = SETTINGS["caps.similarity"]
-    return given
+FOLDER = pathlib.Path(GIVEN["folder"])
+CAPS = {name.removeprefix("caps."): value for name, value in GIVEN["settings"].items()}
 
 
 def trials_of(law):
-    """The designs of a law by name: flags that replace those of the array."""
-    search = {"pipeline": SETTINGS["caps.large-pipeline"]} if law in LARGE else {}
-    trials = {"heights": search}
-    if SETTINGS["caps.radii"]:
-        radii = {"radius": "", "radii": SETTINGS["caps.radii"]}
-        trials["heights and radii"] = {**search, **radii}
-        if law in LARGE:
-            trials["heights and radii, genetic"] = {"variant": "genetic", **radii}
-    return trials
+    """The designs of a law: each has a name and its flags."""
+    flags = {name: CAPS[name] for name in ("asperities", "pitch", "radius", "heights", "modulus", "nodes", "accuracy")}
+    flags["reach-similarity"] = CAPS["similarity"]
+    large = law in CAPS["large-laws"].replace(" ", "").split(",")
+    if large:
+        flags |= {"asperities": CAPS["large-asperities"], "pipeline": CAPS["large-pipeline"]}
+    yield "heights", flags
+    if CAPS["radii"]:
+        flags = {**flags, "radius": "", "radii": CAPS["radii"]}
+        yield "heights and radii", flags
+        if large:
+            yield "heights and radii, genetic", {**flags, "pipeline": "", "variant": "genetic"}
 
 
-def row_of(law, trial, result):
-    """The row of a design in laws.csv."""
+def designed(target, out, flags):
+    """The result.json of a design in the folder `out`."""
+    command = [GIVEN["program"], "design", "--target", target, "--seed", str(GIVEN["seed"]), "--threads",
+               str(GIVEN["threads"]), "--pictures", "off", "--force", "--out", str(out)]
+    for name, value in flags.items():
+        command += ["--" + name, value] if value else []
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    if ended.returncode not in (0, 3):
+        sys.exit(ended.stderr.strip() or f"{out.name}: rugosa design ended with code {ended.returncode}")
+    return json.loads((out / "result.json").read_text())
+
+
+def row_of(result):
+    """The row of a design in laws.csv, except its law and trial."""
     answer = next(iter(result["variants"].values()))
-    row = {"law": law, "trial": trial, "model": result["model"], "caps": len(answer["genome"]["asperities"]),
-           "similarity": answer["similarity"], "verified": answer["similarity_worst"],
+    row = {"model": result["model"], "caps": len(answer["genome"]["asperities"]), "similarity": answer["similarity"],
+           "verified": answer["similarity_worst"],
            "bound": min([reason["highest_similarity"] for reason in result["out_of_reach"]], default=1),
            "search_s": answer["search_seconds"], "verification_s": answer["verification"]["seconds"],
            "curves": answer["curves"], "gradients": answer["gradients"]}
     for level in answer.get("tolerance", []):
         row[f"height_rms_mm_{100 * level['error']:.0f}"] = level["height_rms_mm"]
     return row
-
-
-def curves_of(law, trial, result, folder):
-    """The rows of a design in curves.csv."""
-    area = result["nominal_area_mm2"]
-    for file, curve in (("points.csv", "target"), ("curves.csv", trial)):
-        with open(folder / file, newline="") as table:
-            for row in csv.DictReader(table):
-                yield {"law": law, "curve": curve, "load_N": area * float(row["x"]),
-                       "area_mm2": area * float(row["y"])}
 
 
 def write_csv(name, rows):
@@ -80,20 +65,22 @@ def main():
     rows, curves = [], []
     for target in GIVEN["targets"]:
         law = pathlib.Path(target).stem
-        for trial, changes in trials_of(law).items():
-            flags = {**flags_of(law), **changes}
-            given = [word for name, value in flags.items() if value for word in ("--" + name, value)]
-            result, folder = designed(target, law + "-" + trial.replace(",", "").replace(" ", "-"), given)
-            rows.append(row_of(law, trial, result))
-            curves += curves_of(law, trial, result, folder)
+        for trial, flags in trials_of(law):
+            out = FOLDER / (law + "-" + trial.replace(",", "").replace(" ", "-"))
+            result = designed(target, out, flags)
+            rows.append({"law": law, "trial": trial, **row_of(result)})
+            area = result["nominal_area_mm2"]
+            for file, curve in (("points.csv", "target"), ("curves.csv", trial)):
+                for row in csv.DictReader((out / file).read_text().splitlines()):
+                    curves.append({"law": law, "curve": curve, "load_N": area * float(row["x"]),
+                                   "area_mm2": area * float(row["y"])})
     write_csv("laws.csv", rows)
     write_csv("curves.csv", curves)
     laws = list(dict.fromkeys(row["law"] for row in rows))
-    required = float(SETTINGS["caps.similarity"])
-    met = sum(any((row["verified"] or -1) >= required for row in rows if row["law"] == law) for law in laws)
-    result = {**GIVEN["origin"], "laws": [{"law": law} for law in laws], "rows": rows,
-              "summary": f"{met} of {len(laws)} laws met"}
-    (FOLDER / "result.json").write_text(json.dumps(result, indent=1) + "\n")
+    met = {row["law"] for row in rows if (row["verified"] or -1) >= float(CAPS["similarity"])}
+    (FOLDER / "result.json").write_text(json.dumps(
+        {**GIVEN["origin"], "laws": [{"law": law} for law in laws], "rows": rows,
+         "summary": f"{len(met)} of {len(laws)} laws met"}, indent=1) + "\n")
 
 
 main()

@@ -5,22 +5,28 @@
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "domain/text/words.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 
 #include <algorithm>
 
 namespace app {
 
-Origin origin_of(const char* kind, const std::string& line, const Settings& settings, std::uint64_t seed,
-                 int threads) {
-    return {kind, RUGOSA_VERSION, line, seed, ga::thread_count(threads), inputs_json(settings.files())};
-}
-
 bool resumes(const Settings& settings) {
     const bool resume = settings.is_on("resume");
     if (resume && !settings.has("out"))
         rough::refuse("--resume: given without --out; name the folder of the interrupted design");
     return resume;
+}
+
+OutputFolder design_folder(const Settings& settings, bool resume) {
+    const std::string names = "result.json,genome.json,answer.csv,report.html,checkpoint.cbor,"
+                              "checkpoint.cbor.before,surface.stl,surface.3mf,surface.png,surface-scale.json,"
+                              "curves.csv,points.csv,heights-drawn.csv,map.csv,front.csv,made.csv,"
+                              "tolerance.csv,asperities.csv,spots.csv,tile.stl,tile.3mf,mould.stl,mould.3mf";
+    return {settings.text("out"),
+            "design",
+            {rough::listed(names), settings.files(), settings.is_on("force"), resume}};
 }
 
 int repeat_verdict(const std::filesystem::path& result) {
@@ -59,90 +65,62 @@ int design(const Settings& settings, const std::string& line) {
     if (settings.has("asperities"))
         return design_asperities(settings, line);
     expect_none(settings, names_of(asperity_settings()), "given without --asperities; give both or none");
-    const ga::Stopwatch clock;
     DesignRun run = design_from(settings);
-    run.origin = origin_of("design", line, settings, run.options.seed, run.options.threads);
-    const bool resume = resumes(settings);
-    const OutputFolder output(settings.text("out"), "design",
-                              {{"result.json", "genome.json", "answer.csv", "report.html", "checkpoint.cbor",
-                                "checkpoint.cbor.before", "surface.stl", "surface.3mf", "surface.png",
-                                "surface-scale.json", "curves.csv", "points.csv", "heights-drawn.csv",
-                                "map.csv", "front.csv", "made.csv", "tolerance.csv"},
-                               settings.files(),
-                               settings.is_on("force"),
-                               resume});
-    const auto& folder = output.path();
-    if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
-        return repeat_verdict(folder / "result.json");
-    for (const auto& account : run.accounts)
-        say(account);
-
-    const Interrupt interrupt;
-    Progress progress;
-    const double limit = run.options.seconds;
-    run.options.seconds = searched_by * limit - clock.seconds();
-    run.options.stop = &interrupt.flag();
-    const auto evaluator = design_evaluator(run.options.threads);
-    run.options.evaluator = evaluator.get();
-    const auto checkpoint = folder / "checkpoint.cbor";
-    run.options.checkpoints =
-        rough::CheckpointOptions{checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); },
-                                 checkpoint_interval(), key_of(run.origin.inputs)};
-    if (run.from)
-        morph_into(run);
-    else
-        run.found = rough::search(run.searched, run.options,
-                                  {recorder(run.stages), shown_by<rough::Genome>(progress)});
-    run.setup = exactly(run.found.setup);
-    run.searched = run.found.setup;
-    run.interrupted = interrupt.asked();
-    run.response = response_of(run.setup, run.found.best);
-    if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
-        run.not_asked = off_unasked(run);
-    run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
-    run.summary = summary_of(run);
-    run.seconds = clock.seconds();
-    write_design_result(run, output.restored());
-    write_design_tables(run, folder);
-    if (!run.interrupted) {
-        progress.show("tolerance");
-        run.tolerance_options.seconds = tolerance_by * limit - clock.seconds();
-        run.tolerance_options.stop = run.options.stop;
-        run.tolerance = tolerance_of(run.setup, run.found.best.genome, run.tolerance_options);
-        progress.show("verifying");
-        run.trust_options.seconds = checked_by * limit - clock.seconds();
-        run.trust_options.stop = run.options.stop;
-        run.trust =
-            trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
+    const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
+        const auto& folder = output.path();
+        for (const auto& account : run.accounts)
+            say(account);
+        Progress progress;
+        const double limit = run.options.seconds;
+        run.options.seconds = searched_by * limit - run.clock.seconds();
+        const auto evaluator = design_evaluator(run.options.threads);
+        run.options.evaluator = evaluator.get();
+        if (run.from)
+            morph_into(run);
+        else
+            run.found = rough::search(run.searched, run.options,
+                                      {recorder(run.stages), shown_by<rough::Genome>(progress)});
+        run.setup = exactly(run.found.setup);
+        run.searched = run.found.setup;
         run.interrupted = interrupt.asked();
+        run.response = response_of(run.setup, run.found.best);
+        if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
+            run.not_asked = off_unasked(run);
+        run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
         run.summary = summary_of(run);
-        run.seconds = clock.seconds();
-        write_design_result(run, folder);
-    }
-    if (!run.interrupted && settings.choice("pictures") == 0) {
-        try {
-            write_design_drawings(run, folder);
-        } catch (const rough::InputError& error) { // the page has no pictures then
-            say(std::string("note: ") + error.what());
+        run.seconds = run.clock.seconds();
+        write_design_result(run, output.restored());
+        write_design_tables(run, folder);
+        if (!run.interrupted) {
+            progress.show("tolerance");
+            run.tolerance_options.seconds = tolerance_by * limit - run.clock.seconds();
+            run.tolerance_options.stop = run.options.stop;
+            run.tolerance = tolerance_of(run.setup, run.found.best.genome, run.tolerance_options);
+            progress.show("verifying");
+            run.trust_options.seconds = checked_by * limit - run.clock.seconds();
+            run.trust_options.stop = run.options.stop;
+            run.trust =
+                trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
+            run.interrupted = interrupt.asked();
+            run.summary = summary_of(run);
+            run.seconds = run.clock.seconds();
+            write_design_result(run, folder);
         }
-        write_page(folder, limit - clock.seconds());
-    }
-    if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
-        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
-            std::filesystem::remove(ga::held(folder / kept));
-    tell_notes(run.found.notes);
-    if (run.trust) {
-        for (const auto& flag : run.trust->flags)
-            say("note: " + flag);
-        if (!run.trust->left_out.empty())
-            say("note: no time was left for " + std::to_string(run.trust->left_out.size()) +
-                " checks of the answer, which result.json names under trust");
-    }
-    for (const Fact& fact : run.summary.facts)
-        say(fact.name + ": " + fact.text);
-    say(folder.string() + ": " + run.summary.verdict + " (" + readable(clock.seconds()) + " s)" +
-        (std::filesystem::exists(checkpoint) ? "; --resume continues the search" : ""));
-    return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;
+        if (!run.interrupted && settings.choice("pictures") == 0)
+            try {
+                write_design_drawings(run, folder);
+            } catch (const rough::InputError& error) { // the page has no pictures then
+                say(std::string("note: ") + error.what());
+            }
+        if (run.trust) {
+            for (const auto& flag : run.trust->flags)
+                say("note: " + flag);
+            if (!run.trust->left_out.empty())
+                say("note: no time was left for " + std::to_string(run.trust->left_out.size()) +
+                    " checks of the answer, which result.json names under trust");
+        }
+    };
+    return run_in_folder("design", line, settings, run, work);
 }
 
 } // namespace

@@ -17,40 +17,34 @@ using std::numbers::pi;
 constexpr int max_rounds = 100;
 constexpr double settled = 1e-14; ///< largest change of an indentation and of the load, relative
 
-/// The linearised contact of the caps that touch: dF = K (dh - G dF), K_i = dF_i/ddelta_i, on the set A.
-class Tangent {
-  public:
-    Tangent(std::vector<Index> touching, const Eigen::VectorXd& stiffness, const Eigen::MatrixXd* influence)
-        : touching_(std::move(touching)), root_(stiffness(touching_).cwiseSqrt()) {
+/// The linearised contact of the caps that touch: dF = K (dh - G dF), K_i = dF_i/ddelta_i, on their set A.
+struct Tangent {
+    std::vector<Index> touching; ///< A
+    Eigen::VectorXd root;        ///< square roots of K on A
+    std::optional<Eigen::LLT<Eigen::MatrixXd>> factor;
+
+    Tangent(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd* influence) {
+        for (Index i = 0; i < stiffness.size(); ++i)
+            if (stiffness[i] > 0)
+                touching.push_back(i);
+        root = stiffness(touching).cwiseSqrt();
         if (!influence)
             return;
-        Eigen::MatrixXd matrix = root_.asDiagonal() * (*influence)(touching_, touching_) * root_.asDiagonal();
+        Eigen::MatrixXd matrix = root.asDiagonal() * (*influence)(touching, touching) * root.asDiagonal();
         matrix.diagonal().array() += 1;
-        factor_.emplace(matrix);
-        if (factor_->info() != Eigen::Success)
+        factor.emplace(matrix);
+        if (factor->info() != Eigen::Success)
             throw NotConverged("asperities: the spots are too near to each other to act as point loads; "
                                "increase the pitch");
     }
-    const std::vector<Index>& touching() const { return touching_; }
     /// dF on A for changes of the heights on A: (1/K + G)^-1 v.
     Eigen::VectorXd forces(const Eigen::VectorXd& v) const {
-        const Eigen::VectorXd scaled = root_.cwiseProduct(v);
-        return root_.cwiseProduct(factor_ ? Eigen::VectorXd(factor_->solve(scaled)) : scaled);
+        const Eigen::VectorXd scaled = root.cwiseProduct(v);
+        return root.cwiseProduct(factor ? Eigen::VectorXd(factor->solve(scaled)) : scaled);
     }
-
-  private:
-    std::vector<Index> touching_;
-    Eigen::VectorXd root_; ///< square roots of K on A
-    std::optional<Eigen::LLT<Eigen::MatrixXd>> factor_;
+    /// dF on A if the plane moves by 1 towards the base.
+    Eigen::VectorXd unit_forces() const { return forces(Eigen::VectorXd::Ones(root.size())); }
 };
-
-std::vector<Index> touching(const Eigen::VectorXd& indentation) {
-    std::vector<Index> all;
-    for (Index i = 0; i < indentation.size(); ++i)
-        if (indentation[i] > 0)
-            all.push_back(i);
-    return all;
-}
 
 /// dF_i/ddelta_i = 2 E* sqrt(R_i delta_i), N/mm.
 Eigen::VectorXd stiffnesses(const Caps& caps, const Eigen::VectorXd& indentation, double modulus) {
@@ -63,6 +57,14 @@ Eigen::VectorXd forces(const Caps& caps, const Eigen::VectorXd& indentation, dou
 }
 
 } // namespace
+
+Grid grid_of(const CapArray& array) {
+    return {.nodes = std::min<Index>(128, 16 * array.columns),
+            .length = array.pitch * static_cast<double>(array.columns),
+            .periodic = true,
+            .rows = std::min<Index>(128, 16 * array.rows),
+            .width = array.pitch * static_cast<double>(array.rows)};
+}
 
 CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel model)
     : modulus_(effective_modulus) {
@@ -94,71 +96,61 @@ PressedCaps CapContact::at_plane(const Caps& caps, double plane, const PressedCa
 /// Newton's method on the indentations, and with a load also on the plane. The residual of each cap is
 /// delta_i + plane + sum_j G_ij F_j - h_i. A step that does not lower the largest residual is halved.
 PressedCaps CapContact::solve(const Caps& caps, double load, double plane, const PressedCaps* start) const {
+    struct State {
+        double plane;
+        Eigen::VectorXd depth, force, residual;
+        double error; ///< largest relative residual
+    };
     const Eigen::MatrixXd* influence = influence_.get();
-    PressedCaps pressed;
-    Eigen::VectorXd depth = start && influence
-                                ? Eigen::VectorXd(start->indentation.array() + start->plane - plane)
-                                : Eigen::VectorXd(caps.heights.array() - plane);
     const double scale = std::max(caps.heights.maxCoeff() - plane, 1e-300);
-    const auto residual = [&](const Eigen::VectorXd& at, double at_plane, const Eigen::VectorXd& force) {
-        Eigen::VectorXd r = at.array() + at_plane - caps.heights.array();
+    const auto state_at = [&](const Eigen::VectorXd& depth, double at_plane) {
+        State state{at_plane, depth, forces(caps, depth, modulus_), {}, 0};
+        state.residual = depth.array() + at_plane - caps.heights.array();
         if (influence)
-            r.noalias() += *influence * force;
-        return r;
+            state.residual.noalias() += *influence * state.force;
+        state.error = std::max(state.residual.cwiseAbs().maxCoeff() / scale,
+                               load > 0 ? std::abs(state.force.sum() / load - 1) : 0.0);
+        return state;
     };
-    const auto error = [&](const Eigen::VectorXd& r, const Eigen::VectorXd& force) {
-        return std::max(r.cwiseAbs().maxCoeff() / scale, load > 0 ? std::abs(force.sum() / load - 1) : 0.0);
-    };
-    Eigen::VectorXd force = forces(caps, depth, modulus_), r = residual(depth, plane, force);
-    double now = error(r, force);
+    State now = start && influence ? state_at(start->indentation.array() + start->plane - plane, plane)
+                                   : state_at(caps.heights.array() - plane, plane);
     for (int round = 0;; ++round) {
-        const Tangent tangent(touching(depth), stiffnesses(caps, depth, modulus_), influence);
-        const auto& touching = tangent.touching();
-        const Eigen::VectorXd unit =
-            tangent.forces(Eigen::VectorXd::Ones(static_cast<Index>(touching.size())));
-        pressed.stiffness = unit.sum();
-        if (now <= settled || round == max_rounds)
-            break;
-        Eigen::VectorXd change = tangent.forces(-r(touching));
+        const Tangent tangent(stiffnesses(caps, now.depth, modulus_), influence);
+        const Eigen::VectorXd unit = tangent.unit_forces();
+        const double stiffness = unit.sum();
+        const auto pressed = [&] {
+            const Eigen::VectorXd area = pi * caps.radii.array() * now.depth.array().max(0);
+            return PressedCaps{now.plane, now.depth, now.force, area, stiffness};
+        };
+        if (now.error <= settled || round == max_rounds)
+            return pressed();
+        Eigen::VectorXd change = tangent.forces(-now.residual(tangent.touching));
         double rise = 0; // change of the plane
-        if (load > 0 && pressed.stiffness > 0) {
-            rise = (change.sum() - (load - force.sum())) / pressed.stiffness;
+        if (load > 0 && stiffness > 0) {
+            rise = (change.sum() - (load - now.force.sum())) / stiffness;
             change -= rise * unit;
         }
-        Eigen::VectorXd step = -r.array() - rise;
+        Eigen::VectorXd step = -now.residual.array() - rise;
         if (influence)
-            step.noalias() -= (*influence)(Eigen::all, touching) * change;
-        double share = 1, next = HUGE_VAL;
-        Eigen::VectorXd to, to_force, to_r;
-        for (int halved = 0; halved < 12; ++halved, share /= 2) {
-            to = depth + share * step;
-            to_force = forces(caps, to, modulus_);
-            to_r = residual(to, plane + share * rise, to_force);
-            next = error(to_r, to_force);
-            if (next < now)
-                break;
-        }
-        if (!(next < now)) {
-            if (now <= 1e-11) // as near as rounding allows
-                break;
-            throw NotConverged("asperities: Newton's method stops at a relative residual of " + line_of(now) +
-                               "; increase the pitch");
-        }
-        plane += share * rise;
-        std::tie(depth, force, r, now) = std::tie(to, to_force, to_r, next);
+            step.noalias() -= (*influence)(Eigen::all, tangent.touching) * change;
+        State next = now;
+        for (double share = 1; !(next.error < now.error) && share > 4e-4; share /= 2)
+            next = state_at(now.depth + share * step, now.plane + share * rise);
+        if (next.error < now.error)
+            now = std::move(next);
+        else if (now.error <= 1e-11) // as near as rounding allows
+            return pressed();
+        else
+            throw NotConverged("asperities: Newton's method stops at a relative residual of " +
+                               line_of(now.error) + "; increase the pitch");
     }
-    pressed.plane = plane;
-    pressed.indentation = depth;
-    pressed.force = force;
-    pressed.area = pi * caps.radii.array() * depth.array().max(0);
-    return pressed;
 }
 
 CapSlopes CapContact::slopes(const Caps& caps, const PressedCaps& pressed) const {
     const Eigen::VectorXd& depth = pressed.indentation;
     const Eigen::VectorXd k = stiffnesses(caps, depth, modulus_);
-    const Tangent tangent(touching(depth), k, influence_.get());
-    const auto& at = tangent.touching();
+    const Tangent tangent(k, influence_.get());
+    const auto& at = tangent.touching;
     const Eigen::ArrayXd K = k(at), R = caps.radii(at), d = depth(at), F = pressed.force(at);
     const Eigen::ArrayXd by_radius = F / (2 * R) / K; // (dF_i/dR_i)/K_i at a fixed indentation
     const auto slope = [&](const Eigen::ArrayXd& by_forces, const Eigen::ArrayXd& direct) {
@@ -170,7 +162,7 @@ CapSlopes CapContact::slopes(const Caps& caps, const PressedCaps& pressed) const
         return all;
     };
     const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(K.size());
-    const Eigen::ArrayXd unit = tangent.forces(Eigen::VectorXd::Ones(K.size()));
+    const Eigen::ArrayXd unit = tangent.unit_forces();
     // ddelta = dF/K - by_radius dR. The stiffness 1' (1/K + G)^-1 1 changes by sum unit^2 dK/K^2, and
     // dK/K = (ddelta/delta + dR/R)/2.
     const Eigen::ArrayXd share = unit.square() / (2 * K);

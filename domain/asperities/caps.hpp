@@ -20,6 +20,9 @@ struct CapArray {
     double nominal_area() const { return static_cast<double>(caps()) * pitch * pitch; } ///< N pitch^2, mm^2
 };
 
+/// The periodic grid of an array's nominal area, with 16 nodes per pitch and at most 128 x 128 nodes.
+Grid grid_of(const CapArray& array);
+
 /// Spherical caps in an array.
 struct Caps {
     CapArray array;          ///< positions of the caps

@@ -4,7 +4,7 @@
 #include "domain/design/options.hpp"
 #include "domain/target/out_of_reach.hpp"
 #include "ga/refinement/sensitivity.hpp"
-#include "ga/text/compiled_once.hpp"
+#include "ga/text/parser.hpp"
 
 namespace rough {
 
@@ -48,35 +48,30 @@ double value_of(const CapSetup& setup, Quantity quantity, double load, double ar
 
 /// The values of the caps' curve at a target's points, and their derivatives.
 struct CapCurve {
-    Eigen::VectorXd values;    ///< value at each point, in the target's unit
-    Eigen::MatrixXd by_genes;  ///< derivatives d value/dgene, points x genes; empty unless requested
-    std::vector<double> loads; ///< load F at each point, N
+    Eigen::VectorXd values;   ///< value at each point, in the target's unit
+    Eigen::MatrixXd by_genes; ///< derivatives d value/dgene, points x genes; empty unless requested
 };
 /// The curve of caps that is compared with a target. Stiffness is the tangent dP/dDelta, which for caps is a
 /// smooth function of the heights.
 CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& genome, CapModel model,
                   bool with_derivatives = false);
 
+/// The values of independent caps over those of interacting caps at a target's points.
+Eigen::ArrayXd interaction_factor(const CapSetup& setup, const Target& target, const CapGenome& genome);
 /// The set-up with independent caps, if all targets are areas against pressure. Otherwise the given set-up,
-/// because independent caps are wrong for other quantities. With `like`, targets are multiplied by the ratio
-/// of its curves by independent caps and by the given model. So `like` has the same misfits under both.
+/// because independent caps are wrong for other quantities. With `like`, targets are multiplied by its
+/// interaction_factor(). So `like` has the same misfits under both models.
 CapSetup with_independent_caps(CapSetup setup, const CapGenome* like = nullptr);
-
-/// A genome's misfits to the targets.
-struct CapOutcome {
-    std::vector<Eigen::VectorXd> misfits; ///< weighted misfits, one vector per target
-
-    double similarity() const; ///< 1 - the largest |misfit| of all targets
-};
 
 /// The problem of finding the caps that match all targets. Its objectives are `similarity`, the lowest
 /// similarity over all targets, and `goal1`, `goal2`, ..., the similarity to one target.
 class CapProblem {
   public:
-    using Genome = CapGenome;   ///< heights, and radii if they are genes
-    using Outcome = CapOutcome; ///< misfits to the targets
+    using Genome = CapGenome; ///< heights, and radii if they are genes
+    /// Weighted misfits, one vector per target.
+    using Outcome = std::vector<Eigen::VectorXd>;
 
-    /// The problem of a set-up. Throws InputError as validate() does.
+    /// The problem of a set-up. Throws InputError on an invalid array, range or target.
     explicit CapProblem(CapSetup setup);
 
     /// The misfits of a genome. Throws NotConverged if the contact cannot be solved.
@@ -105,13 +100,6 @@ class CapProblem {
     std::vector<ga::Variable> bounds_;
 };
 
-/// Throws InputError on an invalid array, range or target.
-void validate(const CapSetup& setup);
-
-/// The engine's operators for caps.
-ga::Registry<CapProblem> cap_engine_words();
-/// The operators of text pipelines for caps: the engine's operators, `round` and `exchange`.
-ga::Registry<CapProblem> cap_registry(const CapSetup& setup);
 /// The named pipelines for caps; `default` restarts until it has the required similarity.
 ga::Variants cap_variants(const CapSetup& setup);
 
@@ -134,8 +122,8 @@ struct CapAnswer {
     double difference = 1;
     CapVerification verification = {}; ///< verification; empty for alternatives
 
-    /// The lowest similarity; NaN if boundary elements have not verified it.
-    double lowest() const;
+    /// The lowest similarity; NaN if boundary elements have not verified it (std::min() returns a first NaN).
+    double lowest() const { return std::min(verification.similarity, similarity); }
 };
 
 /// The result of a search and its cost.
@@ -153,18 +141,10 @@ struct CapSearch : SearchRun {
 CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options = {},
                  std::vector<ga::Observer<CapGenome>> observers = {});
 
-/// The smallest and largest contact area that caps of a set-up can have under a force.
-struct AreaLimits {
-    double min; ///< smallest area, mm^2
-    double max; ///< largest area, mm^2
-};
-/// The limits of the area under a force (N), if the area of each cap follows from its force (hertz_area). The
-/// area is smallest if one cap of the smallest radius carries the whole force. It is largest if all caps have
-/// the largest radius and equal forces. For independent caps the lower limit also uses the range of heights,
-/// because no cap is farther than this range below the highest cap.
-AreaLimits area_limits(const CapSetup& setup, double force);
-
-/// The reasons why no caps of the set-up can match a target A(F), each with a bound on the similarity.
+/// The reasons why no caps of the set-up can match a target A(F), each with a bound on the similarity. The
+/// area of each cap follows from its force (hertz_area). So the area of all caps is smallest if one cap of
+/// the smallest radius carries the whole force. It is largest if all have the largest radius and equal
+/// forces.
 std::vector<OutOfReach> out_of_reach(const CapSetup& setup);
 
 /// Largest standard deviation found for independent normal height errors under which, in 95 % of draws, no
@@ -178,7 +158,3 @@ std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGe
                                               std::uint64_t seed = 1, int draws = 100, int threads = 0);
 
 } // namespace rough
-
-/// @cond
-GA_PIPELINES_ELSEWHERE(rough::CapProblem)
-/// @endcond

@@ -2,12 +2,11 @@
 #include "domain/design/explore.hpp"
 #include "domain/errors.hpp"
 #include "ga/blocks/derived.hpp"
-#include "ga/refinement/refine.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 namespace rough {
 
 /// @cond
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapOutcome, misfits)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapArray, columns, rows, pitch)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GeneRange, from, to, step)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapSetup, array, effective_modulus, heights, radii, model, targets,
@@ -21,105 +20,79 @@ using CapStage = ga::Stage<CapProblem>;
 
 constexpr std::size_t hall_size = 60;       ///< best individuals of all stages that are kept
 constexpr std::size_t max_compromises = 24; ///< size of the Pareto front
-constexpr double search_share =
-    0.6; ///< share of the time for the pipeline; boundary elements take the remainder
-constexpr double different_heights = 0.05; ///< rms difference of sorted heights over their range
+constexpr double search_share = 0.6;        ///< share of the time that is not for boundary elements
+constexpr double different_heights = 0.05;  ///< rms difference of sorted heights over their range
 
-/// Rounds the genes to their steps, then moves single genes by a step while that lowers the misfits of the
-/// linear model. Repeats this from the best point on the steps. If the misfits did not fall, it makes half
-/// as many moves. At last it makes one move at a time, and tries each move once.
-struct RoundGenes {
-    std::vector<GeneRange> ranges; ///< values of each gene
-    int evaluations = 200;
+/// Nearly the largest misfit, but smaller if fewer rows have it.
+double cost_of(const Eigen::VectorXd& r) {
+    const double largest = r.cwiseAbs().maxCoeff();
+    return largest > 0 ? largest * std::pow((r / largest).array().pow(8).sum(), 0.125) : 0;
+}
 
-    Eigen::VectorXd improve(const ga::Landscape& land) const {
-        ga::BestPoint best;
-        auto model = land.sensitivity(land.start);
-        Eigen::VectorXd centre = land.start, x = on_steps(centre);
-        Index moves = 4 * x.size();
-        std::vector<Eigen::VectorXd> failed; // points tried with one move from the best
-        for (int used = 1; model && used < evaluations && !land.exhausted(); ++used) {
-            x = moved(best.x.size() > 0 ? best.x : x, centre, *model, land, moves, failed);
-            if (best.x.size() > 0 && x == best.x)
-                break;
-            const auto at = land.sensitivity(x);
-            const double merit = at ? -cost(at->residuals) : -HUGE_VAL;
-            if (best.x.size() == 0 || merit > best.merit) {
-                best.offer(x, merit);
-                model = at, centre = x;
-                failed.clear();
-            } else if (moves > 1)
-                moves /= 2;
-            else
-                failed.push_back(x);
-        }
-        return best.x.size() > 0 ? best.x : on_steps(land.start);
-    }
-
-  private:
-    /// Nearly the largest misfit, but smaller if fewer rows have it.
-    static double cost(const Eigen::VectorXd& r) {
-        const double largest = r.cwiseAbs().maxCoeff();
-        return largest > 0 ? largest * std::pow((r / largest).array().pow(8).sum(), 0.125) : 0;
-    }
-    Eigen::VectorXd on_steps(Eigen::VectorXd x) const {
-        for (Index i = 0; i < x.size(); ++i)
-            if (const auto& [from, to, step] = ranges[static_cast<std::size_t>(i)]; step > 0)
-                x[i] = from + step * std::round((x[i] - from) / step);
-        return x;
-    }
-    /// At most `moves` from x by the linear model around `centre`, without the points that have failed.
-    Eigen::VectorXd moved(Eigen::VectorXd x, const Eigen::VectorXd& centre, const ga::Sensitivity& model,
-                          const ga::Landscape& land, Index moves,
-                          const std::vector<Eigen::VectorXd>& failed) const {
-        Eigen::VectorXd r = model.residuals + model.jacobian * (x - centre);
-        double now = cost(r);
-        for (Index move = 0; move < moves; ++move) {
-            Index gene = -1;
-            double by = 0, lowest = now * (1 - 1e-9);
-            const auto try_step = [&](Index i, double step) {
-                const double to = x[i] + step, next = cost(r + step * model.jacobian.col(i));
-                if (step == 0 || to < land.lower[i] - 1e-12 || to > land.upper[i] + 1e-12 || next >= lowest)
-                    return;
-                for (const Eigen::VectorXd& point : failed)
-                    if (std::abs(point[i] - to) < 0.5 * std::abs(step))
-                        return;
-                lowest = next, gene = i, by = step;
-            };
+/// Rounds genes to their steps, then moves single genes by a step while that lowers the misfits of the linear
+/// model. Repeats this from the best point on the steps. After the first repetition without success, it makes
+/// one move at a time, and tries each move once.
+Eigen::VectorXd rounded(const ga::Landscape& land, const CapProblem& problem, std::size_t evaluations) {
+    const auto range = [&](Index i) { return problem.range(static_cast<std::size_t>(i)); };
+    Eigen::VectorXd best = land.start, centre = best; // the linear model is around `centre`
+    for (Index i = 0; i < best.size(); ++i)
+        best[i] = range(i).nearest(best[i]);
+    auto model = land.sensitivity(centre);
+    double lowest = HUGE_VAL; // cost of `best`
+    Index moves = 4 * best.size();
+    std::set<std::pair<Index, double>> failed; // single moves from the best point
+    for (std::size_t used = 1; model && used < evaluations && !land.exhausted(); ++used) {
+        Eigen::VectorXd x = best, r = model->residuals + model->jacobian * (x - centre);
+        std::pair<Index, double> move;
+        for (Index moved = 0; moved < moves; ++moved) {
+            double least = cost_of(r) * (1 - 1e-9), by = 0;
             for (Index i = 0; i < x.size(); ++i)
-                for (const double sign : {1, -1})
-                    try_step(i, sign * ranges[static_cast<std::size_t>(i)].step);
-            if (gene < 0)
+                for (const double step : {range(i).step, -range(i).step}) {
+                    const double to = range(i).nearest(x[i] + step);
+                    if (to == x[i] || failed.contains({i, to}))
+                        continue;
+                    const double next = cost_of(r + (to - x[i]) * model->jacobian.col(i));
+                    if (next < least)
+                        least = next, move = {i, to}, by = to - x[i];
+                }
+            if (by == 0)
                 break;
-            x[gene] += by;
-            r += by * model.jacobian.col(gene);
-            now = lowest;
+            x[move.first] = move.second;
+            r += by * model->jacobian.col(move.first);
         }
-        return on_steps(x);
+        if (x == best && lowest < HUGE_VAL)
+            break;
+        const auto at = land.sensitivity(x);
+        const double cost = at ? cost_of(at->residuals) : HUGE_VAL;
+        if (cost < lowest || lowest == HUGE_VAL) {
+            lowest = cost, best = centre = x, model = at;
+            failed.clear();
+        } else if (moves > 1)
+            moves = 1;
+        else
+            failed.insert(move);
     }
-};
+    return best;
+}
 
-/// `round N`: every scored genome on the steps of its genes, found with at most N gradients.
-CapStage round_stage(const CapSetup& setup, int evaluations) {
-    const CapProblem problem(setup);
-    RoundGenes method;
-    method.evaluations = evaluations;
-    for (const ga::Variable& variable : problem.bounds({}))
-        method.ranges.push_back(problem.range(variable.gene));
+/// `round N`: every genome on the steps of its genes, found with at most N gradients.
+CapStage round_stage(std::size_t evaluations) {
     ga::Step<CapProblem> step;
     step.text = "round " + std::to_string(evaluations);
     step.check = [text = step.text](ga::CheckState& known) {
         known.need_one_objective(text);
         known.scored.reset();
     };
-    step.apply = [method](Designs designs, ga::Context<CapProblem>& context) {
-        const ga::Method rounding{"round", [&](const ga::Landscape& land) { return method.improve(land); }};
+    step.apply = [evaluations](Designs designs, ga::Context<CapProblem>& context) {
+        const CapProblem& problem = context.problem();
+        const ga::Method rounding{
+            "round", [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
         ga::Rounds<CapProblem>::run(
             designs.size(), context.door(), [&](std::size_t i, ga::EvaluationQueue<CapProblem>& door) {
                 if (designs[i].fitness.has_failed())
                     return;
-                auto found = ga::Search<CapProblem>(context.problem(), door, context.watch(), designs[i],
-                                                    context.problem().bounds(designs[i].genome), 1 << 20)
+                auto found = ga::Search<CapProblem>(problem, door, context.watch(), designs[i],
+                                                    problem.bounds(designs[i].genome), 1 << 20)
                                  .by(rounding, 0);
                 if (found)
                     designs[i].genome = std::move(*found);
@@ -131,28 +104,24 @@ CapStage round_stage(const CapSetup& setup, int evaluations) {
     return step;
 }
 
-/// `exchange RATE`: each cap changes places with another by this chance.
-CapStage exchange_stage(double rate) {
-    ga::Step<CapProblem> step;
-    step.text = "exchange " + ga::number(rate);
-    step.check = [](ga::CheckState& known) { known.scored.reset(); };
-    step.apply = [rate](Designs designs, ga::Context<CapProblem>& context) {
-        const auto caps = static_cast<std::size_t>(context.problem().setup().array.caps());
-        for (std::size_t i = 0; i < designs.size(); ++i) {
-            ga::Stream random = context.stream(i);
-            CapGenome& genome = designs[i].genome;
-            for (std::size_t a = 0; a < caps; ++a)
-                if (random.chance(rate)) {
-                    const std::size_t b = random.below(caps);
-                    for (std::size_t first = 0; first < genome.size(); first += caps)
-                        std::swap(genome[first + a], genome[first + b]);
-                }
-            context.make_child(designs[i], ga::Parents(designs[i].identity));
-        }
-        return designs;
-    };
-    return step;
-}
+/// The method `exchange` of `mutate`: each cap changes places with another by its chance.
+struct ExchangeCaps : ga::NoParameters {
+    [[maybe_unused]] static constexpr const char* needs = "caps";
+    static ga::Words words() {
+        return {"exchange", "asperities", "exchanges the places of caps, which changes interaction only"};
+    }
+    bool operator()(const CapProblem& problem, CapGenome& genome, const ga::Chance& chance,
+                    ga::Stream& random) const {
+        const CapGenome before = genome;
+        const auto caps = static_cast<std::size_t>(problem.setup().array.caps());
+        chance.each(caps, random, [&](std::size_t a) {
+            const std::size_t b = random.below(caps);
+            for (std::size_t first = 0; first < genome.size(); first += caps)
+                std::swap(genome[first + a], genome[first + b]);
+        });
+        return genome != before;
+    }
+};
 
 /// Runs `body` under independent caps (with_independent_caps). `corrected`: the targets are corrected for the
 /// first individual.
@@ -203,35 +172,27 @@ CapVerification verified(const CapSetup& setup, const CapGenome& genome, const C
     return found;
 }
 
-} // namespace
-
-ga::Registry<CapProblem> cap_registry(const CapSetup& setup) {
-    auto registry = cap_engine_words();
+/// The operators of text pipelines for caps.
+ga::Registry<CapProblem> cap_registry() {
+    auto registry = ga::whole_vocabulary<CapProblem>();
     registry.add({"round",
                   "asperities",
                   "puts every gene on its steps, with single steps that repair the curve",
                   {ga::whole("evaluations", "200", 1, "maximum number of gradients").up_to(1e6)}},
-                 [setup](const ga::Arguments& a, const auto&...) {
-                     return round_stage(setup, static_cast<int>(a.count("evaluations")));
-                 });
+                 [](const ga::Arguments& a, const auto&...) { return round_stage(a.count("evaluations")); });
     for (const auto& [name, meaning] :
-         {std::pair("independent",
-                    "runs the pipeline with caps that do not interact, if all targets are areas against "
-                    "pressure"),
-          {"corrected",
-           "as independent, with targets corrected for the interaction of the first individual"}})
+         {std::pair("independent", "runs the pipeline without interaction of caps, for areas at pressures"),
+          {"corrected", "as independent, with targets corrected for the first individual's interaction"}})
         registry.add({name, "asperities", meaning, {}, "", 1},
                      [name = std::string(name)](const ga::Arguments&, const std::vector<CapStage>& bodies,
                                                 const auto&...) {
                          return independent_stage(name, bodies[0], name == "corrected");
                      });
-    registry.add({"exchange",
-                  "asperities",
-                  "exchanges the places of caps, which changes interaction only",
-                  {ga::number("rate", std::nullopt, 0, 1, "a cap's chance to change places")}},
-                 [](const ga::Arguments& a, const auto&...) { return exchange_stage(a.number("rate")); });
+    registry.add<ga::Mutate<ExchangeCaps>>();
     return registry;
 }
+
+} // namespace
 
 ga::Variants cap_variants(const CapSetup& setup) {
     ga::Variants variants;
@@ -243,15 +204,10 @@ ga::Variants cap_variants(const CapSetup& setup) {
     const std::string enough = ga::number(1 - 0.5 * (1 - setup.required_similarity));
     variants["default"] =
         "pass | until fitness " + enough + " generations 4 { pass | plus 1 }" +
-        (setup.positions ? " | repeat 30 { parents | exchange 0.05 | score | plus 1 }" : "");
+        (setup.positions ? " | repeat 30 { parents | mutate 0.05 exchange | score | plus 1 }" : "");
     variants["genetic"] = "independent { sample 50 | score | repeat 500 { tournament 2 | cross uniform | "
                           "mutate 0.03 | score | elite 2 } | best 3 } | score";
     return variants;
-}
-
-double CapAnswer::lowest() const {
-    return std::isnan(verification.similarity) ? verification.similarity
-                                               : std::min(similarity, verification.similarity);
 }
 
 CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& options,
@@ -261,7 +217,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
     CapSearch result;
     const std::string text = options.pipeline.empty() ? "default" : options.pipeline;
     const ga::Variants variants = cap_variants(setup);
-    ga::Parser<CapProblem> parser(cap_registry(setup), variants);
+    ga::Parser<CapProblem> parser(cap_registry(), variants);
     const CapStage pipeline = parser.parse(text);
     std::vector<CapGenome> starts = options.starts;
     if (starts.empty()) {
@@ -273,36 +229,29 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
                  search_share * options.seconds, std::move(observers));
     static_cast<SearchRun&>(result) = explored.spent;
 
-    const auto within = [&](CapGenome genome) {
+    const auto on_steps = [&](CapGenome genome) {
         for (std::size_t g = 0; g < genome.size(); ++g)
             genome[g] = problem.range(g).nearest(genome[g]);
         return genome;
     };
+    const auto offer = [&](const CapGenome& genome) {
+        const CapProblem::Outcome misfits = problem.evaluate(genome);
+        explored.offer(genome, least_similarity(misfits));
+        return similarities(misfits);
+    };
     std::vector<ga::Point> points;
-    for (CapGenome& genome : explored.front) {
-        genome = within(genome);
-        const CapOutcome outcome = problem.evaluate(genome);
-        explored.offer(genome, outcome.similarity());
-        points.push_back(similarities(outcome.misfits));
-    }
-    const auto nearest = explored.seen.members; // genomes of a pipeline that ends before `round`
-    std::erase_if(explored.seen.members, [&](const auto& one) {
-        for (std::size_t g = 0; g < one.genome.size(); ++g)
-            if (std::abs(one.genome[g] - problem.range(g).nearest(one.genome[g])) > 1e-9)
-                return true;
-        return false;
-    });
-    if (explored.seen.members.empty()) {
-        const CapGenome genome = within(!nearest.empty()   ? nearest.front().genome
-                                        : explored.nearest ? *explored.nearest
-                                                           : starts.front());
-        explored.offer(genome, problem.evaluate(genome).similarity());
-    }
+    for (CapGenome& genome : explored.front)
+        points.push_back(offer(genome = on_steps(genome)));
+    auto& seen = explored.seen.members;
+    const CapGenome nearest = seen.empty() ? explored.nearest.value_or(starts.front()) : seen.front().genome;
+    std::erase_if(seen, [&](const auto& one) { return one.genome != on_steps(one.genome); });
+    if (seen.empty()) // the pipeline ended before `round`
+        offer(on_steps(nearest));
     const auto ranks = ga::pareto_ranks(points);
     for (std::size_t i = 0; i < ranks.size() && result.front.size() < max_compromises; ++i)
         if (ranks[i] == 0)
             result.front.emplace_back(explored.front[i], points[i]);
-    result.best = {explored.seen.members.front().genome, explored.seen.members.front().value()};
+    result.best = {seen.front().genome, seen.front().value()};
     result.alternatives = {result.best};
     const double range = std::max(setup.heights.to - setup.heights.from, 1e-300);
     for (const auto& [genome, difference] : explored.others_than(
@@ -315,7 +264,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
              [&](const Eigen::VectorXd&a, const Eigen::VectorXd&b) {
                  return (a - b).norm() / std::sqrt(static_cast<double>(a.size())) / range;
              }))
-        result.alternatives.push_back({genome, problem.evaluate(genome).similarity(), difference});
+        result.alternatives.push_back({genome, least_similarity(problem.evaluate(genome)), difference});
     result.seconds = clock.seconds();
     ContactOptions contact;
     contact.stop = ending_after(options.seconds - clock.seconds(), options.stop);

@@ -1,11 +1,9 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
-#include "ga/checkpoint/checkpoint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,29 +16,21 @@ namespace {
 using nlohmann::json;
 
 constexpr double independent_error = 0.02; ///< error of A(F) by independent caps
-constexpr double base_depth =
-    0.25; ///< depth of a tile's base below the lowest summit, over the smallest radius
-constexpr double solid_nodes = 90000; ///< nodes of the tile
-constexpr int drawn_points = 60;      ///< points of a drawn curve
+constexpr double base_depth = 0.25;        ///< depth of a tile's base, over the smallest radius
+constexpr double solid_nodes = 90000;      ///< nodes of the tile
+constexpr int drawn_points = 60;           ///< points of a drawn curve
 
 /// "independent" or "interacting"
 std::string name_of(rough::CapModel model) {
     return model == rough::CapModel::independent ? "independent" : "interacting";
 }
 
-struct CapRun {
+struct CapRun : DesignRecord {
     rough::CapSetup setup;
     rough::SearchOptionsOf<rough::CapProblem> options;
-    std::vector<rough::OutOfReach> out_of_reach;
-    double bound = 1; ///< no caps have a higher similarity
     rough::CapSearch found;
-    std::vector<StageRecord> stages;
     std::vector<rough::HeightTolerance> tolerance;
     double other_model_error = NAN; ///< relative difference of the curves by independent and interacting caps
-    std::string verdict;
-    bool is_found = false, interrupted = false;
-    double seconds = 0;
-    Origin origin;
 };
 
 /// FROM:TO or FROM:TO:STEP, mm.
@@ -51,8 +41,8 @@ rough::GeneRange range_from(const Settings& settings, const std::string& name) {
     return {parts[0], parts[1], parts.size() == 3 ? parts[2] : 0};
 }
 
-/// Throws if a setting is given that has no effect on caps.
-void expect_only_caps(const Settings& settings) {
+CapRun cap_run_from(const Settings& settings) {
+    // settings without effect on caps
     auto others = names_of(joined({scan_settings(), {resolution_setting()}, search_settings()}));
     others.insert(others.end(), {"like", "from", "control", "largest-change"});
     std::erase_if(others, [](const std::string& name) {
@@ -62,30 +52,32 @@ void expect_only_caps(const Settings& settings) {
             name);
     });
     expect_none(settings, others, "given with --asperities; omit it, as it is for sums of cosines only");
-}
-
-CapRun cap_run_from(const Settings& settings) {
-    expect_only_caps(settings);
     CapRun run;
-    rough::CapSetup& setup = run.setup = cap_setup_from(settings);
+    rough::CapSetup& setup = run.setup;
+    const auto sides = settings.numbers("asperities");
+    if (sides.size() != 2)
+        settings.refuse("asperities", settings.text("asperities"), " is not a pair; give NXxNY, e.g. 8x8");
+    setup.array = {static_cast<rough::Index>(sides[0]), static_cast<rough::Index>(sides[1])};
+    settings.take("pitch", setup.array.pitch);
+    if (settings.has("radius") && settings.has("radii"))
+        settings.refuse("radii", "given with ", settings.place("radius"), "; give one of both");
+    if (settings.has("radius"))
+        setup.radii.from = setup.radii.to = settings.number("radius");
+    if (settings.has("radii"))
+        setup.radii = range_from(settings, "radii");
+    if (settings.has("heights"))
+        setup.heights = range_from(settings, "heights");
     setup.positions = settings.is_on("positions");
     settings.take("reach-similarity", setup.required_similarity);
     if (settings.has("nodes")) {
         const auto nodes = settings.numbers("nodes");
         setup.nodes = nodes[0] * nodes.back();
     }
-    rough::Model model;
-    model.body.effective_modulus = setup.effective_modulus;
-    model.grid = {.nodes = setup.array.columns,
-                  .length = setup.array.pitch * static_cast<double>(setup.array.columns),
-                  .periodic = true, // the nominal area is that of all pitches
-                  .rows = setup.array.rows,
-                  .width = setup.array.pitch * static_cast<double>(setup.array.rows)};
+    rough::Model model = model_from(settings.with({{"nodes", ""}}));
+    model.grid = grid_of(setup.array);
+    setup.effective_modulus = model.body.effective_modulus;
     setup.targets = goals_from(settings, model);
-    placing(settings, "", [&] {
-        validate(setup);
-        return 0;
-    });
+    placing(settings, "", [&] { return rough::CapProblem(setup); });
     if (only_areas(setup) && accuracy_from(settings) >= independent_error)
         setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
@@ -98,67 +90,86 @@ CapRun cap_run_from(const Settings& settings) {
     return run;
 }
 
-/// The largest relative difference of the targets' curves by independent and by interacting caps.
-double difference_of_models(const CapRun& run) {
-    double largest = 0;
-    for (const rough::Target& target : run.setup.targets) {
-        const auto values = [&](rough::CapModel model) {
-            return curve_of(run.setup, target, run.found.best.genome, model).values;
-        };
-        largest = std::max(
-            largest,
-            (values(rough::CapModel::independent).array() / values(rough::CapModel::interacting).array() - 1)
-                .abs()
-                .maxCoeff());
-    }
-    return largest;
-}
-
-void conclude(CapRun& run) {
-    const double required = run.setup.required_similarity, lowest = run.found.best.lowest();
-    run.is_found = lowest >= required && run.out_of_reach.empty();
-    const std::string wanted = "; " + brief(required, 15) + " is required";
-    if (!run.out_of_reach.empty())
-        run.verdict = "out of reach of these caps: " + run.out_of_reach.front().reason +
-                      "; no similarity is above " + readable(run.bound, 4) + "; the best design found has " +
-                      readable(run.found.best.similarity, 4);
-    else if (std::isnan(lowest))
-        run.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by the " +
-                      name_of(run.setup.model) + " model, no time was left for boundary elements" + wanted;
-    else
-        run.verdict = std::string(run.is_found ? "found" : "not found within the budget") +
-                      ": lowest similarity " + readable(lowest, 5) + ", by the " + name_of(run.setup.model) +
-                      " model and by boundary elements at " +
-                      std::to_string(run.found.best.verification.meshed.size()) + " points" + wanted;
-}
-
-json genome_json(const CapRun& run, const rough::CapGenome& genome) {
-    const rough::Caps caps = caps_of(run.setup, genome);
-    json all = json::array();
-    for (rough::Index i = 0; i < caps.heights.size(); ++i)
-        all.push_back({{"height_mm", caps.heights[i]}, {"radius_mm", caps.radii[i]}});
-    return {{"columns", caps.array.columns},
-            {"rows", caps.array.rows},
-            {"pitch_mm", caps.array.pitch},
-            {"asperities", std::move(all)}};
-}
-
-json verification_json(const CapRun& run) {
+Summary summary_of(const CapRun& run) {
     const rough::CapVerification& verified = run.found.best.verification;
-    json loads = json::array();
+    const double required = run.setup.required_similarity, lowest = run.found.best.lowest();
+    const std::string model = "the " + name_of(run.setup.model) + " model",
+                      wanted = "; " + brief(required, 15) + " is required";
+    Summary summary{lowest >= required && run.out_of_reach.empty(), lowest, "", {}};
+    if (!run.out_of_reach.empty())
+        summary.verdict = "out of reach of these caps: " + run.out_of_reach.front().reason +
+                          "; no similarity is above " + readable(run.bound, 4) +
+                          "; the best design found has " + readable(run.found.best.similarity, 4);
+    else if (std::isnan(lowest))
+        summary.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by " +
+                          model + ", no time was left for boundary elements" + wanted;
+    else
+        summary.verdict = std::string(summary.found ? "found" : "not found within the budget") +
+                          ": lowest similarity " + readable(lowest, 5) + ", by " + model +
+                          " and by boundary elements at " + std::to_string(verified.meshed.size()) +
+                          " points" + wanted;
+    std::string tolerated;
+    for (const rough::HeightTolerance& one : run.tolerance)
+        tolerated += (tolerated.empty() ? "" : ", ") + readable(1000 * one.rms) + " µm rms within " +
+                     percent(one.error);
+    summary.facts = {
+        {"errors", "Errors",
+         "independent caps differ from interacting ones by " + percent(run.other_model_error) + "; " + model +
+             " from boundary elements by " + percent(verified.area_error) + " in area and " +
+             percent(verified.force_error) + " of the largest force"},
+        {"tolerance", "Tolerance", "errors of the heights that keep the law: " + tolerated},
+        {"time", "Time",
+         readable(run.found.seconds) + " s of search, " + readable(verified.seconds) + " s of verification"}};
+    return summary;
+}
+
+json answer_json(const CapRun& run) {
+    const auto genome = [&](const rough::CapGenome& genes) {
+        const rough::Caps caps = caps_of(run.setup, genes);
+        json all = {
+            {"columns", caps.array.columns}, {"rows", caps.array.rows}, {"pitch_mm", caps.array.pitch}};
+        for (rough::Index i = 0; i < caps.heights.size(); ++i)
+            all["asperities"].push_back({{"height_mm", caps.heights[i]}, {"radius_mm", caps.radii[i]}});
+        return all;
+    };
+    const rough::CapVerification& verified = run.found.best.verification;
+    json answer{{"similarity", run.found.best.similarity},
+                {"similarity_refined", verified.similarity},
+                {"similarity_worst", run.found.best.lowest()},
+                {"genome", genome(run.found.best.genome)},
+                {"pipeline", run.found.pipeline},
+                {"stages", run.stages},
+                {"notes", run.found.notes},
+                {"stopped", run.found.stopped},
+                {"seconds", run.seconds},
+                {"search_seconds", run.found.seconds},
+                {"curves", run.found.counters.evaluations},
+                {"gradients", run.found.counters.gradients},
+                {"verification",
+                 {{"loads", json::array()},
+                  {"area_error", verified.area_error},
+                  {"force_error", verified.force_error},
+                  {"seconds", verified.seconds}}},
+                {"model_difference", run.other_model_error},
+                {"alternatives", json::array()}};
     for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
         const rough::MeshedCaps& mesh = verified.meshed[s];
-        loads.push_back({{"load_N", mesh.load},
-                         {"area_mm2", mesh.area.sum()},
-                         {"area_from_nodes_mm2", {mesh.area_low.sum(), mesh.area_high.sum()}},
-                         {"area_by_model_mm2", verified.pressed[s].total_area()},
-                         {"approach_mm", mesh.approach},
-                         {"kkt_residual", mesh.kkt_residual}});
+        answer["verification"]["loads"].push_back(
+            {{"load_N", mesh.load},
+             {"area_mm2", mesh.area.sum()},
+             {"area_from_nodes_mm2", {mesh.area_low.sum(), mesh.area_high.sum()}},
+             {"area_by_model_mm2", verified.pressed[s].total_area()},
+             {"approach_mm", mesh.approach},
+             {"kkt_residual", mesh.kkt_residual}});
     }
-    return {{"loads", std::move(loads)},
-            {"area_error", verified.area_error},
-            {"force_error", verified.force_error},
-            {"seconds", verified.seconds}};
+    for (const rough::CapAnswer& one : run.found.alternatives)
+        answer["alternatives"].push_back(
+            {{"similarity", one.similarity}, {"difference", one.difference}, {"genome", genome(one.genome)}});
+    for (const auto& [genes, similarities] : run.found.front)
+        answer["front"].push_back({{"similarity", similarities}, {"genome", genome(genes)}});
+    for (const rough::HeightTolerance& one : run.tolerance)
+        answer["tolerance"].push_back({{"error", one.error}, {"height_rms_mm", one.rms}});
+    return answer;
 }
 
 void write_result(const CapRun& run, const std::filesystem::path& folder) {
@@ -166,7 +177,7 @@ void write_result(const CapRun& run, const std::filesystem::path& folder) {
     const auto range = [](const rough::GeneRange& of) {
         return json{{"from", of.from}, {"to", of.to}, {"step", of.step > 0 ? json(of.step) : json()}};
     };
-    json result = origin_json(run.origin);
+    json result = record_json(run, setup.targets, "");
     result.update({{"asperities", {setup.array.columns, setup.array.rows}},
                    {"pitch_mm", setup.array.pitch},
                    {"heights_mm", range(setup.heights)},
@@ -175,38 +186,7 @@ void write_result(const CapRun& run, const std::filesystem::path& folder) {
                    {"nominal_area_mm2", setup.array.nominal_area()},
                    {"model", name_of(setup.model)},
                    {"required_similarity", setup.required_similarity},
-                   {"target", target_json(setup.targets.front())},
-                   {"verdict", run.verdict},
-                   {"summary", {{"found", run.is_found}}},
-                   {"interrupted", run.interrupted},
-                   {"out_of_reach", out_of_reach_json(run.out_of_reach)}});
-    for (std::size_t t = 0; t < setup.targets.size(); ++t)
-        result["targets"].push_back(shown_json(setup.targets[t], t, ""));
-    const rough::CapAnswer& best = run.found.best;
-    json& answer = result["variants"][run.found.name];
-    answer = {{"similarity", best.similarity},
-              {"similarity_refined", best.verification.similarity},
-              {"similarity_worst", best.lowest()},
-              {"genome", genome_json(run, best.genome)},
-              {"pipeline", run.found.pipeline},
-              {"stages", run.stages},
-              {"notes", run.found.notes},
-              {"stopped", run.found.stopped},
-              {"seconds", run.seconds},
-              {"search_seconds", run.found.seconds},
-              {"curves", run.found.counters.evaluations},
-              {"gradients", run.found.counters.gradients},
-              {"verification", verification_json(run)},
-              {"model_difference", run.other_model_error},
-              {"alternatives", json::array()}};
-    for (const rough::CapAnswer& one : run.found.alternatives)
-        answer["alternatives"].push_back({{"similarity", one.similarity},
-                                          {"difference", one.difference},
-                                          {"genome", genome_json(run, one.genome)}});
-    for (const auto& [genome, similarities] : run.found.front)
-        answer["front"].push_back({{"similarity", similarities}, {"genome", genome_json(run, genome)}});
-    for (const rough::HeightTolerance& one : run.tolerance)
-        answer["tolerance"].push_back({{"error", one.error}, {"height_rms_mm", one.rms}});
+                   {"variants", {{run.found.name, answer_json(run)}}}});
     write_json(folder / "result.json", result);
 }
 
@@ -232,18 +212,16 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
         const rough::Target& target = setup.targets[t];
         rough::Target drawn = target;
         drawn.x = Eigen::VectorXd::LinSpaced(drawn_points, 0.2 * target.x[0], target.last());
-        const Eigen::VectorXd values = curve_of(setup, drawn, best.genome, setup.model).values,
-                              at = curve_of(setup, target, best.genome, setup.model).values;
-        curves.points(drawn.x, values, t + 1, "answer");
+        curves.points(drawn.x, curve_of(setup, drawn, best.genome, setup.model).values, t + 1, "answer");
+        const Eigen::VectorXd misfits =
+            misfit(target, curve_of(setup, target, best.genome, setup.model).values) / target.weight;
         for (rough::Index k = 0; k < target.points(); ++k)
             points.row(t + 1, target.x[k], target.y[k], target.has_band() ? target.lower[k] : NAN,
-                       target.has_band() ? target.upper[k] : NAN, misfit(target, k, at[k]) / target.weight,
-                       NAN);
+                       target.has_band() ? target.upper[k] : NAN, misfits[k], NAN);
     }
-    rough::write_atomically(folder / "asperities.csv", table.text());
-    rough::write_atomically(folder / "spots.csv", spots.text());
-    rough::write_atomically(folder / "curves.csv", curves.text());
-    rough::write_atomically(folder / "points.csv", points.text());
+    for (const auto& [name, csv] :
+         {std::pair("asperities", &table), {"spots", &spots}, {"curves", &curves}, {"points", &points}})
+        rough::write_atomically(folder / (name + std::string(".csv")), csv->text());
     rough::Profile tile = map_of(caps, solid_nodes, true, base_depth * caps.radii.minCoeff());
     write_solids(tile, {}, folder, "tile");
     const rough::Index columns = tile.shape().columns; // the mould is turned over, about y
@@ -275,79 +253,29 @@ std::vector<Setting> asperity_settings() {
                      "exchange caps at the end of the usual search, which changes interaction only", true}}});
 }
 
-rough::CapSetup cap_setup_from(const Settings& settings, const std::string& prefix) {
-    rough::CapSetup setup;
-    const std::string array = prefix + "asperities", radius = prefix + "radius", radii = prefix + "radii";
-    const auto sides = settings.numbers(array);
-    if (sides.size() != 2)
-        settings.refuse(array, settings.text(array), " is not a pair; give NXxNY, e.g. 8x8");
-    setup.array = {static_cast<rough::Index>(sides[0]), static_cast<rough::Index>(sides[1])};
-    settings.take(prefix + "pitch", setup.array.pitch);
-    if (settings.has(radius) && settings.has(radii))
-        settings.refuse(radii, "given with ", settings.place(radius), "; give one of both");
-    if (settings.has(radius))
-        setup.radii = {settings.number(radius), settings.number(radius), 0};
-    if (settings.has(radii))
-        setup.radii = range_from(settings, radii);
-    if (settings.has(prefix + "heights"))
-        setup.heights = range_from(settings, prefix + "heights");
-    setup.effective_modulus =
-        model_from(settings.with({{prefix + "nodes", ""}}), prefix).body.effective_modulus;
-    return setup;
-}
-
 int design_asperities(const Settings& settings, const std::string& line) {
-    const ga::Stopwatch clock;
     CapRun run = cap_run_from(settings);
-    run.origin = origin_of("asperities", line, settings, run.options.seed, run.options.threads);
-    const bool resume = resumes(settings);
-    const OutputFolder output(
-        settings.text("out"), "design",
-        {{"result.json", "asperities.csv", "spots.csv", "curves.csv", "points.csv", "tile.stl", "tile.3mf",
-          "mould.stl", "mould.3mf", "report.html", "checkpoint.cbor", "checkpoint.cbor.before"},
-         settings.files(),
-         settings.is_on("force"),
-         resume});
-    const auto& folder = output.path();
-    if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
-        return repeat_verdict(folder / "result.json");
-    const Interrupt interrupt;
-    Progress progress;
-    const double limit = run.options.seconds;
-    run.options.stop = &interrupt.flag();
-    const auto checkpoint = folder / "checkpoint.cbor";
-    run.options.checkpoints = {checkpoint, resume, [&](auto& keeper) { keeper.keep("stages", run.stages); },
-                               checkpoint_interval(), key_of(run.origin.inputs)};
-    run.found = search(run.setup, run.options,
-                       {recorder<rough::CapGenome>(run.stages), shown_by<rough::CapGenome>(progress)});
-    run.interrupted = interrupt.asked();
-    if (!run.interrupted) {
-        progress.show("tolerance");
-        run.other_model_error = difference_of_models(run);
-        run.tolerance =
-            height_tolerance(run.setup, run.found.best.genome, run.options.seed, 100, run.options.threads);
-    }
-    conclude(run);
-    run.seconds = clock.seconds();
-    write_result(run, output.restored());
-    write_tables(run, folder);
-    if (!run.interrupted && settings.choice("pictures") == 0)
-        write_page(folder, limit - clock.seconds());
-    if (run.found.stopped.empty())
-        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
-            std::filesystem::remove(folder / kept);
-    tell_notes(run.found.notes);
-    const rough::CapVerification& verified = run.found.best.verification;
-    say("Errors: independent caps differ from interacting ones by " + percent(run.other_model_error) +
-        "; the " + name_of(run.setup.model) + " model from boundary elements by " +
-        percent(verified.area_error) + " in area and " + percent(verified.force_error) +
-        " of the largest force");
-    for (const rough::HeightTolerance& one : run.tolerance)
-        say("Tolerance: height errors of " + readable(1000 * one.rms) + " µm rms keep the law within " +
-            percent(one.error));
-    say(folder.string() + ": " + run.verdict + " (" + readable(run.found.seconds) + " s of search, " +
-        readable(verified.seconds) + " s of verification)");
-    return run.interrupted ? exit_interrupted : run.is_found ? 0 : 3;
+    const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
+        Progress progress;
+        run.found = search(run.setup, run.options,
+                           {recorder<rough::CapGenome>(run.stages), shown_by<rough::CapGenome>(progress)});
+        run.interrupted = interrupt.asked();
+        if (!run.interrupted) {
+            progress.show("tolerance");
+            run.other_model_error = 0;
+            for (const rough::Target& target : run.setup.targets)
+                run.other_model_error = std::max(
+                    run.other_model_error,
+                    (interaction_factor(run.setup, target, run.found.best.genome) - 1).abs().maxCoeff());
+            run.tolerance = height_tolerance(run.setup, run.found.best.genome, run.options.seed, 100,
+                                             run.options.threads);
+        }
+        run.summary = summary_of(run);
+        run.seconds = run.clock.seconds();
+        write_result(run, output.restored());
+        write_tables(run, output.path());
+    };
+    return run_in_folder("asperities", line, settings, run, work);
 }
 
 } // namespace app

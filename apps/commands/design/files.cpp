@@ -88,35 +88,21 @@ json morph_json(const DesignRun& run) {
     return result;
 }
 
-/// `summary` of result.json.
-json summary_json(const DesignRun& run) {
-    const Summary& summary = run.summary;
-    json result{{"found", summary.found}, {"lowest", summary.verified}, {"not_asked", json::object()}};
-    for (const auto& [name, share] : run.not_asked.value_or(Shares()))
-        result["not_asked"][name] = share;
-    for (const Fact& fact : summary.facts)
-        result[fact.key] = fact.text;
-    return result;
-}
-
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.found.name, run.found, run.stages, run.seconds);
     variant.answer.response = run.response.responses.front();
     json result = result_json(run.origin, run.searched, {variant});
-    result["target"]["weight"] = run.setup.targets.front().weight;
-    for (std::size_t t = 0; t < run.setup.targets.size(); ++t)
-        result["targets"].push_back(shown_json(run.setup.targets[t], t,
-                                               std::string(run.found.best.on_finer.empty() ? "" : " finer") +
-                                                   (run.from ? " before" : "")));
+    result.update(record_json(run, run.setup.targets,
+                              std::string(run.found.best.on_finer.empty() ? "" : " finer") +
+                                  (run.from ? " before" : "")));
     result["is_2d"] = run.setup.model.grid.is_2d();
     result["required_similarity"] = run.setup.required_similarity;
     result["verified"] = run.found.best.is_verified();
     result["accounts"] = run.accounts;
     result["like"] = run.setup.like ? json(run.setup.like->nodes()) : json();
-    result["verdict"] = run.summary.verdict;
-    result["summary"] = summary_json(run);
-    result["interrupted"] = run.interrupted;
-    result["out_of_reach"] = out_of_reach_json(run.out_of_reach);
+    result["summary"].update({{"lowest", run.summary.verified}, {"not_asked", json::object()}});
+    for (const auto& [name, share] : run.not_asked.value_or(Shares()))
+        result["summary"]["not_asked"][name] = share;
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;
@@ -209,27 +195,34 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
 
 } // namespace
 
-json shown_json(const rough::Target& target, std::size_t index, const std::string& curves) {
-    json result = target_json(target);
-    result["weight"] = target.weight;
-    const std::string quantity =
-        rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
-    result["file"] = std::filesystem::path(target.name).filename().string();
-    result["quantity"] = quantity;
-    result["figure"] = std::to_string(index + 1) + " " + quantity +
-                       (target.against_pressure() ? " pressure" : " displacement") + curves +
-                       (target.has_band() ? " band" : "");
+json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,
+                 const std::string& curves) {
+    json result = origin_json(run.origin);
+    for (const rough::Target& target : targets) {
+        json shown = target_json(target);
+        const std::string quantity =
+            rough::is_contact_fraction(target.quantity) ? "contact_fraction" : name_of(target.quantity);
+        shown["weight"] = target.weight;
+        shown["file"] = std::filesystem::path(target.name).filename().string();
+        shown["quantity"] = quantity;
+        shown["figure"] = std::to_string(result["targets"].size() + 1) + " " + quantity +
+                          (target.against_pressure() ? " pressure" : " displacement") + curves +
+                          (target.has_band() ? " band" : "");
+        result["targets"].push_back(std::move(shown));
+    }
+    result["target"] = result["targets"][0];
+    result["verdict"] = run.summary.verdict;
+    result["summary"]["found"] = run.summary.found;
+    for (const Fact& fact : run.summary.facts)
+        result["summary"][fact.key] = fact.text;
+    result["interrupted"] = run.interrupted;
+    result["out_of_reach"] = json::array();
+    for (const auto& reason : run.out_of_reach)
+        result["out_of_reach"].push_back({{"reason", reason.reason},
+                                          {"at", reason.at},
+                                          {"highest_similarity", reason.bound},
+                                          {"on_this_grid", reason.on_this_grid}});
     return result;
-}
-
-json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons) {
-    json all = json::array();
-    for (const auto& reason : reasons)
-        all.push_back({{"reason", reason.reason},
-                       {"at", reason.at},
-                       {"highest_similarity", reason.bound},
-                       {"on_this_grid", reason.on_this_grid}});
-    return all;
 }
 
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder) {

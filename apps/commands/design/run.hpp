@@ -3,11 +3,13 @@
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
+#include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
 #include "domain/asperities/design.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
+#include "ga/checkpoint/checkpoint.hpp"
 
 /// A design from settings to files, for the program and Python.
 namespace app {
@@ -40,7 +42,19 @@ struct Summary {
     std::vector<Fact> facts;
 };
 
-struct DesignRun {
+/// The parts of a run that designs of every genome have.
+struct DesignRecord {
+    ga::Stopwatch clock;
+    std::vector<rough::OutOfReach> out_of_reach;
+    double bound = 1; ///< no surface has a higher similarity, by exact tests
+    std::vector<StageRecord> stages;
+    Summary summary;
+    bool interrupted = false;
+    double seconds = 0;
+    Origin origin;
+};
+
+struct DesignRun : DesignRecord {
     rough::DesignSetup setup;    ///< solved throughout, for all results on the answer
     rough::DesignSetup searched; ///< the set-up with the accuracy that the search was allowed
     rough::SearchOptions options;
@@ -51,22 +65,13 @@ struct DesignRun {
     bool limits_given = false;         ///< whether a flag limits the shape
     std::optional<Production> from;    ///< if it is given, it is morphed and nothing is searched
 
-    std::vector<rough::OutOfReach> out_of_reach;
-    double bound = 1; ///< no profile has a higher similarity, by exact tests
-
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
     rough::DesignResponse response;  ///< response of the answer
     std::optional<Shares> not_asked; ///< see off_unasked(); nothing if the time did not suffice
-    std::vector<StageRecord> stages;
     std::vector<rough::Margin> margins;
     std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
     std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
-
-    Summary summary;
-    bool interrupted = false;
-    double seconds = 0;
-    Origin origin;
 };
 
 /// The parameters of a search for designs of any genome.
@@ -106,19 +111,54 @@ ga::Observer<G> shown_by(Progress& progress) {
 
 /// The targets of --target with their --weights.
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model);
-/// A target for the page: its points, file, quantity, and the argument of its figure with further `curves`.
-nlohmann::json shown_json(const rough::Target& target, std::size_t index, const std::string& curves);
-/// `out_of_reach` of result.json.
-nlohmann::json out_of_reach_json(const std::vector<rough::OutOfReach>& reasons);
-/// The origin of a design of this kind, for result.json.
-Origin origin_of(const char* kind, const std::string& line, const Settings& settings, std::uint64_t seed,
-                 int threads);
+/// The keys of result.json for the record, and for each target its points, file, quantity, and the argument
+/// of its figure with further `curves`.
+nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,
+                           const std::string& curves);
 /// Whether a design is resumed. Throws rough::InputError if its folder is not named.
 bool resumes(const Settings& settings);
+/// The folder of a design, for any genome.
+OutputFolder design_folder(const Settings& settings, bool resume);
 /// Prints the verdict of a design that was finished before, and returns its exit code.
 int repeat_verdict(const std::filesystem::path& result);
 /// Draws the page of a folder in the time that is left, but at least in some seconds.
 void write_page(const std::filesystem::path& folder, double seconds_left);
+
+/// Runs `work(output, interrupt)` in the folder of a design, with its checkpoints. Then draws the page,
+/// prints the summary and returns the exit code. If a resumed design was finished before, only prints its
+/// verdict.
+template <class Run, class Work>
+int run_in_folder(const char* kind, const std::string& line, const Settings& settings, Run& run, Work work) {
+    run.origin = {kind,
+                  RUGOSA_VERSION,
+                  line,
+                  run.options.seed,
+                  ga::thread_count(run.options.threads),
+                  inputs_json(settings.files())};
+    const bool resume = resumes(settings);
+    const OutputFolder output = design_folder(settings, resume);
+    const std::filesystem::path& folder = output.path();
+    if (resume && says_finished(folder, "checkpoint.cbor", run.origin.inputs))
+        return repeat_verdict(folder / "result.json");
+    const double limit = run.options.seconds;
+    const Interrupt interrupt;
+    run.options.stop = &interrupt.flag();
+    run.options.checkpoints = {folder / "checkpoint.cbor", resume,
+                               [&](auto& keeper) { keeper.keep("stages", run.stages); },
+                               checkpoint_interval(), key_of(run.origin.inputs)};
+    work(output, interrupt);
+    if (!run.interrupted && settings.choice("pictures") == 0)
+        write_page(folder, limit - run.clock.seconds());
+    if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
+        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
+            std::filesystem::remove(ga::held(folder / kept));
+    tell_notes(run.found.notes);
+    for (const Fact& fact : run.summary.facts)
+        say(fact.name + ": " + fact.text);
+    say(folder.string() + ": " + run.summary.verdict + " (" + readable(run.clock.seconds()) + " s)" +
+        (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues the search" : ""));
+    return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;
+}
 
 /// The parameters of a search that the program and Python share: everything except targets and files.
 std::vector<Setting> search_settings();
@@ -156,8 +196,6 @@ void write_design_drawings(const DesignRun& run, const std::filesystem::path& fo
 std::vector<Setting> cap_settings(const std::string& prefix = "");
 /// The settings that only `rugosa design` with caps has.
 std::vector<Setting> asperity_settings();
-/// The array, ranges and modulus that the settings describe, without targets.
-rough::CapSetup cap_setup_from(const Settings& settings, const std::string& prefix = "");
 /// `rugosa design --asperities`: a design with spherical caps, from settings to files. Returns the exit code.
 int design_asperities(const Settings& settings, const std::string& line);
 
