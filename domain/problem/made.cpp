@@ -10,7 +10,10 @@ namespace rough {
 
 namespace {
 
-constexpr std::uint64_t draws = 96; ///< fixed draws of noise
+/// The number of fixed draws of noise. Searches begin on coarser grids, with fewer draws.
+std::uint64_t draws_for(const Grid& grid) {
+    return static_cast<std::uint64_t>(std::clamp<Index>(3 * grid.shape().nodes() / 4, 48, 384));
+}
 
 /// Load steps that end at the pressure or displacement of the search's last step, under Eq. 11 as well.
 std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetup& made,
@@ -87,7 +90,7 @@ std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid) {
 CommonErrors::CommonErrors(const DesignSetup& setup) {
     const MakingErrors& errors = setup.errors;
     const Grid& grid = setup.model.grid;
-    for (std::uint64_t draw = 0; errors.noise > 0 && draw < draws; ++draw)
+    for (std::uint64_t draw = 0; errors.noise > 0 && draw < draws_for(grid); ++draw)
         noise.push_back(errors.noise *
                         height_noise(grid, errors.noise_length, ga::fold(ga::fold(0, "common draws"), draw)));
     if (errors.tilt > 0)

@@ -82,7 +82,8 @@ class DesignProblem {
     /// gamma and lambda are fixed.
     std::vector<ga::Variable> bounds(const Genome& genome) const;
     /// Misfits at the objective's points with exact derivatives, then one row per limit on shape. Contact
-    /// fractions are smooth here (contact/interface.hpp), because a count of nodes has no derivative.
+    /// fractions are smooth here (contact/interface.hpp), because a count of nodes has no derivative. For
+    /// `made` each misfit m, also of each draw and tilt, is m |m/0.05|^1.5, so that the largest ones decide.
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
     /// The features of surface_descriptors().
