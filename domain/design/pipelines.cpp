@@ -245,10 +245,10 @@ ga::Variants design_variants(double required) {
     variants["pass"] = pass;
     variants["default"] = "pass | " + until + "3 { pass | plus 2 }";
     // Starts near the target. The best are refined under all common errors of making at once, first on a
-    // grid whose curves cost a fifth.
-    variants["made"] = "shape 96 | score | best 32 | refine lm 12 | coarser 1 { score made | best 10 | "
-                       "refine lm 15 | best 4 | "
-                       "refine lm 30 | best 2 } | score made | refine lm 12 | best 2";
+    // coarser grid with fewer draws.
+    variants["made"] = "shape 32 | score | best 24 | refine lm 12 | coarser 1 { score made | refine lm 8 | "
+                       "best 8 | refine lm 12 | best 3 | refine lm 20 | best 2 } | score made | "
+                       "refine lm 20 | best 2";
     // For maps: from coarser grids, whose curves cost less, to the search grid.
     variants["maps"] =
         "coarser 2 { shape 24 | score | best 8 | refine lm 15 | best 4 | refine lm 30 sharpen=10 | "

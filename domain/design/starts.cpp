@@ -55,6 +55,24 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
     return order;
 }
 
+/// The order in which nodes touch if contact is on tips at an even pitch, with valleys between them that
+/// touch last. A tip's contact hardly widens under load, so noise changes the stiffness less. The first tips
+/// to touch are one or two near the middle. The pitch is at least twice `finest` (mm).
+std::vector<int> tips_order(const Grid& grid, double finest, ga::Stream& random) {
+    const double pitch = finest * random.uniform(2, 6), width = pitch * random.uniform(0.25, 0.6),
+                 middle = grid.length * random.uniform(0.4, 0.6), shift = random.chance(0.5) ? 0.5 : 0;
+    std::vector<double> rank;
+    for (Index i = 0; i < grid.nodes; ++i) {
+        const double x = grid.spacing() * static_cast<double>(i) - middle,
+                     tip = pitch * (std::round(x / pitch - shift) + shift), off = std::abs(x - tip);
+        rank.push_back(std::abs(tip) + 0.05 * off + (off > width / 2 ? grid.length : 0));
+    }
+    std::vector<int> order(rank.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](int i) { return rank[static_cast<std::size_t>(i)]; });
+    return order;
+}
+
 constexpr Index shaping_nodes = 256, shaping_side = 24;
 /// Depth of the valleys below contact, relative to the last displacement, for a start in free amplitude on a
 /// periodic body.
@@ -159,9 +177,14 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const double last_pressure = setup.max_pressure          ? *setup.max_pressure
                                  : target.against_pressure() ? target.last()
                                                              : infinity;
+    const double shortest = setup.limits.shortest_wave;
+    const bool tips = setup.errors.noise > 0 && !grid.is_2d();
+    const std::vector<int> order =
+        tips ? tips_order(grid, std::max(shortest, setup.errors.noise_length), random)
+             : drawn_order(grid, random);
     InverseProfile inverse =
-        inverse_profile(surface, body, drawn_order(grid, random), advance_for(target, surface.nodes()),
-                        last_pressure, target.against_pressure() ? infinity : target.last());
+        inverse_profile(surface, body, order, advance_for(target, surface.nodes()), last_pressure,
+                        target.against_pressure() ? infinity : target.last());
     const bool periodic_line = grid.periodic && !grid.is_2d();
     if (periodic_line && setup.max_pressure)
         inverse = with_mean_at_full_approach(std::move(inverse), setup.model.loading.reach);
@@ -177,16 +200,17 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const double H = random.uniform(0.8, 1.6);
     if (grid.is_2d())
         return shaped_as(inverse.profile, drawn_series(setup, H, gamma, L * random.uniform(0.9, 1.5)),
-                         setup.ridges, grid, setup.limits.shortest_wave);
+                         setup.ridges, grid, shortest);
     if (grid.periodic)
-        return shaped_as(inverse.profile, harmonic_series(L, setup.limits.shortest_wave, H),
-                         setup.limits.shortest_wave);
+        return shaped_as(inverse.profile, harmonic_series(L, shortest, H), shortest);
     const double lambda = L * random.uniform(1.2, 2.0);
+    if (tips) // needs more waves than a series has
+        return shaped_as(inverse.profile, harmonic_series(lambda, shortest, H), shortest);
     const std::vector<Series> series{drawn_series(setup, H, gamma, lambda),
                                      drawn_series(setup, H * random.uniform(0.8, 1.2),
                                                   gamma * random.uniform(1.05, 1.2),
                                                   lambda * random.uniform(0.6, 0.9))};
-    return shaped_as(inverse.profile, series, setup.limits.shortest_wave);
+    return shaped_as(inverse.profile, series, shortest);
 }
 
 Genome fitting_grid(const DesignSetup& setup, const Genome& genome) {

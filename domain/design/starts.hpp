@@ -11,6 +11,10 @@ namespace rough {
 ///
 /// Such profiles do not look rough. They are near the target and have few contacts that open and close. So
 /// they are good starts for refinement.
+///
+/// If the set-up has noise, a line gets tips at an even pitch instead, with valleys that do not touch. The
+/// pitch is 2 to 6 times the noise length or the shortest wavelength, whichever is longer. The waves are then
+/// all harmonics of one length.
 Genome shaped_start(const DesignSetup& setup, ga::Stream random);
 
 /// On a periodic line, the genome with its waves moved to harmonics of the length; otherwise the genome.

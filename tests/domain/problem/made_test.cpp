@@ -63,7 +63,7 @@ TEST_CASE("the objective made is the similarity without errors, and tends to it 
     }
 }
 
-TEST_CASE("a design under noise survives it better than a plain one, with equal bits on two threads") {
+TEST_CASE("a design under noise loses a third less to it, with equal bits on two threads") {
     DesignSetup setup = setup_with(true);
     setup.targets[0].y = 0.5 + 0.6 * (setup.targets[0].x.array() / 1.6e-4).pow(0.7);
     const std::string start = "shape 12 | score | best 4 | refine lm 12 | ";
@@ -80,7 +80,7 @@ TEST_CASE("a design under noise survives it better than a plain one, with equal 
         return similarity_when_made(setup, genome, {.seed = 77}, 400);
     };
     CHECK(fresh(one.best.genome) == Approx(one.best.similarity_made).margin(0.02));
-    CHECK(fresh(one.best.genome) > fresh(plain) + 0.005);
+    CHECK(1 - fresh(one.best.genome) < 0.65 * (1 - fresh(plain)));
     REQUIRE(!one.made.empty());
     for (std::size_t i = 1; i < one.made.size(); ++i) // none dominates another
         CHECK((one.made[i].similarity <= one.made[i - 1].similarity &&
