@@ -98,6 +98,27 @@ Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, co
     return doubt;
 }
 
+Doubt solver_doubt(const Response& rows, Index count, const Eigen::VectorXd& share) {
+    const Index last = rows.steps() - 1;
+    Eigen::VectorXd next_stiffness = rows.tangent_stiffness;
+    next_stiffness.head(last) = rows.tangent_stiffness.tail(last);
+    const Eigen::VectorXd error =
+        share.cwiseProduct(rows.displacement).cwiseProduct(next_stiffness).head(count);
+    return doubt_of(error, Eigen::VectorXd::Zero(count), 2 * error);
+}
+
+Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading) {
+    const Eigen::ArrayXd pressure = rows.pressure;
+    const Index last = rows.steps() - 1;
+    Eigen::ArrayXd share = rows.kkt_residual;
+    if (!loading.pressures.empty())
+        share += (pressure / Eigen::Map<const Eigen::ArrayXd>(loading.pressures.data(), pressure.size()) - 1)
+                     .abs();
+    else if (loading.to_pressure > 0)
+        share += std::abs(pressure[last] / loading.to_pressure - 1);
+    return share;
+}
+
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale) {
     const Eigen::VectorXd pressure = doubt.pressure.cwiseQuotient(scale.pressure);
     const double last = pressure[pressure.size() - 1]; // the scale of light loads is a share of the last

@@ -40,6 +40,15 @@ Doubt operator+(const Doubt& a, const Doubt& b);
 /// The largest errors of pressures whose exact values lie within bounds.
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
+/// The largest errors of the first `count` rows if the error of each displacement is at most its `share`. A
+/// solution that leaves gaps and penetrations of at most r Delta is exact at most r Delta away, by the lemma
+/// of README.md.
+Doubt solver_doubt(const Response& rows, Index count, const Eigen::VectorXd& share);
+
+/// Largest relative errors of the rows' displacements. They are the KKT residuals plus the relative distances
+/// of the pressures from the requested ones. P is convex, so displacements are off by no larger shares.
+Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading);
+
 /// For each row, the larger of the relative errors of pressure and secant. An error is divided by the lowest
 /// possible exact value, which `scale` and the largest errors give (README.md). The result is infinite if
 /// that value is not positive.

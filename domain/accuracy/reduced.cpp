@@ -128,8 +128,11 @@ std::optional<ByLine> respond_by_line(const Profile& map, const Model& model) {
             std::move(curve.last_contact), HUGE_VAL};
         const Bounds bounds = pressure_bounds(of.line, of.window, model.body, displacements, model.contact);
         const Eigen::VectorXd& pressure = result.response.pressure;
+        const Doubt solved =
+            solver_doubt(result.response, pressure.size(), displacement_errors(result.response, loading));
+        // The bounds have the solver's error, too.
         const Eigen::VectorXd errors =
-            relative(doubt_of(pressure, bounds.lower, bounds.upper), error_scale(pressure));
+            relative(doubt_of(pressure, bounds.lower, bounds.upper) + solved + solved, error_scale(pressure));
         if (errors.allFinite())
             result.bound = errors.maxCoeff();
         return result;
