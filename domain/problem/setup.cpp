@@ -17,14 +17,18 @@ constexpr int area_ridges = 8;
 constexpr double rounding = 1 + 1e-9;
 
 /// Minimum number of nodes in contact at a target's first point, because contact fractions are counts.
-constexpr double first_nodes = 16;
+constexpr double first_nodes = 32;
+/// Range of the default number of nodes for contact area.
+constexpr double min_area_nodes = 512, max_area_nodes = 4096;
+/// Largest distance of a band's edges from the measured curve, relative to this curve.
+constexpr double max_band_share = 0.05;
 
 Index enough_nodes(const DesignSetup& setup) {
     double nodes = 0;
     for (const Target& target : setup.targets)
         if (is_contact_fraction(target.quantity))
             nodes = std::max({nodes, static_cast<double>(setup.like->nodes()), first_nodes / target.y[0]});
-    return nodes == 0 ? Grid().nodes : static_cast<Index>(std::clamp(nodes, 512., 2048.));
+    return nodes == 0 ? Grid().nodes : static_cast<Index>(std::clamp(nodes, min_area_nodes, max_area_nodes));
 }
 
 } // namespace
@@ -125,6 +129,11 @@ DesignSetup like(DesignSetup setup, Profile profile, const Model& model, const s
     setup.model = model;
     setup.targets = targets_like(*setup.like, model, name, quantities, points, setup.max_pressure.value_or(0),
                                  resolution);
+    for (Target& target : setup.targets)
+        if (target.has_band()) {
+            target.lower = target.lower.cwiseMax((1 - max_band_share) * target.y);
+            target.upper = target.upper.cwiseMin((1 + max_band_share) * target.y);
+        }
     if (!setup.like->is_2d())
         setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
     return setup;

@@ -73,10 +73,11 @@ DesignSetup as_reported(DesignSetup searched);
 /// A design with the response of a measured profile as target. Sets `like`, the targets and the model. The
 /// targets are the profile's response under `model`. They have `points` evenly spaced pressures up to the
 /// set-up's max_pressure if it is given, otherwise up to the model's last load. Unless `resolution` is off,
-/// they have the band of the node spacing (resolution.hpp).
+/// they have the band of target_like(). It is cut at 5 % from the profile's response on either side, because
+/// the design must also be near the measured curve.
 ///
 /// The grid gets `nodes` nodes, or 512 if `nodes` is 0. For contact area, 0 stands for the profile's number
-/// of nodes (512 to 2048). It stands for more if fewer than 16 nodes would touch at the first point. A map
+/// of nodes (512 to 4096). It stands for more if fewer than 32 nodes would touch at the first point. A map
 /// keeps its nodes.
 DesignSetup like(DesignSetup setup, Profile profile, const Model& model, const std::string& name,
                  const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},

@@ -56,6 +56,15 @@ Profile honed(int grooves, std::uint64_t seed) {
     return {z, grid.spacing()};
 }
 
+/// Roughness whose peaks above the share `cut` of all heights are worn to 3 % of their height.
+Profile plateau(double correlation, double cut, std::uint64_t seed) {
+    Eigen::VectorXd z = 1e-3 * smoothed(correlation, ga::Stream(seed)), sorted = z;
+    std::ranges::sort(sorted);
+    const double top = sorted[static_cast<Index>(cut * static_cast<double>(z.size()))];
+    z = z.array().min(0.97 * top + 0.03 * z.array()).matrix() + 5e-5 * smoothed(0.012, ga::Stream(seed + 1));
+    return {z, grid.spacing()};
+}
+
 Profile walk(std::uint64_t seed) {
     ga::Stream random(seed);
     Eigen::VectorXd z(grid.nodes);
@@ -74,8 +83,8 @@ std::vector<std::pair<std::string, Profile>> all() {
             {"fractured, H = 0.6", fractal_profile(grid, 0.6, 1e-3, 6)},
             {"honed, 15 grooves", honed(15, 7)},
             {"honed, 40 grooves", honed(40, 8)},
-            {"random walk, first", walk(9)},
-            {"random walk, second", walk(10)}};
+            {"plateau, coarse", plateau(0.05, 0.6, 9)},
+            {"plateau, fine", plateau(0.02, 0.4, 11)}};
 }
 
 } // namespace ten_scans
@@ -83,11 +92,12 @@ std::vector<std::pair<std::string, Profile>> all() {
 namespace {
 
 /// Stiffness and contact area of a scan as targets, on a grid with these nodes.
-DesignSetup like_scan(const Profile& scan, Index nodes, double length, Kernel kernel = Kernel::free) {
+DesignSetup like_scan(const Profile& scan, Index nodes, double length, Kernel kernel = Kernel::free,
+                      Resolution resolution = Resolution::off) {
     Model model;
     model.grid = {scan.nodes(), length};
     model.body.kernel = kernel;
-    return completed(like({}, scan, completed(model), "scan", likeness_named("both"), 20, nodes));
+    return completed(like({}, scan, completed(model), "scan", likeness_named("both"), 20, nodes, resolution));
 }
 
 } // namespace
@@ -146,14 +156,18 @@ TEST_CASE("the variant like improves its answer until its evaluations are spent"
     CHECK(longer.best.lowest() > once.best.lowest());
 }
 
-TEST_CASE("at least six of ten scans are met to 0.9 in stiffness and area together", "[long]") {
+TEST_CASE("at least eight of ten scans are met to 0.9 in stiffness and area together", "[long]") {
     int met = 0;
     for (const auto& [name, profile] : ten_scans::all()) {
-        const DesignSetup setup = like_scan(profile, 2048, ten_scans::grid.length);
-        // About 50 s on two cores.
-        const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 200});
-        WARN(name << ": " << found.best.lowest());
-        met += found.best.lowest() >= 0.9;
+        const DesignSetup setup = like_scan(profile, 0, ten_scans::grid.length, Kernel::free, Resolution::on);
+        // Up to 60 s of processor time.
+        const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 175});
+        // Against the scan itself, at 16 times the load steps.
+        const DesignSetup finer =
+            in_finer_steps(exactly(like_scan(profile, setup.model.grid.nodes, ten_scans::grid.length)), 16);
+        const auto similar = similarities(finer, respond(finer, found.best.genome, finer.model));
+        WARN(name << ": " << similar[0] << ", " << similar[1]);
+        met += std::ranges::min(similar) >= 0.9;
     }
-    CHECK(met >= 6);
+    CHECK(met >= 8);
 }

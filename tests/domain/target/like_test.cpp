@@ -65,10 +65,10 @@ TEST_CASE("a design like a profile has more nodes if its contact fractions need 
     };
     CHECK(nodes_of(2500, {Quantity::stiffness}, 10).first == 512);
     CHECK(nodes_of(300, {Quantity::area_at_pressure}, 10, 700).first == 700);
-    CHECK(nodes_of(2500, {Quantity::area_at_pressure}, 10).first == 2048);
-    for (const Index points : {3, 40}) { // 16 nodes in contact at the first point
+    CHECK(nodes_of(5000, {Quantity::area_at_pressure}, 10).first == 4096);
+    for (const Index points : {3, 40}) { // 32 nodes in contact at the first point
         const auto [nodes, first] = nodes_of(600, {Quantity::stiffness, Quantity::area_at_pressure}, points);
-        CHECK(nodes == static_cast<Index>(std::clamp(16 / first, 600., 2048.)));
+        CHECK(nodes == static_cast<Index>(std::clamp(32 / first, 600., 4096.)));
     }
 }
 
