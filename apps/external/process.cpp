@@ -7,37 +7,52 @@
 #include <csignal>
 #include <ctime>
 #include <fcntl.h>
-#include <spawn.h>
+#include <mutex>
 #include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace app {
 
 namespace {
 
-int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int err) {
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t defaults;
-    sigemptyset(&defaults);
-    sigaddset(&defaults, SIGPIPE);
-    posix_spawnattr_setsigdefault(&attributes, &defaults);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+/// Starts a program that leads a group. It runs only after announce(process): if this process is killed
+/// before, the child ends. Returns 0 or an error number.
+template <class Announce>
+int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int err, Announce announce) {
     std::vector<char*> pointers;
     for (std::string& word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    const int error = posix_spawnp(&process, pointers.front(), &files, &attributes, pointers.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
+    static std::mutex one_at_a_time; // no child holds the pipes of another
+    const std::lock_guard lock(one_at_a_time);
+    std::array<int, 2> start{-1, -1}, failure{-1, -1};
+    const bool has_pipes = pipe2(start.data(), O_CLOEXEC) == 0 && pipe2(failure.data(), O_CLOEXEC) == 0;
+    process = has_pipes ? fork() : -1;
+    int error = process < 0 ? errno : 0;
+    if (process == 0) {
+        char begin = 0;
+        setpgid(0, 0);
+        close(start[1]);
+        if (read(start[0], &begin, 1) == 1 && dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 &&
+            dup2(err, STDERR_FILENO) >= 0) {
+            std::signal(SIGPIPE, SIG_DFL);
+            execvp(pointers.front(), pointers.data());
+        }
+        error = errno;
+        [[maybe_unused]] const ssize_t told = write(failure[1], &error, sizeof error);
+        _exit(127);
+    }
+    if (process > 0) {
+        announce(process);
+        [[maybe_unused]] const ssize_t told = write(start[1], "", 1);
+        close(failure[1]); // so that nothing is read once the program runs
+        if (read(failure[0], &error, sizeof error) > 0)
+            waitpid(process, nullptr, 0);
+        failure[1] = -1;
+    }
+    for (const int end : {start[0], start[1], failure[0], failure[1]})
+        close(end);
     return error;
 }
 
@@ -59,8 +74,9 @@ void tell_supervisor(char sign, pid_t group) {
         std::array<int, 2> ends{};
         const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
         pid_t process = 0;
-        const bool starts = nothing >= 0 && pipe2(ends.data(), O_CLOEXEC) == 0 &&
-                            spawn(process, {"/bin/sh", "-c", supervisor}, ends[0], nothing, nothing) == 0;
+        const bool starts =
+            nothing >= 0 && pipe2(ends.data(), O_CLOEXEC) == 0 &&
+            spawn(process, {"/bin/sh", "-c", supervisor}, ends[0], nothing, nothing, [](pid_t) {}) == 0;
         close(nothing);
         if (!starts)
             return -1;
@@ -74,9 +90,11 @@ void tell_supervisor(char sign, pid_t group) {
 } // namespace
 
 int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err) {
-    const int error = spawn(process, std::move(words), in, out, err);
-    if (error == 0)
-        tell_supervisor('+', process);
+    tell_supervisor('-', 0); // starts it
+    const int error =
+        spawn(process, std::move(words), in, out, err, [](pid_t group) { tell_supervisor('+', group); });
+    if (error != 0 && process > 0)
+        tell_supervisor('-', process);
     return error;
 }
 
