@@ -171,12 +171,12 @@ class ActiveSet {
         improve(approach, loosening * left);
     }
 
-    void improve(double& approach, double target) {
+    void improve(double& approach, double target, bool projected = true) {
         double level = 0;
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
             Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
-            sum_ ? &level : nullptr);
+            sum_ ? &level : nullptr, projected);
         approach -= level;
         stale_ = !problem_.is_2d();
     }
@@ -227,7 +227,8 @@ class ActiveSet {
 
     /// Nodes leave and join in the same round, until that makes the set swing. From then on none joins in a
     /// round in which any leaves. On an area many nodes are at the edge of touching, and which of them touch
-    /// is known no better than the residual.
+    /// is known no better than the residual. Steps are not projected while the set swings: a step that is cut
+    /// takes out the nodes that have just joined, without a gain for the others.
     void settle_area(double& approach, double tolerance) {
         double target = 1, lowest = std::numeric_limits<double>::infinity();
         int swings = 0;
@@ -247,7 +248,7 @@ class ActiveSet {
             lowest = std::min(lowest, worst);
             swinging_ = swinging_ || swings == max_swings;
             target = std::max(0.5 * tolerance, area_loosening * worst);
-            improve(approach, target);
+            improve(approach, target, swings < max_swings);
         }
     }
 

@@ -285,7 +285,7 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
 }
 
 bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
-                        const Enough& enough, long limit, double* level) {
+                        const Enough& enough, long limit, double* level, bool projected) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
     if (m == 0)
@@ -409,7 +409,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 part = z.segment(from, count) + growth * part;
             });
             rz = energy;
-            is_cut = level && cut();
+            is_cut = level && projected && cut();
             multiply(single_, nodes, q, scale, hq);
             ++applies_;
             const double curvature = dot(team_, q, hq);
