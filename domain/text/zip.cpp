@@ -61,8 +61,10 @@ std::string zipped(const std::vector<std::pair<std::string, std::string>>& entri
         zip_source_t* source = zip_source_buffer(zip.get(), content.data(), content.size(), 0);
         const auto index = zip_file_add(zip.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
         constexpr zip_uint16_t first_day = 1 << 5 | 1; // month 1, day 1 of 1980
-        expect(index >= 0 &&
-                   zip_file_set_dostime(zip.get(), static_cast<zip_uint64_t>(index), 0, first_day, 0) == 0,
+        const auto entry = static_cast<zip_uint64_t>(index);
+        constexpr zip_uint32_t fastest = 1; // the usual level takes seconds for a mesh
+        expect(index >= 0 && zip_file_set_dostime(zip.get(), entry, 0, first_day, 0) == 0 &&
+                   zip_set_file_compression(zip.get(), entry, ZIP_CM_DEFLATE, fastest) == 0,
                "take an entry");
     }
     expect(zip_close(zip.get()) == 0, "be written");
