@@ -261,19 +261,6 @@ BasicFourierOperator<Real>::circulant(Extent shape, const Eigen::VectorXd& eigen
 }
 
 template <typename Real>
-Real* BasicFourierOperator<Real>::input() {
-    if (!real_)
-        real_.emplace(shape_.rows == 1 ? padded_.columns : shape_.nodes());
-    return real_->data();
-}
-
-template <typename Real>
-const Real* BasicFourierOperator<Real>::apply() {
-    apply(input(), input());
-    return input();
-}
-
-template <typename Real>
 void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
     const Index apart = row_stride(half_);

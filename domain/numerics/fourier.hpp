@@ -72,9 +72,16 @@ class BasicFourierOperator {
 
     Index nodes() const { return shape_.nodes(); } ///< N
     /// Write p (N entries) here, then call apply(). The first call allocates the memory.
-    Real* input();
+    Real* input() {
+        if (!real_)
+            real_.emplace(shape_.rows == 1 ? padded_.columns : shape_.nodes());
+        return real_->data();
+    }
     /// Returns u (N entries), valid until the next write to input().
-    const Real* apply();
+    const Real* apply() {
+        apply(input(), input());
+        return input();
+    }
     /// Reads p from `from` and writes u to `to`, N entries each, which may be the same.
     void apply(const Real* from, Real* to);
     /// u for pressures at these nodes, 0 at all others.
