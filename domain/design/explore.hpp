@@ -68,16 +68,20 @@ struct Exploration {
         seen.offer({genome, 0, {}, ga::Fitness(ga::Name("similarity"), similarity), nullptr});
     }
 
-    /// The best individuals of all stages that differ from `answer` and each other by at least `different`.
-    /// Each has its smallest difference from the answer and the individuals before it. `view` makes a view of
-    /// a genome, and `difference` compares two views. `max_count` counts the answer, too.
+    /// The best individuals of all stages, then those of the final population, that differ from `answer` and
+    /// each other by at least `different`. Each has its smallest difference from the answer and the
+    /// individuals before it. `view` makes a view of a genome, and `difference` compares two views.
+    /// `max_count` counts the answer, too.
     template <class View, class Difference>
     std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count,
                                                        double different, View view,
                                                        Difference difference) const {
         std::vector views{view(answer)};
         std::vector<std::pair<Genome, double>> others;
-        for (const auto& kept : seen.members) {
+        ga::Population<Genome> all = seen.members;
+        if (ga::comparable(population))
+            all.insert(all.end(), population.begin(), population.end());
+        for (const auto& kept : all) {
             if (views.size() >= max_count || kept.value() < -1)
                 break;
             auto candidate = view(kept.genome);
