@@ -160,8 +160,8 @@ TEST_CASE("at least eight of ten scans are met to 0.9 in stiffness and area toge
     int met = 0;
     for (const auto& [name, profile] : ten_scans::all()) {
         const DesignSetup setup = like_scan(profile, 0, ten_scans::grid.length, Kernel::free, Resolution::on);
-        // Up to 60 s of processor time.
-        const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 175});
+        // Up to 60 s on two cores.
+        const SearchResult found = search(setup, {.pipeline = "like", .evaluations = 350});
         // Against the scan itself, at 16 times the load steps.
         const DesignSetup finer =
             in_finer_steps(exactly(like_scan(profile, setup.model.grid.nodes, ten_scans::grid.length)), 16);
