@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/numerics/grid.hpp"
+#include "domain/numerics/aligned.hpp"
 
 #ifdef RUGOSA_KISSFFT
 #include <kissfft/kissfft.hh>
@@ -10,15 +10,16 @@
 
 #include <algorithm>
 #include <complex>
+#include <type_traits>
 #include <vector>
 
 namespace rough {
 
 /// The library of Fourier transforms in one precision: FFTW, or kissfft with -DRUGOSA_FFT=kissfft. Transforms
-/// are unnormalised. A plan transforms `count` arrays of one shape and is never freed. An array of one row
-/// has one dimension. Complex arrays begin `apart` numbers after each other and are transformed in place.
-/// Real arrays follow each other without gaps. Their transforms have rows of columns/2 + 1 numbers and begin
-/// `apart` numbers after each other. Planning is not thread-safe; executing is.
+/// are unnormalised. Plans transform `count` arrays of one shape, and back, and are never freed. An array of
+/// one row has one dimension. Complex arrays begin `apart` numbers after each other and are transformed in
+/// place. Real arrays follow each other without gaps. Their transforms have rows of columns/2 + 1 numbers and
+/// begin `apart` numbers after each other. Planning is not thread-safe; executing is.
 template <typename Real>
 struct FftLibrary;
 
@@ -29,35 +30,30 @@ struct FftLibrary;
     struct FftLibrary<Real> {                                                                                \
         using Complex = std::complex<Real>;                                                                  \
         using Plan = prefix##_plan;                                                                          \
+        struct Plans {                                                                                       \
+            Plan forward, backward;                                                                          \
+        };                                                                                                   \
         static prefix##_complex* as_fftw(Complex* numbers) {                                                 \
             return reinterpret_cast<prefix##_complex*>(numbers);                                             \
         }                                                                                                    \
-        struct Size {                                                                                        \
-            int n[2], rank;                                                                                  \
-            explicit Size(Extent shape)                                                                      \
-                : n{static_cast<int>(shape.rows), static_cast<int>(shape.columns)},                          \
-                  rank(shape.rows == 1 ? 1 : 2) {}                                                           \
-            const int* sides() const { return n + 2 - rank; }                                                \
-            int real() const { return n[0] * n[1]; }                                                         \
-        };                                                                                                   \
-        static Plan complex_plan(Extent shape, Index count, Index apart, Complex* at, bool inverse) {        \
-            const Size size(shape);                                                                          \
-            const int gap = static_cast<int>(apart);                                                         \
-            return prefix##_plan_many_dft(size.rank, size.sides(), static_cast<int>(count), as_fftw(at),     \
-                                          nullptr, 1, gap, as_fftw(at), nullptr, 1, gap,                     \
-                                          inverse ? FFTW_BACKWARD : FFTW_FORWARD, FFTW_ESTIMATE);            \
-        }                                                                                                    \
-        static Plan forward_plan(Extent shape, Index count, Index apart, Real* in, Complex* out) {           \
-            const Size size(shape);                                                                          \
-            return prefix##_plan_many_dft_r2c(size.rank, size.sides(), static_cast<int>(count), in, nullptr, \
-                                              1, size.real(), as_fftw(out), nullptr, 1,                      \
-                                              static_cast<int>(apart), FFTW_ESTIMATE);                       \
-        }                                                                                                    \
-        static Plan backward_plan(Extent shape, Index count, Index apart, Complex* in, Real* out) {          \
-            const Size size(shape);                                                                          \
-            return prefix##_plan_many_dft_c2r(size.rank, size.sides(), static_cast<int>(count), as_fftw(in), \
-                                              nullptr, 1, static_cast<int>(apart), out, nullptr, 1,          \
-                                              size.real(), FFTW_ESTIMATE);                                   \
+        static Plans plans(bool of_real, Extent shape, Index count, Index apart) {                           \
+            AlignedBuffer<Real> real(of_real ? count* shape.nodes() : 1);                                    \
+            AlignedBuffer<Complex> numbers(count* apart);                                                    \
+            auto* const wave = as_fftw(numbers.data());                                                      \
+            const int n[] = {static_cast<int>(shape.rows), static_cast<int>(shape.columns)},                 \
+                      rank = shape.rows == 1 ? 1 : 2, nodes = n[0] * n[1], many = static_cast<int>(count),   \
+                      gap = static_cast<int>(apart);                                                         \
+            const int* const sides = n + 2 - rank;                                                           \
+            if (of_real)                                                                                     \
+                return {prefix##_plan_many_dft_r2c(rank, sides, many, real.data(), nullptr, 1, nodes, wave,  \
+                                                   nullptr, 1, gap, FFTW_ESTIMATE),                          \
+                        prefix##_plan_many_dft_c2r(rank, sides, many, wave, nullptr, 1, gap, real.data(),    \
+                                                   nullptr, 1, nodes, FFTW_ESTIMATE)};                       \
+            const auto plan = [&](int sign) {                                                                \
+                return prefix##_plan_many_dft(rank, sides, many, wave, nullptr, 1, gap, wave, nullptr, 1,    \
+                                              gap, sign, FFTW_ESTIMATE);                                     \
+            };                                                                                               \
+            return {plan(FFTW_FORWARD), plan(FFTW_BACKWARD)};                                                \
         }                                                                                                    \
         static void execute(Plan plan, Complex* in, Complex* out) {                                          \
             prefix##_execute_dft(plan, as_fftw(in), as_fftw(out));                                           \
@@ -88,7 +84,6 @@ struct FftLibrary {
             : rows(static_cast<std::size_t>(shape.rows)), columns(static_cast<std::size_t>(shape.columns)),
               count(static_cast<std::size_t>(number)), apart(static_cast<std::size_t>(gap)),
               along_row(columns, inverse), along_column(rows, inverse) {}
-        std::size_t half() const { return columns / 2 + 1; }
         /// Transforms rows of `width` numbers along the columns.
         void columns_of(Complex* numbers, std::size_t width) const {
             std::vector<Complex> column(rows);
@@ -100,40 +95,31 @@ struct FftLibrary {
         }
     };
     using Plan = const Transform*;
+    struct Plans {
+        Plan forward, backward;
+    };
 
-    static Plan complex_plan(Extent shape, Index count, Index apart, Complex*, bool inverse) {
-        return new Transform(shape, count, apart, inverse);
+    static Plans plans(bool, Extent shape, Index count, Index apart) {
+        return {new Transform(shape, count, apart, false), new Transform(shape, count, apart, true)};
     }
-    static Plan forward_plan(Extent shape, Index count, Index apart, Real*, Complex*) {
-        return new Transform(shape, count, apart, false);
-    }
-    static Plan backward_plan(Extent shape, Index count, Index apart, Complex*, Real*) {
-        return new Transform(shape, count, apart, true);
-    }
-    static void execute(Plan plan, Complex* in, Complex* out) {
-        std::vector<Complex> row(plan->columns);
-        for (std::size_t k = 0; k < plan->count; ++k, in += plan->apart, out += plan->apart) {
-            for (std::size_t j = 0; j < plan->rows; ++j) {
-                plan->along_row.transform(in + j * plan->columns, row.data());
-                std::ranges::copy(row, out + j * plan->columns);
-            }
-            plan->columns_of(out, plan->columns);
-        }
-    }
-    static void execute(Plan plan, Real* in, Complex* out) {
-        const std::size_t half = plan->half();
-        std::vector<Complex> row(plan->columns), transformed(plan->columns);
+    /// Transforms real or complex numbers.
+    template <class Number>
+    static void execute(Plan plan, Number* in, Complex* out) {
+        const bool of_real = std::is_same_v<Number, Real>;
+        const std::size_t n = plan->columns, width = of_real ? n / 2 + 1 : n;
+        std::vector<Complex> row(n), transformed(n);
         for (std::size_t k = 0; k < plan->count; ++k, out += plan->apart) {
-            for (std::size_t j = 0; j < plan->rows; ++j, in += plan->columns) {
-                std::copy_n(in, plan->columns, row.begin());
+            for (std::size_t j = 0; j < plan->rows; ++j) {
+                std::copy_n(in + j * n, n, row.begin());
                 plan->along_row.transform(row.data(), transformed.data());
-                std::copy_n(transformed.begin(), half, out + j * half);
+                std::copy_n(transformed.begin(), width, out + j * width);
             }
-            plan->columns_of(out, half);
+            plan->columns_of(out, width);
+            in += of_real ? n * plan->rows : plan->apart;
         }
     }
     static void execute(Plan plan, Complex* in, Real* out) {
-        const std::size_t half = plan->half(), n = plan->columns;
+        const std::size_t n = plan->columns, half = n / 2 + 1;
         std::vector<Complex> row(n), transformed(n);
         for (std::size_t k = 0; k < plan->count; ++k, in += plan->apart) {
             plan->columns_of(in, half);

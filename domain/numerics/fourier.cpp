@@ -12,21 +12,21 @@ namespace rough {
 
 namespace {
 
-/// A transform and its inverse, planned once under a lock and safe to execute from any thread.
+/// A transform and its inverse.
 template <typename Real>
-struct PlanPair {
-    typename FftLibrary<Real>::Plan forward;  ///< unnormalised
-    typename FftLibrary<Real>::Plan backward; ///< its inverse, times the number of values
-};
-using FourierPlan = PlanPair<double>;
+using PlanPair = typename FftLibrary<Real>::Plans;
 
 std::mutex planner; ///< planning is not thread-safe; executing a plan on new arrays is
 
-template <typename Key, typename Plan, typename Make>
-Plan cached(const std::type_identity_t<Key>& key, std::map<Key, Plan>& plans, Make make) {
+/// The plans of `count` real or complex transforms of a shape (FftLibrary), made once.
+template <typename Real>
+PlanPair<Real> plans(bool of_real, Extent shape, Index count, Index apart) {
+    static std::map<std::array<Index, 5>, PlanPair<Real>> all;
+    const std::array<Index, 5> key{of_real, shape.columns, shape.rows, count, apart};
     const std::lock_guard guard(planner);
-    const auto known = plans.find(key);
-    return known != plans.end() ? known->second : plans.emplace(key, make()).first->second;
+    const auto known = all.find(key);
+    return known != all.end() ? known->second
+                              : all[key] = FftLibrary<Real>::plans(of_real, shape, count, apart);
 }
 
 /// Rows or columns that are transformed together: as many columns as fit the first cache, in whole lines of
@@ -58,46 +58,20 @@ Number* shared_memory(Index count) {
     return reinterpret_cast<Number*>(shared_bytes(count * static_cast<Index>(sizeof(Number))));
 }
 
-/// Plans of `count` complex transforms of a shape in place, `apart` numbers apart.
-template <typename Real>
-PlanPair<Real> complex_plans(Extent shape, Index count, Index apart) {
-    static std::map<std::array<Index, 4>, PlanPair<Real>> plans;
-    return cached({shape.columns, shape.rows, count, apart}, plans, [=] {
-        AlignedBuffer<std::complex<Real>> numbers(count * apart);
-        const auto plan = [&](bool inverse) {
-            return FftLibrary<Real>::complex_plan(shape, count, apart, numbers.data(), inverse);
-        };
-        return PlanPair<Real>{plan(false), plan(true)};
-    });
-}
-
-/// Plans of `count` real transforms of a shape, to half-complex ones that are `apart` numbers apart.
-template <typename Real>
-PlanPair<Real> real_plans(Extent shape, Index count, Index apart) {
-    static std::map<std::array<Index, 4>, PlanPair<Real>> plans;
-    return cached({shape.columns, shape.rows, count, apart}, plans, [=] {
-        AlignedBuffer<Real> real(count * shape.nodes());
-        AlignedBuffer<std::complex<Real>> wave(count * apart);
-        return PlanPair<Real>{FftLibrary<Real>::forward_plan(shape, count, apart, real.data(), wave.data()),
-                              FftLibrary<Real>::backward_plan(shape, count, apart, wave.data(), real.data())};
-    });
-}
-
 /// Plans of complex transforms of a block of columns.
 template <typename Real>
 PlanPair<Real> column_plans(Index rows) {
-    return complex_plans<Real>({rows}, block, column_stride(rows));
+    return plans<Real>(false, {rows}, block, column_stride(rows));
 }
 
 /// Plans of a block of rows, and of those that are left after whole blocks.
 template <typename Real>
 struct RowPlans {
     PlanPair<Real> whole, rest;
-    /// make(count) plans that many rows.
-    template <class Make>
-    RowPlans(Index rows, Make make)
-        : whole(rows >= block ? make(block) : PlanPair<Real>()),
-          rest(rows % block ? make(rows % block) : PlanPair<Real>()) {}
+    /// `rows` real or complex rows of n numbers, whose transforms are `apart` numbers apart.
+    RowPlans(bool of_real, Index rows, Index n, Index apart)
+        : whole(rows >= block ? plans<Real>(of_real, {n}, block, apart) : PlanPair<Real>()),
+          rest(rows % block ? plans<Real>(of_real, {n}, rows % block, apart) : PlanPair<Real>()) {}
     const PlanPair<Real>& of(Index count) const { return count == block ? whole : rest; }
 };
 
@@ -149,7 +123,7 @@ Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.nodes());
     std::copy_n(numbers.data(), shape.nodes(), real.data());
-    FftLibrary<double>::execute(real_plans<double>(shape, 1, half.nodes()).forward, real.data(),
+    FftLibrary<double>::execute(plans<double>(true, shape, 1, half.nodes()).forward, real.data(),
                                 transform.data());
     return Eigen::ArrayXXcd::Map(transform.data(), half.columns, half.rows);
 }
@@ -159,7 +133,7 @@ Eigen::ArrayXXd inverse_fourier_transform(const Eigen::ArrayXXcd& half, Index co
     AlignedBuffer<double> real(shape.nodes());
     AlignedBuffer<std::complex<double>> transform(half.size());
     std::copy_n(half.data(), half.size(), transform.data());
-    FftLibrary<double>::execute(real_plans<double>(shape, 1, half.size()).backward, transform.data(),
+    FftLibrary<double>::execute(plans<double>(true, shape, 1, half.size()).backward, transform.data(),
                                 real.data());
     return Eigen::ArrayXXd::Map(real.data(), shape.columns, shape.rows);
 }
@@ -168,7 +142,7 @@ Eigen::ArrayXXcd inverse_complex_transform(const Eigen::ArrayXXcd& transform) {
     AlignedBuffer<std::complex<double>> work(transform.size());
     std::copy_n(transform.data(), transform.size(), work.data());
     const Extent shape{transform.rows(), transform.cols()};
-    FftLibrary<double>::execute(complex_plans<double>(shape, 1, shape.nodes()).backward, work.data(),
+    FftLibrary<double>::execute(plans<double>(false, shape, 1, shape.nodes()).backward, work.data(),
                                 work.data());
     return Eigen::ArrayXXcd::Map(work.data(), transform.rows(), transform.cols());
 }
@@ -203,15 +177,14 @@ static AlignedBuffer<double> even_spectrum(Extent shape, Team& team, Entry entry
     // `lines` transforms of n even numbers each; put(line, k, value) takes them for k <= n/2.
     const auto transform = [&team](Index lines, Index n, auto number, auto put) {
         const Index half = n / 2 + 1;
-        const RowPlans<double> plans(lines,
-                                     [=](Index count) { return real_plans<double>({n}, count, half); });
+        const RowPlans<double> row_plans(true, lines, n, half);
         Workspace<double>(2 * block * half, team)
             .each_range(lines, block, [&](Index first, Index count, std::complex<double>* out) {
                 double* in = reinterpret_cast<double*>(out + block * half);
                 for (Index c = 0; c < count; ++c)
                     for (Index k = 0; k < n; ++k)
                         in[c * n + k] = number(first + c, k);
-                FftLibrary<double>::execute(plans.of(count).forward, in, out);
+                FftLibrary<double>::execute(row_plans.of(count).forward, in, out);
                 for (Index c = 0; c < count; ++c)
                     for (Index k = 0; k < half; ++k)
                         put(first + c, k, out[c * half + k].real());
@@ -264,12 +237,12 @@ template <typename Real>
 void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     const Index n = shape_.columns, longer = padded_.columns, rows = shape_.rows;
     const Index apart = row_stride(half_);
-    const RowPlans<Real> plans(rows, [=](Index count) { return real_plans<Real>({longer}, count, apart); });
+    const RowPlans<Real> row_plans(true, rows, longer, apart);
     auto* const transform = shared_memory<std::complex<Real>>(apart * rows);
     // A line is padded in place, rows of an area in a workspace.
     const auto each_rows = [&](auto job) {
         work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
-            job(first * n, rows == 1 ? input() : reinterpret_cast<Real*>(memory), count, plans.of(count),
+            job(first * n, rows == 1 ? input() : reinterpret_cast<Real*>(memory), count, row_plans.of(count),
                 transform + first * apart);
         });
     };
@@ -326,10 +299,9 @@ bool is_circulant(const Eigen::VectorXd& first_column, Extent shape) {
 }
 
 Eigen::ArrayXcd twists(Index count, Index n) {
-    Eigen::ArrayXcd twist(count);
-    for (Index j = 0; j < count; ++j)
-        twist[j] = std::polar(1.0, -std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
-    return twist;
+    return Eigen::ArrayXcd::NullaryExpr(count, [n](Index j) {
+        return std::polar(1.0, -std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+    });
 }
 
 } // namespace
@@ -344,7 +316,7 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
       twist_x_(twists(whole_.columns / 2, whole_.columns)), twist_y_(twists(whole_.rows, whole_.rows)) {
     const Index n = whole_.columns, lines = whole_.rows / 2 + 1;
     const bool line = shape.rows == 1;
-    const FourierPlan plan = column_plans<double>(whole_.rows);
+    const PlanPair<double> plan = column_plans<double>(whole_.rows);
     // The first column beyond its end is 0, and c_n is c_0: all of it goes to the circulant.
     const auto add_row = [&](Index j, double sign, double* row) {
         j = j == whole_.rows ? 0 : j;
@@ -395,9 +367,7 @@ SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, 
 template <class Fill>
 void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
     const Index n = whole_.columns, half = n / 2, apart = row_stride(half + !skew_x);
-    const RowPlans<double> plans(rows, [&](Index count) {
-        return skew_x ? complex_plans<double>({half}, count, apart) : real_plans<double>({n}, count, apart);
-    });
+    const RowPlans<double> row_plans(!skew_x, rows, skew_x ? half : n, apart);
     work_.each_range(rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
         std::complex<double>* wave = wave_ + first * apart;
@@ -407,28 +377,24 @@ void SplitOperator::forward(bool skew_x, Index rows, Fill fill) {
             for (Index j = 0; skew_x && j < half; ++j)
                 wave[c * apart + j] = std::complex<double>(row[j], -row[half + j]) * twist_x_[j];
         }
-        const FourierPlan& plan = plans.of(count);
         if (skew_x)
-            FftLibrary<double>::execute(plan.forward, wave, wave);
+            FftLibrary<double>::execute(row_plans.of(count).forward, wave, wave);
         else
-            FftLibrary<double>::execute(plan.forward, row, wave);
+            FftLibrary<double>::execute(row_plans.of(count).forward, row, wave);
     });
 }
 
 template <class Take>
 void SplitOperator::backward(bool skew_x, Take take) {
     const Index n = whole_.columns, half = n / 2, apart = row_stride(half + !skew_x);
-    const RowPlans<double> plans(shape_.rows, [&](Index count) {
-        return skew_x ? complex_plans<double>({half}, count, apart) : real_plans<double>({n}, count, apart);
-    });
+    const RowPlans<double> row_plans(!skew_x, shape_.rows, skew_x ? half : n, apart);
     work_.each_range(shape_.rows, block, [&](Index first, Index count, std::complex<double>* memory) {
         double* row = reinterpret_cast<double*>(memory);
         std::complex<double>* wave = wave_ + first * apart;
-        const FourierPlan& plan = plans.of(count);
         if (skew_x)
-            FftLibrary<double>::execute(plan.backward, wave, wave);
+            FftLibrary<double>::execute(row_plans.of(count).backward, wave, wave);
         else
-            FftLibrary<double>::execute(plan.backward, wave, row);
+            FftLibrary<double>::execute(row_plans.of(count).backward, wave, row);
         for (Index c = 0; c < count; ++c) {
             for (Index j = 0; skew_x && j < half; ++j) {
                 const std::complex<double> pair = wave[c * apart + j] * std::conj(twist_x_[j]);
@@ -442,7 +408,7 @@ void SplitOperator::backward(bool skew_x, Take take) {
 
 Eigen::VectorXd SplitOperator::apply(const Eigen::VectorXd& p) {
     const Index n = shape_.columns, rows = whole_.rows;
-    const FourierPlan plan = column_plans<double>(rows);
+    const PlanPair<double> plan = column_plans<double>(rows);
     const auto multiplied = [&](std::complex<double>* columns, const Eigen::ArrayXd& eigenvalues, Index first,
                                 Index count, Index stride, bool skew) {
         FftLibrary<double>::execute(plan.forward, columns, columns);

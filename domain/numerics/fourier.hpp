@@ -6,7 +6,6 @@
 #include <array>
 #include <complex>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace rough {
