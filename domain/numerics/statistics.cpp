@@ -100,13 +100,8 @@ std::vector<std::size_t> ascending(const std::vector<double>& values) {
     return order;
 }
 
-/// Ranks twice as large, which are whole numbers.
-std::vector<std::size_t> doubled_ranks(const std::vector<double>& values) {
-    std::vector<std::size_t> doubled;
-    for (const double rank : ranks(values))
-        doubled.push_back(static_cast<std::size_t>(std::lround(2 * rank)));
-    return doubled;
-}
+/// Twice a rank or a sum of ranks, which is a whole number.
+std::size_t doubled(double rank) { return static_cast<std::size_t>(2 * rank); }
 
 /// Twice the smaller tail at `seen`, of counts by value.
 double two_sided(const std::vector<double>& counts, std::size_t seen) {
@@ -154,26 +149,24 @@ double rank_sum_p(const std::vector<double>& first, const std::vector<double>& s
     const std::size_t n = first.size(), total = all.size();
     if (n == 0 || n == total)
         return 1;
+    const std::vector<double> rank = ranks(all);
+    const double seen = std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), 0.0);
     if (total > max_counted) {
-        const std::vector<double> rank = ranks(all);
         const double N = static_cast<double>(total), share = static_cast<double>(n) / N;
-        const double seen = std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), 0.0);
         const double spread =
             squares(rank) / N - (N + 1) * (N + 1) / 4; // variance of one rank; ties lessen it
         return two_sided_normal(seen, share * N * (N + 1) / 2,
                                 share * (1 - share) * N * N / (N - 1) * spread);
     }
-    const std::vector<std::size_t> rank = doubled_ranks(all);
-    const std::size_t largest = std::accumulate(rank.begin(), rank.end(), std::size_t{0});
+    const std::size_t largest = total * (total + 1); // twice the sum of all ranks
     // counts[k][s]: number of choices of k ranks with the sum s
     std::vector<std::vector<double>> counts(n + 1, std::vector<double>(largest + 1, 0.0));
     counts[0][0] = 1;
-    for (const std::size_t r : rank)
+    for (const double r : rank)
         for (std::size_t k = n; k >= 1; --k)
-            for (std::size_t s = r; s <= largest; ++s)
-                counts[k][s] += counts[k - 1][s - r];
-    return two_sided(counts[n],
-                     std::accumulate(rank.begin(), rank.begin() + static_cast<long>(n), std::size_t{0}));
+            for (std::size_t s = doubled(r); s <= largest; ++s)
+                counts[k][s] += counts[k - 1][s - doubled(r)];
+    return two_sided(counts[n], doubled(seen));
 }
 
 double signed_rank_p(std::vector<double> differences) {
@@ -184,26 +177,22 @@ double signed_rank_p(std::vector<double> differences) {
     std::vector<double> sizes;
     for (const double difference : differences)
         sizes.push_back(std::abs(difference));
-    if (sizes.size() > max_counted) {
-        const std::vector<double> rank = ranks(sizes);
-        double seen = 0;
-        for (std::size_t i = 0; i < rank.size(); ++i)
-            seen += differences[i] > 0 ? rank[i] : 0;
+    const std::vector<double> rank = ranks(sizes);
+    double seen = 0;
+    for (std::size_t i = 0; i < rank.size(); ++i)
+        seen += differences[i] > 0 ? rank[i] : 0;
+    if (sizes.size() > max_counted)
         return two_sided_normal(seen, std::accumulate(rank.begin(), rank.end(), 0.0) / 2, squares(rank) / 4);
-    }
-    const std::vector<std::size_t> rank = doubled_ranks(sizes);
     std::vector<double> chance{1.0}; // probability of each sum of the ranks with a positive sign
-    std::size_t seen = 0;
-    for (std::size_t i = 0; i < rank.size(); ++i) {
-        std::vector<double> next(chance.size() + rank[i], 0.0);
+    for (const double r : rank) {
+        std::vector<double> next(chance.size() + doubled(r), 0.0);
         for (std::size_t s = 0; s < chance.size(); ++s) {
             next[s] += chance[s] / 2;
-            next[s + rank[i]] += chance[s] / 2;
+            next[s + doubled(r)] += chance[s] / 2;
         }
         chance = std::move(next);
-        seen += differences[i] > 0 ? rank[i] : 0;
     }
-    return two_sided(chance, seen);
+    return two_sided(chance, doubled(seen));
 }
 
 Friedman friedman(const std::vector<std::vector<double>>& blocks) {
