@@ -91,36 +91,6 @@ double flamant_entry(double r, double datum) {
     return -(2 / pi) * (r * std::log1p(1 / (r - 0.5)) + 0.5 * std::log((r * r - 0.25) / (datum * datum)) - 1);
 }
 
-/// `known` holds the entries of a grid that may be empty.
-Eigen::VectorXd computed_column(const UnitBody& body, Extent shape, const Eigen::VectorXd& known,
-                                Extent known_shape, Team& team) {
-    Eigen::VectorXd column(shape.nodes());
-    const Eigen::VectorXd table = body.kernel == Kernel::periodic
-                                      ? circulant_column(periodic_spectrum(body, shape), shape)
-                                      : Eigen::VectorXd();
-    const auto mirror = [](Index i, Index n) { return i == 0 ? 0 : n - i; };
-    team.each_block(shape.rows, [&](Index j, int) {
-        for (Index i = 0; i < shape.columns; ++i) {
-            const double x = static_cast<double>(i);
-            double& entry = column[j * shape.columns + i];
-            if (body.kernel == Kernel::periodic) { // symmetric to the last bit
-                const double* row = table.data() + j * shape.columns;
-                const double* other = table.data() + mirror(j, shape.rows) * shape.columns;
-                const Index k = mirror(i, shape.columns);
-                entry = body.is_2d() ? 0.25 * ((row[i] + row[k]) + (other[i] + other[k]))
-                                     : 0.5 * (row[i] + row[k]);
-            } else if (j < known_shape.rows && i < known_shape.columns)
-                entry = known[j * known_shape.columns + i];
-            else if (body.is_2d())
-                entry = cell_potential(x, body.row_spacing * static_cast<double>(j), body.row_spacing) / pi;
-            else
-                entry = body.kernel == Kernel::free ? flamant_entry(x, body.datum)
-                                                    : strip_entry(x, body.strip_width / 2) / pi;
-        }
-    });
-    return column;
-}
-
 } // namespace
 
 double profile_length(const Profile& profile, Kernel kernel) {
@@ -164,17 +134,37 @@ Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
     });
 }
 
-Eigen::VectorXd influence_column(const UnitBody& body, Extent shape) {
-    return influence_column(body, shape, Team::alone());
+Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& known, Extent from, Extent shape,
+                                Team& team) {
+    Eigen::VectorXd column(shape.nodes());
+    const Eigen::VectorXd table = body.kernel == Kernel::periodic
+                                      ? circulant_column(periodic_spectrum(body, shape), shape)
+                                      : Eigen::VectorXd();
+    const auto mirror = [](Index i, Index n) { return i == 0 ? 0 : n - i; };
+    team.each_block(shape.rows, [&](Index j, int) {
+        for (Index i = 0; i < shape.columns; ++i) {
+            const double x = static_cast<double>(i);
+            double& entry = column[j * shape.columns + i];
+            if (body.kernel == Kernel::periodic) { // symmetric to the last bit
+                const double* row = table.data() + j * shape.columns;
+                const double* other = table.data() + mirror(j, shape.rows) * shape.columns;
+                const Index k = mirror(i, shape.columns);
+                entry = body.is_2d() ? 0.25 * ((row[i] + row[k]) + (other[i] + other[k]))
+                                     : 0.5 * (row[i] + row[k]);
+            } else if (j < from.rows && i < from.columns)
+                entry = known[j * from.columns + i];
+            else if (body.is_2d())
+                entry = cell_potential(x, body.row_spacing * static_cast<double>(j), body.row_spacing) / pi;
+            else
+                entry = body.kernel == Kernel::free ? flamant_entry(x, body.datum)
+                                                    : strip_entry(x, body.strip_width / 2) / pi;
+        }
+    });
+    return column;
 }
 
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team) {
-    return remembered(body, shape, [&] { return computed_column(body, shape, {}, {0, 0}, team); });
-}
-
-Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& column, Extent from,
-                                Extent shape, Team& team) {
-    return computed_column(body, shape, column, from, team);
+    return remembered(body, shape, [&] { return extended_column(body, {}, {0, 0}, shape, team); });
 }
 
 bool contact_sets_nest(const UnitBody& body, Extent shape) {

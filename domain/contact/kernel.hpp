@@ -1,11 +1,10 @@
 #pragma once
 
 #include "domain/contact/body.hpp"
+#include "domain/numerics/team.hpp"
 #include "domain/profile/profile.hpp"
 
 namespace rough {
-
-class Team;
 
 /// The length L of a line of N nodes, mm. It is N delta for the periodic kernel, otherwise (N - 1) delta;
 /// delta is the node spacing. For a map L is the length along x, and N the number of nodes along x.
@@ -41,12 +40,10 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 /// integral of 2 asinh(W/2|x|) over the element (strip). For free maps: Love (1929) with constant pressure on
 /// each cell. A free map has no datum, because displacements vanish at infinity. For the periodic kernel H is
 /// the circulant whose eigenvalues periodic_spectrum() returns.
-Eigen::VectorXd influence_column(const UnitBody& body, Extent shape);
-/// The first column, computed by the threads of a team.
-Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team);
-/// Extends the first column from the grid `from` to the larger grid `shape`. Only for `free` and `strip`.
-Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& column, Extent from,
-                                Extent shape, Team& team);
+Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team = Team::alone());
+/// The first column, whose entries on the smaller grid `from` are known. Only for `free` and `strip`.
+Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& known, Extent from, Extent shape,
+                                Team& team);
 
 /// The eigenvalues of H for the periodic kernel in units of delta/E*: N_y rows of N_x/2 + 1. For a wave
 /// vector of length q the eigenvalue is 2/(E* q), on a layered body times relative_compliance(). The first
