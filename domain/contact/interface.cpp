@@ -63,18 +63,6 @@ constexpr long max_iterations = 500;
 /// displacement.
 constexpr double closest = 1e-9;
 
-/// Pairs of a touching node and a free neighbour.
-std::vector<std::pair<Index, Index>> edges_of(const std::vector<int>& nodes, const ContactSet& set,
-                                              Extent shape, bool periodic) {
-    std::vector<std::pair<Index, Index>> edges;
-    for (const int node : nodes)
-        each_neighbour(node, shape, periodic, [&](Index other) {
-            if (!set.holds(other))
-                edges.emplace_back(node, other);
-        });
-    return edges;
-}
-
 } // namespace
 
 SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve) {
@@ -105,8 +93,9 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         solver.load(w);
         double count = static_cast<double>(state.nodes.size()), rate = 0;
         Eigen::VectorXd on = Eigen::VectorXd::Zero(n); // d/dp_i; off: d/dgap_k
-        for (const auto& [i, k] :
-             edges_of(state.nodes, set, problem.shape, problem.kernel == Kernel::periodic)) {
+        const auto add_edge = [&](Index i, Index k) {  // of a touching node i and its neighbour k
+            if (set.holds(k))
+                return;
             const double closing = std::max(closest, 1 - w.displacement[k]);
             const double since = p.pressure[i] / w.pressure[i] + closest * approach;
             const double until =
@@ -116,7 +105,10 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
             rate += share / both;
             on[i] += share * (until / (both * both) / w.pressure[i]);
             off.pressure[k] -= share * (since / (both * both) / closing);
-        }
+        };
+        for (const int i : state.nodes)
+            each_neighbour(i, problem.shape, problem.kernel == Kernel::periodic,
+                           [&](Index k) { add_edge(i, k); });
         // dp_A = w s + H_AA^-1 dZ_A, dgap_k = H_kA dp_A - s - dZ_k with s = dDelta - dZ_max.
         solver.load(off);
         const Eigen::VectorXd right = on + off.displacement;
