@@ -384,10 +384,6 @@ ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& 
     return curve;
 }
 
-double full_contact_stiffness(Index nodes, double spacing, const Body& body) {
-    return full_contact_stiffness(Profile{Eigen::VectorXd::Zero(nodes), spacing}, body);
-}
-
 double full_contact_stiffness(const Profile& surface, const Body& given, int threads) {
     if (given.kernel == Kernel::periodic) { // on a rigid base 1/C0
         const double modulus = given.effective_modulus;

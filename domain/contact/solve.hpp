@@ -128,17 +128,13 @@ ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& 
 /// `active_set`, in arbitrary units. `contact` nodes touch at the last step.
 double predicted_cost(double nodes, double contact, double steps);
 
-/// The stiffness K_full of the body if all nodes touch, MPa/mm, on a line of `nodes` nodes, `spacing` mm
-/// apart. K_full is (delta/L) times the sum of all entries of H^-1. It is infinite on a periodic half-plane,
-/// whose displacement is relative to the mean plane. For layers on a rigid base it is E*/mean_compliance().
+/// The stiffness K_full of the body if all nodes of a surface touch, MPa/mm, computed on up to `threads`
+/// threads. K_full is the sum of all entries of H^-1 times delta/L for a line, over N for a map. It is
+/// infinite on a periodic half-plane, whose displacement is relative to the mean plane. For layers on a rigid
+/// base it is E*/mean_compliance().
 ///
-/// The interface stiffness K_i (1/K_i = 1/K - 1/K_full) does not depend on the datum. Conjugate gradients
-/// solve H w = 1, on the free half-plane with the datum d = L. An exact formula converts this result to the
-/// body's datum. The result is stored and used by all threads. Throws InputError for a body without a
-/// solution, and NotConverged if the residual of H w = 1 exceeds 1e-8.
-double full_contact_stiffness(Index nodes, double spacing, const Body& body);
-/// K_full on the grid of a line or a map, computed on up to `threads` threads. For a map it is the sum of all
-/// entries of H^-1 over N. A free map has no datum.
+/// The interface stiffness K_i (1/K_i = 1/K - 1/K_full) does not depend on the datum. Throws InputError for a
+/// body without a solution, and NotConverged if the residual of H w = 1 exceeds 1e-6.
 double full_contact_stiffness(const Profile& surface, const Body& body, int threads = 1);
 
 /// The mean pressure (MPa) at which a profile on a periodic body reaches full contact without tension at any

@@ -20,7 +20,8 @@ class Reader {
   public:
     Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
         : curves_(curves), targets_(targets),
-          full_stiffness_(full_contact_stiffness(model.grid.nodes, model.grid.spacing(), model.body)) {
+          full_stiffness_(full_contact_stiffness(
+              {Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body)) {
         const auto displacements = load_displacements(1, model.loading, model.body.kernel);
         of_range_ = Eigen::VectorXd::Map(displacements.data(), static_cast<Index>(displacements.size()));
     }

@@ -17,7 +17,7 @@ Response pressed(const Profile& profile, const Body& body, const std::vector<dou
                  Solver solver) {
     const ContactCurve curve = solve_contact(profile, body, displacements, {.solver = solver, .stop = {}});
     return response_of(curve.steps, curve.solver, displacement_range(profile, body.kernel),
-                       full_contact_stiffness(profile.nodes(), profile.spacing, body));
+                       full_contact_stiffness(profile, body));
 }
 
 /// A cylinder of radius 1 mm on 1 mm of half-plane.
@@ -38,11 +38,12 @@ TEST_CASE("full contact is as stiff as a flat profile by the direct solver, on a
                                           .steps[0]
                                           .tangent_stiffness;
                 INFO(nodes << " nodes, datum " << datum);
-                const double full = full_contact_stiffness(nodes, flat.spacing, body);
+                const double full = full_contact_stiffness(flat, body);
                 CHECK(std::abs(1 / full - 1 / direct) <= 1e-11 / direct);
             }
-    CHECK(std::isinf(full_contact_stiffness(64, 0.1, {Kernel::periodic, 1, 1, 0})));
-    CHECK_THROWS_WITH(full_contact_stiffness(64, 0.1, {Kernel::free, 1, 1, 0}), Catch::Contains("datum"));
+    const Profile flat{Eigen::VectorXd::Zero(64), 0.1};
+    CHECK(std::isinf(full_contact_stiffness(flat, {Kernel::periodic, 1, 1, 0})));
+    CHECK_THROWS_WITH(full_contact_stiffness(flat, {Kernel::free, 1, 1, 0}), Catch::Contains("datum"));
 }
 
 TEST_CASE("interface stiffness does not depend on the datum, tangents and secants") {
