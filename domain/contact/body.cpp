@@ -97,7 +97,8 @@ Eigen::Matrix<Real, 4, 1> state(const Derivatives<Real>& g, Real nu, Real softne
             softness * ((1 - nu) * g[3] + (nu - 2) * g[1])};
 }
 
-/// Displacement of the top under unit pressure, times q and the modulus.
+/// Displacement of the top under unit pressure, times q and the modulus. A linear system gives it, with four
+/// constants per layer and two for the half-space (Airy's stress function, plane strain).
 template <class Real>
 Real top_displacement(const Layering& layering, double modulus, double q) {
     using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;

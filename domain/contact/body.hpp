@@ -33,10 +33,8 @@ Layering in_units(Layering layering, double length, double pressure);
 
 /// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q). p_q and u_q
 /// are the amplitudes of pressure and displacement at the wavenumber q > 0. q is in the inverse of the
-/// layers' unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa.
-///
-/// A linear system gives the ratio, with four constants per layer and two for the half-space (Airy's stress
-/// function, plane strain). The top has a given pressure and no friction; interfaces are bonded.
+/// layers' unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa. The
+/// top has no friction, and interfaces are bonded.
 double relative_compliance(const Layering& layering, double effective_modulus, double q);
 
 /// The mean compliance E* u/P, in the layers' unit of length: u is the displacement under a uniform pressure

@@ -16,6 +16,24 @@ namespace rough {
 
 namespace {
 
+/// A step in MPa and mm, at this displacement (mm).
+LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found) {
+    LoadStep step;
+    step.displacement = displacement;
+    step.pressure = found.pressure.sum() / problem.elements * problem.pressure_unit;
+    step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
+    step.kkt_residual = found.residual;
+    if (!std::isfinite(step.pressure) || !std::isfinite(step.tangent_stiffness))
+        refuse("displacement ", displacement, " mm: mean pressure ", step.pressure, " MPa or stiffness ",
+               step.tangent_stiffness,
+               " MPa/mm is beyond double precision; change the modulus, heights or node spacing");
+    step.largest_pressure = found.pressure.size() ? found.pressure.maxCoeff() * problem.pressure_unit : 0;
+    step.contact_nodes = static_cast<Index>(found.nodes.size());
+    step.held_nodes = found.held;
+    step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
+    return step;
+}
+
 /// The curve in MPa and mm, at the given displacements (mm) or, under load control, those found.
 ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements,
                       Solution solution, const SolverChoice& choice, const ContactOptions& options) {
@@ -65,7 +83,7 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
 void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options,
                      Solution& solution) {
     const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
-    const double nested_work = max_nested_work(problem), unlimited = problem.work_limit;
+    const double nested_work = max_nested_work(problem);
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
     for (const Solver solver : {choice.solver, other, Solver::polonsky_keer}) {
@@ -76,7 +94,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const Contac
             choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
                              name_of(solver) + ": " + failures;
         choice.solver = solver;
-        problem.work_limit = solver == Solver::nested ? nested_work : unlimited;
+        problem.work_limit = solver == Solver::nested ? nested_work : unlimited_work;
         try {
             return row_of(solver).solve(problem, options, solution);
         } catch (const NotConverged& error) {
@@ -93,20 +111,8 @@ void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const Contac
     throw NotConverged(failures);
 }
 
-/// The steps at zero displacement, then the loaded ones.
+/// The steps at zero displacement, then the loaded ones. Solved steps are taken out of the problem.
 Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options) {
-    struct Steps { // the problem's, which lose those that are solved
-        explicit Steps(ContactProblem& of)
-            : problem(of), approach(of.approach), load(of.load), work_limit(of.work_limit) {}
-        ~Steps() {
-            problem.approach = std::move(approach);
-            problem.load = std::move(load);
-            problem.work_limit = work_limit;
-        }
-        ContactProblem& problem;
-        std::vector<double> approach, load;
-        double work_limit;
-    } const all(problem);
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
         static_cast<std::size_t>(loaded - problem.approach.begin()),
@@ -114,7 +120,7 @@ Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptio
     problem.approach.erase(problem.approach.begin(), loaded);
     Solution solution;
     if (std::isfinite(problem.cap))
-        row_of(options.solver).capped(problem, options, solution);
+        solve_capped(problem, options, solution);
     else if (options.solver == Solver::automatic)
         solve_by_choice(choice, problem, options, solution);
     else {
@@ -139,9 +145,9 @@ void check_options(const Body& body, const ContactOptions& options) {
 
 /// The load step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
 /// convex piecewise linear function reaches it in a finite number of steps, from above after the first. The
-/// bracket is halved if a step would leave it, or if a step from above gained little. With a hardness or
-/// layers P(Delta) need not be convex. In full contact the stiffness of a periodic half-plane is only
-/// rounding.
+/// bracket is halved if a step would leave it, or if a step from above gained little. P(Delta) is convex if
+/// contact sets only grow, but need not be with a hardness or layers. In full contact the stiffness of a
+/// periodic half-plane is only rounding.
 LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
                     LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
@@ -214,6 +220,7 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
     Index highest = 0;
     problem.gap.minCoeff(&highest);
     problem.load.resize(1);
+    problem.work_limit = unlimited_work;
     try {
         Solution found;
         solve_nested(coarsened(problem, std::max(stride, problem.nodes() / largest), highest), options,
@@ -280,25 +287,15 @@ using Key = std::tuple<Kernel, Index, Index, double>;
 double known_sum(const Key& key, const ContactProblem& problem) {
     static std::mutex lock;
     static std::map<Key, double> known;
-    {
-        const std::lock_guard held(lock);
-        if (const auto found = known.find(key); found != known.end())
-            return found->second;
-    }
-    const double sum = sum_of_tangents(problem);
     const std::lock_guard held(lock);
-    return known[key] = sum;
+    const auto found = known.find(key);
+    return found != known.end() ? found->second : known[key] = sum_of_tangents(problem);
 }
 
 } // namespace
 
 const std::vector<std::string>& solver_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const ContactSolver& solver : contact_solvers)
-            all.emplace_back(solver.name);
-        return all;
-    }();
+    static const std::vector<std::string> names{"auto", "nested", "nnls", "polonsky-keer", "active-set"};
     return names;
 }
 

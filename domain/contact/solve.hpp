@@ -81,8 +81,7 @@ struct ContactCurve {
 ///
 /// With a hardness p_H, pressures are at most p_H. Nodes at p_H (held nodes) may sink in: there u may be less
 /// than Delta - g0. K is then the stiffness of the other nodes in contact. A hardness is possible only with
-/// `automatic` and `active_set`. A projected Newton method solves steps with held nodes. It ends if the
-/// residual of the gaps is 1e-11 of the approach, or if rounding limits it.
+/// `automatic` and `active_set`.
 ///
 /// Throws InputError if a profile, body or displacement has no solution. Throws NotConverged if the
 /// certificate of a step exceeds its limit. For an iterative solver the limit is twice `tolerance`. For a
@@ -92,13 +91,8 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 
 /// Presses a rigid profile to each of the mean pressures (MPa, > 0, increasing). `nested` and `polonsky_keer`
 /// solve for a given pressure directly, `active_set` only on maps, `nnls` never. Otherwise Newton's method
-/// finds the displacement of each pressure. It always does so with a hardness, and with `automatic` if a
-/// direct solution on a line does not converge.
-///
-/// If contact sets only grow (contact_sets_nest) and no hardness is given, P is convex in Delta. Newton's
-/// method then converges in a finite number of steps. Otherwise bisection replaces steps that gain little or
-/// leave the interval that contains the solution. With a hardness the mean pressure agrees with the given one
-/// to 1e-8 or better.
+/// finds the displacement of each pressure. It always does so with a hardness. The mean pressure then agrees
+/// with the given one to 1e-8 or better.
 ///
 /// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached. On a periodic
 /// body, a pressure above full_contact_load() is refused. This limit does not apply with a hardness, or with

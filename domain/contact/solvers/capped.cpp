@@ -20,11 +20,12 @@ constexpr double tangent_tolerance = 1e-10;
 
 class CappedContact {
   public:
-    explicit CappedContact(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem), free_(problem.nodes()),
+    CappedContact(const ContactProblem& problem, const ContactOptions& options)
+        : problem_(problem), options_(options), solver_(problem),
+          check_(problem.column, problem.shape, *problem.team), free_(problem.nodes()),
           load_(problem.nodes()), tangent_(problem.nodes()) {}
 
-    StepSolution press(double approach) {
+    StepSolution press(double approach, std::optional<double>) {
         goal_ = (approach - problem_.gap.array()).matrix();
         solver_.load(load_);
         const double enough = settled * approach;
@@ -42,8 +43,7 @@ class CappedContact {
         }
         return solution(approach);
     }
-    const Eigen::VectorXd& pressure() const { return load_.pressure; }
-    long applies() const { return solver_.applies(); }
+    long iterations() const { return solver_.applies(); }
 
   private:
     /// Frees the nodes between the bounds and those that a bound holds back; returns their largest residual.
@@ -118,12 +118,15 @@ class CappedContact {
         step.pressure = load_.pressure(step.nodes);
         if (options_.states)
             step.tangent = tangent_.pressure(step.nodes);
+        certify_step("capped active set", problem_, step, check_, load_.pressure,
+                     direct_tolerance(problem_, step));
         return step;
     }
 
     const ContactProblem& problem_;
     const ContactOptions& options_;
     SetSolver solver_;
+    SplitOperator check_;
     ContactSet free_;
     Loaded load_, tangent_;
     Eigen::VectorXd goal_; ///< Delta - g0
@@ -132,15 +135,7 @@ class CappedContact {
 } // namespace
 
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    CappedContact contact(problem, options);
-    SplitOperator check(problem.column, problem.shape, *problem.team);
-    for (const double approach : problem.approach) {
-        StepSolution step = contact.press(approach);
-        certify_step("capped active set", problem, step, check, contact.pressure(),
-                     direct_tolerance(problem, step));
-        solution.steps.push_back(std::move(step));
-    }
-    solution.iterations = contact.applies();
+    solve_steps<CappedContact>(problem, options, solution);
 }
 
 } // namespace rough

@@ -1,13 +1,12 @@
 #include "domain/contact/solvers/certificate.hpp"
 
+#include "domain/errors.hpp"
 #include "domain/numerics/vector_loops.hpp"
 
 #include <atomic>
 #include <cmath>
 
 namespace rough {
-
-double Certificate::residual() const { return std::max({gap, penetration, tension, excess}); }
 
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement) {
@@ -63,7 +62,9 @@ double direct_tolerance(const ContactProblem& problem, const StepSolution& step)
 void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
                      double tolerance) {
     if (!(step.residual <= tolerance))
-        fail(solver, problem, step.approach, step.residual, tolerance);
+        throw NotConverged(line_of(solver, " did not settle at an approach of ",
+                                   step.approach * problem.displacement_unit, " mm: residual ", step.residual,
+                                   " is above the tolerance ", tolerance));
 }
 
 void certify_step(const char* solver, const ContactProblem& problem, StepSolution& step, SplitOperator& check,

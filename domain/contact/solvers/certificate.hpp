@@ -8,11 +8,12 @@ namespace rough {
 /// set and penetration off it (over the approach), tension and pressure over the cap (over the mean
 /// pressure). Nodes at the cap may penetrate; a gap there counts as on the contact set.
 struct Certificate {
-    double gap = 0;          ///< largest |u - (Delta - g0)|/Delta on the contact set
-    double penetration = 0;  ///< largest (Delta - g0 - u)/Delta off it
-    double tension = 0;      ///< largest -p/P
-    double excess = 0;       ///< largest (p - p_H)/P
-    double residual() const; ///< the largest of them
+    double gap = 0;         ///< largest |u - (Delta - g0)|/Delta on the contact set
+    double penetration = 0; ///< largest (Delta - g0 - u)/Delta off it
+    double tension = 0;     ///< largest -p/P
+    double excess = 0;      ///< largest (p - p_H)/P
+    /// The largest of them.
+    double residual() const { return std::max({gap, penetration, tension, excess}); }
 };
 
 /// Largest residual of a factor's solution, over the approach: 1e-9, or the bound of rounding if that is
@@ -26,7 +27,7 @@ double direct_tolerance(const ContactProblem& problem, const StepSolution& step)
 Certificate certify(const ContactProblem& problem, double approach, const std::vector<int>& contact,
                     const Eigen::VectorXd& pressure, const double* displacement);
 
-/// Throws NotConverged if a step's residual exceeds the tolerance, with the message that all solvers share.
+/// Throws NotConverged if a step's residual exceeds the tolerance.
 void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
                      double tolerance);
 /// Sets a step's residual, with H applied to the pressures at every node by `check`; then the same check.

@@ -80,7 +80,6 @@ double max_nested_work(const ContactProblem& problem) {
 }
 
 SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
-    PlainStream reason;
     if (options.solver != Solver::automatic)
         return {options.solver, "requested"};
     if (std::isfinite(problem.cap))
@@ -89,23 +88,20 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
         return {problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls,
                 "under these layers contact sets need not be nested"};
     if (problem.nodes() <= always_nested || problem.steps() == 0 ||
-        (problem.load.empty() && problem.approach.back() == 0)) {
-        reason << "nested: up to " << always_nested << " nodes the factor is always the fastest";
-        return {Solver::nested, reason.str()};
-    }
+        (problem.load.empty() && problem.approach.back() == 0))
+        return {Solver::nested,
+                line_of("nested: up to ", always_nested, " nodes the factor is always the fastest")};
     const double n = static_cast<double>(problem.nodes()), steps = static_cast<double>(problem.steps());
     const double m = std::ceil(expected_contact(problem, options) * n);
     const double nested = nested_cost(n, m, steps), active_set = turned(problem) * active_set_cost(n, steps);
     // Half as much again, because the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
-    reason.precision(2);
-    reason << "about " << m << " of " << problem.nodes() << " nodes in contact: a factor of " << memory / 1e9
-           << " GB, cost " << nested / 1e9 << " against " << active_set / 1e9 << " by active set";
-    if (memory > options.memory_limit)
-        return {Solver::active_set, "active-set: " + reason.str() + "; the factor would not fit"};
-    if (nested > active_set)
-        return {Solver::active_set, "active-set: " + reason.str()};
-    return {Solver::nested, "nested: " + reason.str()};
+    const bool fits = memory <= options.memory_limit, is_nested = fits && nested <= active_set;
+    const Solver chosen = is_nested ? Solver::nested : Solver::active_set;
+    return {chosen, line_with_digits(2, name_of(chosen), ": about ", m, " of ", problem.nodes(),
+                                     " nodes in contact: a factor of ", memory / 1e9, " GB, cost ",
+                                     nested / 1e9, " against ", active_set / 1e9, " by active set",
+                                     fits ? "" : "; the factor would not fit")};
 }
 
 void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options) {

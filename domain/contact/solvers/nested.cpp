@@ -4,8 +4,6 @@
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
-#include <optional>
-
 namespace rough {
 
 namespace {
@@ -49,7 +47,7 @@ class NestedContact {
         return step;
     }
     /// Sweeps of additions or removals so far.
-    long rounds() const { return rounds_; }
+    long iterations() const { return rounds_; }
 
   private:
     const double* displacement() {
@@ -149,13 +147,7 @@ void refuse_factor(Index nodes, const ContactOptions& options) {
 }
 
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    NestedContact contact(problem, options);
-    for (std::size_t j = 0; j < problem.steps(); ++j) {
-        const long before = contact.rounds();
-        solution.steps.push_back(problem.load.empty() ? contact.press(problem.approach[j], {})
-                                                      : contact.press(0, problem.load[j]));
-        solution.iterations += contact.rounds() - before;
-    }
+    solve_steps<NestedContact>(problem, options, solution);
 }
 
 } // namespace rough

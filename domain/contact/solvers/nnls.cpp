@@ -17,7 +17,7 @@ class LawsonHanson {
           passive_(static_cast<std::size_t>(problem.nodes())), influence_(problem.column, problem.shape),
           direct_(influence_), factor_(influence_, problem.gap) {}
 
-    StepSolution press(double approach) {
+    StepSolution press(double approach, std::optional<double>) {
         const long limit = iterations_ + 3 * problem_.nodes();
         reach_solution(approach);
         while (iterations_ < limit) {
@@ -103,10 +103,7 @@ class LawsonHanson {
 } // namespace
 
 void solve_nnls(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    LawsonHanson solver(problem, options);
-    for (const double approach : problem.approach)
-        solution.steps.push_back(solver.press(approach));
-    solution.iterations = solver.iterations();
+    solve_steps<LawsonHanson>(problem, options, solution);
 }
 
 } // namespace rough

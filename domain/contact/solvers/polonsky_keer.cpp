@@ -2,8 +2,6 @@
 #include "domain/contact/solvers/set_solver.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 
-#include <optional>
-
 namespace rough {
 
 namespace {
@@ -22,7 +20,7 @@ class PolonskyKeer {
           direction_(problem.nodes()), tangent_(problem.nodes()) {}
 
     /// One step to an approach, or to a load if one is given.
-    StepSolution press(double approach, std::optional<double> load = {}) {
+    StepSolution press(double approach, std::optional<double> load) {
         if (load) {
             const double sum = load_.pressure.sum();
             if (sum > 0)
@@ -101,7 +99,7 @@ class PolonskyKeer {
             if (load)
                 p *= *load / p.sum();
         }
-        fail("Polonsky-Keer", problem_, approach, residual, target);
+        expect_residual("Polonsky-Keer", problem_, {.residual = residual, .approach = approach}, target);
     }
 
     const ContactProblem& problem_;
@@ -117,13 +115,7 @@ class PolonskyKeer {
 } // namespace
 
 void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    PolonskyKeer solver(problem, options);
-    for (std::size_t j = 0; j < problem.steps(); ++j) {
-        const long before = solver.iterations();
-        solution.steps.push_back(problem.load.empty() ? solver.press(problem.approach[j])
-                                                      : solver.press(0, problem.load[j]));
-        solution.iterations += solver.iterations() - before;
-    }
+    solve_steps<PolonskyKeer>(problem, options, solution);
 }
 
 } // namespace rough

@@ -150,33 +150,9 @@ FourierOperator fourier_operator(const ContactProblem& problem) {
     return FourierOperator::toeplitz(problem.column, problem.shape, *problem.team);
 }
 
-LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found) {
-    LoadStep step;
-    step.displacement = displacement;
-    step.pressure = found.pressure.sum() / problem.elements * problem.pressure_unit;
-    step.tangent_stiffness = found.stiffness * problem.stiffness_unit;
-    step.kkt_residual = found.residual;
-    if (!std::isfinite(step.pressure) || !std::isfinite(step.tangent_stiffness))
-        refuse("displacement ", displacement, " mm: mean pressure ", step.pressure, " MPa or stiffness ",
-               step.tangent_stiffness,
-               " MPa/mm is beyond double precision; change the modulus, heights or node spacing");
-    step.largest_pressure = found.pressure.size() ? found.pressure.maxCoeff() * problem.pressure_unit : 0;
-    step.contact_nodes = static_cast<Index>(found.nodes.size());
-    step.held_nodes = found.held;
-    step.contact_fraction = static_cast<double>(step.contact_nodes) / static_cast<double>(problem.nodes());
-    return step;
-}
-
 void check_stop(const ContactOptions& options) {
     if (is_stopped(options))
         throw NotConverged("stopped before the contact was solved");
-}
-
-void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
-          double tolerance) {
-    throw NotConverged(line_of(solver, " did not settle at an approach of ",
-                               approach * problem.displacement_unit, " mm: residual ", residual,
-                               " is above the tolerance ", tolerance));
 }
 
 Eigen::VectorXd full_contact_pressure(const ContactProblem& problem) {

@@ -4,7 +4,12 @@
 #include "domain/contact/solve.hpp"
 #include "domain/numerics/fourier.hpp"
 
+#include <optional>
+
 namespace rough {
+
+/// ContactProblem::work_limit without a limit.
+constexpr double unlimited_work = std::numeric_limits<double>::infinity();
 
 /// A contact problem without units, as every solver takes it. Heights are in units of the largest
 /// displacement, lengths along the surface in units of delta (for a map delta_x). Pressures are in units of
@@ -24,8 +29,7 @@ struct ContactProblem : UnitBody {
 
     Team* team = &Team::alone(); ///< shares the loops over a map's nodes; outlives the problem
 
-    /// Multiplications after which a factor gives up.
-    double work_limit = std::numeric_limits<double>::infinity();
+    double work_limit = unlimited_work; ///< multiplications after which a factor gives up
 
     Index nodes() const { return gap.size(); } ///< N
     /// Load steps to solve.
@@ -61,17 +65,14 @@ FourierOperator fourier_operator(const ContactProblem& problem);
 
 /// One step's solution in the problem's units.
 struct StepSolution {
-    std::vector<int> nodes;   ///< contact set
-    Eigen::VectorXd pressure; ///< on the contact set
-    double stiffness = 0;     ///< sum of H_AA^-1 1
-    Eigen::VectorXd tangent;  ///< H_AA^-1 1, if options.states
-    double residual = 0;      ///< certificate
-    Index held = 0;           ///< nodes at the cap
-    double approach = 0;      ///< the one found under load control
+    std::vector<int> nodes = {};   ///< contact set
+    Eigen::VectorXd pressure = {}; ///< on the contact set
+    double stiffness = 0;          ///< sum of H_AA^-1 1
+    Eigen::VectorXd tangent = {};  ///< H_AA^-1 1, if options.states
+    double residual = 0;           ///< certificate
+    Index held = 0;                ///< nodes at the cap
+    double approach = 0;           ///< the one found under load control
 };
-
-/// A step in MPa and mm, at this displacement (mm).
-LoadStep load_step(const ContactProblem& problem, double displacement, const StepSolution& found);
 
 /// The result of a solver.
 struct Solution {
@@ -79,10 +80,20 @@ struct Solution {
     long iterations = 0;             ///< in the solver's unit, over all steps
 };
 
+/// Adds the steps of a problem to a solution. press(approach, load) of a Method solves one to an approach or,
+/// under load control, to a load. iterations() counts them in the solver's unit.
+template <class Method>
+void solve_steps(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
+    Method solver(problem, options);
+    for (std::size_t j = 0; j < problem.steps(); ++j) {
+        const long before = solver.iterations();
+        solution.steps.push_back(problem.load.empty() ? solver.press(problem.approach[j], {})
+                                                      : solver.press(0, problem.load[j]));
+        solution.iterations += solver.iterations() - before;
+    }
+}
+
 /// Throws NotConverged if the options' `stop` returns true.
 void check_stop(const ContactOptions& options);
-/// Throws NotConverged with the message that all solvers share.
-[[noreturn]] void fail(const char* solver, const ContactProblem& problem, double approach, double residual,
-                       double tolerance);
 
 } // namespace rough

@@ -192,8 +192,6 @@ double add(Team& team, double factor, const float* x, Eigen::VectorXd& y) {
     });
 }
 
-} // namespace
-
 double dot(Team& team, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return team.sum(a.size(), [&](Index first, Index count) {
         return a.segment(first, count).dot(b.segment(first, count));
@@ -204,6 +202,8 @@ double largest(Team& team, const Eigen::VectorXd& a) {
     return team.largest(
         a.size(), [&](Index first, Index count) { return a.segment(first, count).cwiseAbs().maxCoeff(); });
 }
+
+} // namespace
 
 void ContactSet::collect() {
     nodes_ = team_.where(static_cast<Index>(touching_.size()), [&](Index i) { return holds(i); });

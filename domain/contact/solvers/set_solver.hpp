@@ -41,11 +41,6 @@ class ContactSet {
     std::vector<char> touching_;
 };
 
-/// Sums and largest values are joined in the order of a team's ranges, whatever its size.
-double dot(Team& team, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
-/// The largest |a_i|.
-double largest(Team& team, const Eigen::VectorXd& a);
-
 /// A vector that is zero off the contact set, and H times it at every node.
 struct Loaded {
     Eigen::VectorXd pressure;     ///< p, N entries, in the problem's units

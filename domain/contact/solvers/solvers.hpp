@@ -44,20 +44,19 @@ void refuse_factor(Index nodes, const ContactOptions& options);
 
 /// Properties of a contact solver.
 struct ContactSolver {
-    const char* name;                                                        ///< as flags and files have it
-    void (*solve)(const ContactProblem&, const ContactOptions&, Solution&);  ///< null: chooses a solver
-    void (*capped)(const ContactProblem&, const ContactOptions&, Solution&); ///< null: cannot hold a hardness
+    void (*solve)(const ContactProblem&, const ContactOptions&, Solution&); ///< null: chooses a solver
+    bool capped;                           ///< can hold a hardness, by solve_capped()
     bool direct;                           ///< solves by a factor, to rounding
     enum { never, on_maps, always } loads; ///< when it takes loads instead of displacements
 };
 
 /// In the order of Solver.
 inline constexpr ContactSolver contact_solvers[] = {
-    {"auto", nullptr, solve_capped, false, ContactSolver::never},
-    {"nested", solve_nested, nullptr, true, ContactSolver::always},
-    {"nnls", solve_nnls, nullptr, true, ContactSolver::never},
-    {"polonsky-keer", solve_polonsky_keer, nullptr, false, ContactSolver::always},
-    {"active-set", solve_active_set, solve_capped, false, ContactSolver::on_maps},
+    {nullptr, true, false, ContactSolver::never},
+    {solve_nested, false, true, ContactSolver::always},
+    {solve_nnls, false, true, ContactSolver::never},
+    {solve_polonsky_keer, false, false, ContactSolver::always},
+    {solve_active_set, true, false, ContactSolver::on_maps},
 };
 /// The row of a solver.
 inline const ContactSolver& row_of(Solver solver) {
