@@ -185,6 +185,7 @@ Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd
     Eigen::MatrixXd steps = pressures;
     steps.bottomRows(steps.rows() - 1) -= pressures.topRows(steps.rows() - 1);
     const double factor = grids.size() > 3 ? safety : thin_safety;
+    // The larger of the distance from the last grid's value and the line's standard error, times the factor.
     const auto doubt = [&](const Eigen::MatrixXd& values) -> Eigen::VectorXd {
         const Eigen::VectorXd distance = (values * line.reading - values.rightCols(1)).cwiseAbs();
         return factor * distance.cwiseMax(line.standard_error(values));

@@ -96,10 +96,8 @@ struct Extrapolation {
     Doubt doubt;              ///< estimated errors, not bounds
 };
 
-/// Extrapolates the pressure of each row to a grid of N = `resolved` elements. A straight line in N^-1.5 is
-/// fitted to the row's pressures on the given grids, with the weights N^3. The doubt of a row is 2.3 times
-/// the larger of two values, with three grids 3 times (README.md). One is the distance between the
-/// extrapolated pressure and the pressure on the last grid. The other is the standard error of the line.
+/// Extrapolates the pressure of each row to a grid of N = `resolved` elements (README.md). A straight line in
+/// N^-1.5 is fitted to the row's pressures on the given grids, with the weights N^3.
 ///
 /// `grids` are the numbers N, at least 3. `pressures` has one row per load step and one column per grid, all
 /// at the same displacements. For other quantities, `order` replaces the exponent 1.5.

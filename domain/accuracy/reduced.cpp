@@ -6,13 +6,6 @@ namespace rough {
 
 namespace {
 
-ChromosomePlace place(const Genome& genome, std::size_t s, std::size_t c) {
-    const Series& series = genome.series[s];
-    const Chromosome& chromosome = series.chromosomes[c];
-    return {s, chromosome.n, wave_length(series, chromosome.n),
-            std::abs(genome.scale * wave(series, chromosome).amplitude)};
-}
-
 /// Rows of the first pass: fewer would not describe the curve, and rows are cheap next to the factor.
 constexpr std::size_t first_rows = 64;
 
@@ -69,8 +62,9 @@ double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displac
 std::vector<ChromosomePlace> places(const Genome& genome) {
     std::vector<ChromosomePlace> all;
     for (std::size_t s = 0; s < genome.series.size(); ++s)
-        for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c)
-            all.push_back(place(genome, s, c));
+        for (const Chromosome& chromosome : genome.series[s].chromosomes)
+            all.push_back({s, chromosome.n, wave_length(genome.series[s], chromosome.n),
+                           std::abs(genome.scale * wave(genome.series[s], chromosome).amplitude)});
     return all;
 }
 
@@ -87,7 +81,7 @@ Selection without_short_waves(const Genome& genome, const Grid& grid, const Prof
         if (shortest == order[k].wave_length_mm) // waves of equal length stay or go together
             continue;
         const auto stays = [&](std::size_t s, std::size_t c) {
-            return place(genome, s, c).wave_length_mm >= shortest;
+            return wave_length(genome.series[s], genome.series[s].chromosomes[c].n) >= shortest;
         };
         Profile reduced = whole;
         reduced.heights -= sample(filtered(genome, std::not_fn(stays)), grid).heights;
@@ -113,32 +107,6 @@ LineOfMap line_of_map(const Profile& map) {
     drawn_out.heights = along_y.line.heights.transpose().replicate(columns, 1).reshaped();
     along_y.window = window_between(map, drawn_out);
     return along_x.window.width() <= along_y.window.width() ? along_x : along_y;
-}
-
-std::optional<ByLine> respond_by_line(const Profile& map, const Model& model) {
-    const Loading& loading = model.loading;
-    const bool by_reach = loading.pressures.empty() && loading.to_pressure == 0;
-    const LineOfMap of = line_of_map(map);
-    try {
-        const auto displacements =
-            step_displacements(by_reach ? map : of.line, model.body, loading, model.contact);
-        ContactCurve curve = solve_contact(of.line, model.body, displacements, model.contact);
-        ByLine result{
-            of, response_of(curve.steps, curve.solver, displacement_range(map, model.body.kernel), HUGE_VAL),
-            std::move(curve.last_contact), HUGE_VAL};
-        const Bounds bounds = pressure_bounds(of.line, of.window, model.body, displacements, model.contact);
-        const Eigen::VectorXd& pressure = result.response.pressure;
-        const Doubt solved =
-            solver_doubt(result.response, pressure.size(), displacement_errors(result.response, loading));
-        // The bounds have the solver's error, too.
-        const Eigen::VectorXd errors =
-            relative(doubt_of(pressure, bounds.lower, bounds.upper) + solved + solved, error_scale(pressure));
-        if (errors.allFinite())
-            result.bound = errors.maxCoeff();
-        return result;
-    } catch (const InputError&) { // flat, or in full contact before the map is
-        return std::nullopt;
-    }
 }
 
 LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,

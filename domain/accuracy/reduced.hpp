@@ -3,8 +3,6 @@
 #include "domain/accuracy/error_bounds.hpp"
 #include "domain/mwm/sampling.hpp"
 
-#include <optional>
-
 /// @file
 /// Reduced models: a genome without its shortest waves, one line in place of a map, and interpolated load
 /// steps.
@@ -43,29 +41,14 @@ struct LineOfMap {
 /// The line that replaces a map. Throws InputError if `map` is a line.
 LineOfMap line_of_map(const Profile& map);
 
-/// A line's curve in place of a map's.
-struct ByLine {
-    LineOfMap of; ///< the line and its direction
-    /// Response at the map's displacements, or at the line's displacements if pressures were requested.
-    Response response;
-    std::vector<int> last_contact; ///< nodes of the line that touch at the last load step
-    double bound;                  ///< bound of the relative error of pressures and secants; may be infinite
-};
-/// Solves the contact of the line that replaces a periodic map. Returns nothing if the line cannot be pressed
-/// as far as the map. The bound follows from pressure_bounds(). It is proven for the continuum, not for
-/// sampled maps (README.md).
-std::optional<ByLine> respond_by_line(const Profile& map, const Model& model);
-
-/// A curve with a row for each requested displacement: solved, or interpolated between solved rows.
-struct LoadRows {
-    std::vector<LoadStep> steps;       ///< one per displacement; zeros before the profile touches
-    double error = 0;                  ///< bound of the error of interpolated rows, relative to a row's exact
-                                       ///< pressure and secant
-    double area_error = 0;             ///< bound of the relative error of the contact fraction
-    double tangent_error = 0;          ///< bound of the relative error of the tangent stiffness
-    int solved = 0;                    ///< number of solved rows
-    Solver solver = Solver::automatic; ///< solver that was used
-    std::vector<int> last_contact;     ///< nodes that touch at the last displacement
+/// A curve with a row for each requested displacement: solved, or interpolated between solved rows. Rows
+/// before the profile touches are zeros.
+struct LoadRows : ContactCurve {
+    double error =
+        0; ///< bound of the error of interpolated rows, relative to their exact pressure and secant
+    double area_error = 0;    ///< bound of the relative error of the contact fraction
+    double tangent_error = 0; ///< bound of the relative error of the tangent stiffness
+    int solved = 0;           ///< number of solved rows
 };
 
 /// Solves the contact at as few of the displacements (mm, increasing) as `accuracy` allows; 0 solves every

@@ -41,14 +41,10 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
     return fine;
 }
 
-/// Nodes of a surface on the finer grid.
-double finer_nodes(const Profile& scan) {
-    return static_cast<double>((scan.is_2d() ? finer_times * finer_times : finer_times) * scan.nodes());
-}
-
 bool is_omitted(const Profile& scan, Resolution resolution) {
-    return resolution == Resolution::off ||
-           (resolution == Resolution::automatic && finer_nodes(scan) > (scan.is_2d() ? 2e6 : 1e7));
+    const bool is_too_large = scan.is_2d() ? finer_times * finer_times * scan.nodes() > 2'000'000
+                                           : finer_times * scan.nodes() > 10'000'000;
+    return resolution == Resolution::off || (resolution == Resolution::automatic && is_too_large);
 }
 
 /// Largest relative error of the interpolated surfaces' solutions, far below the interpolation's uncertainty.
@@ -131,7 +127,8 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
             throw;
         return {.omitted = error.what()};
     }
-    for (Eigen::MatrixXd* values : {&fraction, &stiffness}) // the spline's curve, continued to spacing 0
+    for (Eigen::MatrixXd* values :
+         {&fraction, &stiffness}) // the spline's curve at spacing 0 (Richardson 1911)
         values->col(3) = values->col(2) + (values->col(2) - values->col(0)) / (finer_times - 1);
     const auto margin = [&](const Eigen::MatrixXd& values) -> Eigen::ArrayXd {
         const Eigen::ArrayXd width =

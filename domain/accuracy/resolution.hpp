@@ -36,10 +36,9 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
                                       Resolution resolution);
 
 /// The uncertainty of a measured surface's curve from its node spacing (scan/README.md), one entry per load
-/// step; empty if it was not computed. The band contains the measured curve m, the curves of both
-/// interpolated surfaces at equal mean pressures, and v + (v - m)/3. The last extrapolates the spline's curve
-/// v to spacing 0 (Richardson 1911). The band is then widened on both sides by a quarter of its largest
-/// relative width at the load step and its neighbours. The band does not cover roughness below the spacing.
+/// step; empty if it was not computed. The band contains the measured curve, those of both interpolated
+/// surfaces at equal mean pressures, and the spline's curve extrapolated to spacing 0, with a margin. It does
+/// not cover roughness below the spacing.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction

@@ -5,6 +5,8 @@
 #include "domain/profile/roughness.hpp"
 #include "ga/base/stopwatch.hpp"
 
+#include <optional>
+
 namespace rough {
 
 namespace {
@@ -80,11 +82,6 @@ Model tolerant(const Model& given) {
     return model;
 }
 
-LoadRows rows_of(ContactCurve curve) {
-    const int solved = static_cast<int>(curve.steps.size());
-    return {std::move(curve.steps), 0, 0, 0, solved, curve.solver, std::move(curve.last_contact)};
-}
-
 Response response_of(const LoadRows& rows) { return response_of(rows.steps, rows.solver, 0); }
 
 /// The coarser grids solved so far.
@@ -107,14 +104,14 @@ struct Ladder {
 class Question {
   public:
     Question(const Profile& whole, const Model& resolved)
-        : model_(tolerant(resolved)), accuracy_(model_.accuracy), whole_(whole),
-          pressed_(model_.loading.pressures.empty()
-                       ? LoadRows{}
-                       : rows_of(press(whole_, model_.body, model_.loading, model_.contact))) {
-        if (pressed_.steps.empty())
+        : model_(tolerant(resolved)), accuracy_(model_.accuracy), whole_(whole) {
+        if (model_.loading.pressures.empty())
             rows_ = step_displacements(whole_, model_.body, model_.loading, model_.contact);
-        for (const LoadStep& step : pressed_.steps) // finding their displacements has solved them
+        else // finding their displacements solves them
+            static_cast<ContactCurve&>(pressed_) = press(whole_, model_.body, model_.loading, model_.contact);
+        for (const LoadStep& step : pressed_.steps)
             rows_.push_back(step.displacement);
+        pressed_.solved = static_cast<int>(pressed_.steps.size());
         count_ = static_cast<Index>(rows_.size());
         response_.range = displacement_range(whole_, resolved.body.kernel);
         response_.full_stiffness = full_contact_stiffness(whole_, resolved.body, model_.contact.threads);
@@ -328,6 +325,47 @@ class Question {
     std::vector<int> last_contact_;
 };
 
+/// The curve of the line that replaces a periodic map: at the map's displacements, or at the line's if
+/// pressures were requested. Nothing if the line cannot be pressed as far as the map. The errors follow from
+/// pressure_bounds(). They are proven for the continuum, not for sampled maps (README.md).
+std::optional<AccountedResponse> respond_by_line(const Profile& map, const Model& model) {
+    const Loading& loading = model.loading;
+    const bool by_reach = loading.pressures.empty() && loading.to_pressure == 0;
+    const LineOfMap of = line_of_map(map);
+    AccountedResponse result;
+    Account& account = result.account;
+    const Eigen::VectorXd& pressure = result.response.pressure;
+    try {
+        const auto displacements =
+            step_displacements(by_reach ? map : of.line, model.body, loading, model.contact);
+        ContactCurve curve = solve_contact(of.line, model.body, displacements, model.contact);
+        result.response =
+            response_of(curve.steps, curve.solver, displacement_range(map, model.body.kernel), HUGE_VAL);
+        result.last_contact = std::move(curve.last_contact);
+        const Bounds bounds = pressure_bounds(of.line, of.window, model.body, displacements, model.contact);
+        const Doubt solved =
+            solver_doubt(result.response, pressure.size(), displacement_errors(result.response, loading));
+        // The bounds have the solver's error, too.
+        const Eigen::VectorXd errors =
+            relative(doubt_of(pressure, bounds.lower, bounds.upper) + solved + solved, error_scale(pressure));
+        account.estimated_error = errors.allFinite() ? errors.maxCoeff() : HUGE_VAL;
+    } catch (const InputError&) { // flat, or in full contact before the map is
+        return std::nullopt;
+    }
+    account.accuracy = model.accuracy;
+    account.by_line = true;
+    account.resolved_nodes = map.nodes();
+    account.grids = {of.line.nodes()};
+    account.rows = account.solved_rows = static_cast<int>(pressure.size());
+    account.light_rows = static_cast<int>(light_rows(pressure));
+    account.window = of.window;
+    account.solver = result.response.solver;
+    account.tolerance = model.contact.tolerance;
+    account.line_error = account.dropped_error = account.estimated_error;
+    account.area_error = account.tangent_error = account.window.width() > 0 ? std::nan("") : 0;
+    return result;
+}
+
 void expect_waves(const Genome& genome, const Profile& profile) {
     if (is_flat(profile, genome))
         refuse("profile: all heights are equal at its ", profile.nodes(),
@@ -376,35 +414,20 @@ AccountedResponse respond_within(const Profile& scan, const Model& given) {
     const ga::Stopwatch clock;
     const Model model = tolerant(given);
     const bool periodic_map = scan.is_2d() && model.accuracy > 0 && model.body.kernel == Kernel::periodic;
-    std::optional<ByLine> by_line;
-    if (periodic_map)
-        by_line = respond_by_line(scan, model);
+    const auto by_line = periodic_map ? respond_by_line(scan, model) : std::nullopt;
     AccountedResponse result;
-    Account& account = result.account;
-    if (by_line && by_line->bound <= model.accuracy) {
-        account.accuracy = model.accuracy;
-        account.by_line = true;
-        account.resolved_nodes = scan.nodes();
-        account.grids = {by_line->of.line.nodes()};
-        account.rows = account.solved_rows = static_cast<int>(by_line->response.steps());
-        account.light_rows = static_cast<int>(light_rows(by_line->response.pressure));
-        account.window = by_line->of.window;
-        account.solver = by_line->response.solver;
-        account.tolerance = model.contact.tolerance;
-        account.line_error = account.dropped_error = account.estimated_error = by_line->bound;
-        account.area_error = account.tangent_error = account.window.width() > 0 ? std::nan("") : 0;
-        result.response = std::move(by_line->response);
-        result.last_contact = std::move(by_line->last_contact);
+    if (by_line && by_line->account.line_error <= model.accuracy) {
+        result = *by_line;
     } else {
         Question question(scan, given);
         question.by_resolved_grid(0);
         result = question.answer();
         if (by_line && model.loading.pressures.empty() && model.loading.to_pressure == 0)
-            account.line_error = relative_error(by_line->response.pressure, result.response.pressure);
+            result.account.line_error = relative_error(by_line->response.pressure, result.response.pressure);
     }
     if (periodic_map)
-        account.aspect_ratio = texture(scan, true).Str;
-    account.seconds = clock.seconds();
+        result.account.aspect_ratio = texture(scan, true).Str;
+    result.account.seconds = clock.seconds();
     return result;
 }
 
