@@ -126,16 +126,11 @@ ProfileElements profile_elements(const Profile& profile) {
     return {all.RSm / count, all.Rc / count};
 }
 
-/// Parameters of the material ratio curve (ISO 21920-2; ISO 13565-2). The line of least squares through the
-/// flattest 40 % of the curve separates peaks, core and valleys. Among equally flat regions the first is
-/// used.
-struct CoreHeights {
-    double Rk = 0; ///< core height, mm
-    double Rpk = 0,
-           Rvk = 0; ///< heights of triangles as large as the peaks above the core and the valleys, mm
-    double Mr1 = 0, Mr2 = 0; ///< shares of material at the core's upper and lower limit, 0 to 1
-};
-CoreHeights core_heights(const Eigen::VectorXd& heights) {
+/// Appends the parameters of the material ratio curve (ISO 21920-2; ISO 13565-2), named by R or S and a
+/// suffix. The line of least squares through the flattest 40 % of the curve separates peaks, core and
+/// valleys. Among equally flat regions the first is used. Peaks and valleys are as high as triangles of their
+/// area.
+void add_core(std::vector<SurfaceParameter>& rows, const std::string& kind, const Eigen::VectorXd& heights) {
     const Index n = heights.size();
     Eigen::VectorXd z = heights; // node i of the curve stands at (i + 1/2)/n
     std::sort(z.begin(), z.end(), std::greater<>());
@@ -153,8 +148,6 @@ CoreHeights core_heights(const Eigen::VectorXd& heights) {
     const double middle = (static_cast<double>(first) + static_cast<double>(window) / 2) / count;
     const double upper = core.mean() - slope * middle, lower = upper + slope;
 
-    CoreHeights result;
-    result.Rk = upper - lower;
     // Share of material at which the curve, straight between its nodes, crosses a level.
     const auto crossing = [&](double level) {
         const Index above = std::lower_bound(z.begin(), z.end(), level, std::greater<>()) - z.begin();
@@ -163,12 +156,15 @@ CoreHeights core_heights(const Eigen::VectorXd& heights) {
         const double part = (z[above - 1] - level) / (z[above - 1] - z[above]);
         return (static_cast<double>(above) - 0.5 + part) / count;
     };
-    result.Mr1 = crossing(upper), result.Mr2 = crossing(lower);
+    const double Mr1 = crossing(upper), Mr2 = crossing(lower);
     const double peaks = (z.array() - upper).max(0).sum() / count,
                  valleys = (lower - z.array()).max(0).sum() / count;
-    result.Rpk = result.Mr1 > 0 ? 2 * peaks / result.Mr1 : 0;
-    result.Rvk = result.Mr2 < 1 ? 2 * valleys / (1 - result.Mr2) : 0;
-    return result;
+    rows.insert(rows.end(),
+                {{kind + "k", "mm", "core height", upper - lower},
+                 {kind + "pk", "mm", "reduced peak height", Mr1 > 0 ? 2 * peaks / Mr1 : 0},
+                 {kind + "vk", "mm", "reduced valley depth", Mr2 < 1 ? 2 * valleys / (1 - Mr2) : 0},
+                 {kind + "mrk1", "", "material ratio above the core", Mr1},
+                 {kind + "mrk2", "", "material ratio above the valleys", Mr2}});
 }
 
 } // namespace
@@ -184,12 +180,11 @@ std::string SurfaceParameter::key() const {
                                     : "");
 }
 
-const SurfaceParameter& SurfaceParameters::row(std::string_view name) const {
-    const auto found =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+double SurfaceParameters::operator[](std::string_view name) const {
+    const auto found = std::ranges::find(rows, name, &SurfaceParameter::name);
     if (found == rows.end())
         refuse("surface parameter: ", name, " is not known; use a name of this table");
-    return *found;
+    return found->value;
 }
 
 double material_ratio(const Profile& profile, double level) {
@@ -227,7 +222,6 @@ Roughness roughness(const Profile& profile, double section_length) {
         Rv -= heights.segment(from, to - from).minCoeff() / static_cast<double>(r.sections);
     }
     const ProfileElements elements = profile_elements(part);
-    const CoreHeights core = core_heights(heights);
     const Derivatives slopes = derivatives(part);
     const double m2 = slopes.x.square().mean(), m4 = slopes.xx.square().mean(),
                  bandwidth = m0 * m4 / (m2 * m2);
@@ -247,12 +241,8 @@ Roughness roughness(const Profile& profile, double section_length) {
               {"Rc", "mm", "mean height of the profile elements", elements.Rc},
               {"RSm", "mm", "mean width of the profile elements", elements.RSm},
               {"Rdq", "", "root mean square slope", std::sqrt(m2)},
-              {"Rmr", "", "material ratio at the mean line", material_ratio(part, 0)},
-              {"Rk", "mm", "core height", core.Rk},
-              {"Rpk", "mm", "reduced peak height", core.Rpk},
-              {"Rvk", "mm", "reduced valley depth", core.Rvk},
-              {"Rmrk1", "", "material ratio above the core", core.Mr1},
-              {"Rmrk2", "", "material ratio above the valleys", core.Mr2}};
+              {"Rmr", "", "material ratio at the mean line", material_ratio(part, 0)}};
+    add_core(r.rows, "R", heights);
     if (!(section_length > 0))
         for (SurfaceParameter& row : r.rows)
             row.name[0] = 'P';
@@ -387,31 +377,28 @@ ArealParameters areal_parameters(const Profile& map, bool periodic) {
         refuse("areal parameters: the map is constant; use a rough one");
     const Derivatives slopes = derivatives(about, periodic);
     const Eigen::ArrayXXd squares = slopes.x.square() + slopes.y.square();
-    const CoreHeights core = core_heights(about.heights);
     const Texture t = texture(about, periodic);
-    return {{{{"Sa", "mm", "arithmetic mean height", z.abs().mean()},
-              {"Sq", "mm", "root mean square height", Sq},
-              {"Ssk", "", "skewness", (z / Sq).cube().mean()},
-              {"Sku", "", "kurtosis", (z / Sq).square().square().mean()},
-              {"Sp", "mm", "highest peak", Sp},
-              {"Sv", "mm", "deepest pit", Sv},
-              {"Sz", "mm", "maximum height", Sp + Sv},
-              {"Sdq", "", "root mean square gradient", std::sqrt(squares.mean())},
-              {"Sdr", "", "developed area over the map's, less 1", // sqrt(1 + g^2) - 1
-               (squares / ((1 + squares).sqrt() + 1)).mean()},
-              {"Sal", "mm", "autocorrelation length, to 0.2", t.Sal},
-              {"Str", "",
-               t.Str_is_bound ? "texture aspect ratio, at most" : "texture aspect ratio: 0 one lay, 1 none",
-               t.Str},
-              {"Std", "°", "direction of the lay, from x", t.Std},
-              {"Smr", "", "material ratio at the mean plane", material_ratio(about, 0)},
-              {"Smc10", "mm", "height that a tenth of the area exceeds", material_height(about.heights, 0.1)},
-              {"Sk", "mm", "core height", core.Rk},
-              {"Spk", "mm", "reduced peak height", core.Rpk},
-              {"Svk", "mm", "reduced valley depth", core.Rvk},
-              {"Smrk1", "", "material ratio above the core", core.Mr1},
-              {"Smrk2", "", "material ratio above the valleys", core.Mr2}}},
-            t.Str_is_bound};
+    ArealParameters s;
+    s.Str_is_bound = t.Str_is_bound;
+    s.rows = {
+        {"Sa", "mm", "arithmetic mean height", z.abs().mean()},
+        {"Sq", "mm", "root mean square height", Sq},
+        {"Ssk", "", "skewness", (z / Sq).cube().mean()},
+        {"Sku", "", "kurtosis", (z / Sq).square().square().mean()},
+        {"Sp", "mm", "highest peak", Sp},
+        {"Sv", "mm", "deepest pit", Sv},
+        {"Sz", "mm", "maximum height", Sp + Sv},
+        {"Sdq", "", "root mean square gradient", std::sqrt(squares.mean())},
+        {"Sdr", "", "developed area over the map's, less 1", // sqrt(1 + g^2) - 1
+         (squares / ((1 + squares).sqrt() + 1)).mean()},
+        {"Sal", "mm", "autocorrelation length, to 0.2", t.Sal},
+        {"Str", "",
+         t.Str_is_bound ? "texture aspect ratio, at most" : "texture aspect ratio: 0 one lay, 1 none", t.Str},
+        {"Std", "°", "direction of the lay, from x", t.Std},
+        {"Smr", "", "material ratio at the mean plane", material_ratio(about, 0)},
+        {"Smc10", "mm", "height that a tenth of the area exceeds", material_height(about.heights, 0.1)}};
+    add_core(s.rows, "S", about.heights);
+    return s;
 }
 
 } // namespace rough

@@ -25,10 +25,8 @@ struct SurfaceParameter {
 struct SurfaceParameters {
     std::vector<SurfaceParameter> rows; ///< all parameters
 
-    /// The parameter of that name. Throws InputError if it does not exist.
-    const SurfaceParameter& row(std::string_view name) const;
     /// The value of the parameter of that name. Throws InputError if it does not exist.
-    double operator[](std::string_view name) const { return row(name).value; }
+    double operator[](std::string_view name) const;
 };
 
 /// Parameters of a sampled profile about its mean line. They are Ra, Rq, Rsk, Rku, Rp, Rv, Rz, Rt, Rc, RSm,
