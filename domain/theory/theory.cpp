@@ -335,10 +335,6 @@ TheoryCurve persson(const RandomSurface& surface, double effective_modulus,
     return curve;
 }
 
-double persson_length(const RandomSurface& surface) {
-    return over_waves(surface.spectrum, [](double) { return correction; });
-}
-
 const std::vector<std::string>& theory_names() {
     static const std::vector<std::string> names{"greenwood-williamson", "bush-gibson-thomas", "persson"};
     return names;
@@ -354,14 +350,10 @@ TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double 
         refuse(name_of(theory), ": this theory is for maps only; choose persson for a profile");
     if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
         refuse(name_of(theory), ": modulus or a mean pressure is not above 0; give positive ones");
-    switch (theory) {
-    case Theory::greenwood_williamson:
-        return greenwood_williamson(spectral_moments(surface), effective_modulus, pressures);
-    case Theory::bush_gibson_thomas:
-        return bush_gibson_thomas(spectral_moments(surface), effective_modulus, pressures);
-    default:
+    if (theory == Theory::persson)
         return persson(surface, effective_modulus, pressures);
-    }
+    const auto curve = theory == Theory::bush_gibson_thomas ? bush_gibson_thomas : greenwood_williamson;
+    return curve(spectral_moments(surface), effective_modulus, pressures);
 }
 
 } // namespace rough

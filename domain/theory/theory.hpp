@@ -112,11 +112,8 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_
 /// Stiffness follows from the elastic energy. Let h'(q) be the slope of waves up to q, and s = sqrt 2 P/(E*
 /// h'(q)). Then 1/K = 1/(sqrt(2 pi) P) int q/h'(q) [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0. gamma =
 /// 0.45 accounts for the parts that contact does not reach (Yang & Persson 2008, J. Phys.: Condens. Matter
-/// 20, 215214; 1 in 2007). Exact at full contact.
+/// 20, 215214; 1 in 2007). P/K tends to about half the root mean square height at light load. Exact at full
+/// contact.
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures);
-
-/// The length u0 (mm) of Persson's theory at light load: P ~ exp(-u/u0) and K = P/u0 as P -> 0. It is
-/// gamma/sqrt(2 pi) int q/h'(q) dm0, about half the root mean square height.
-double persson_length(const RandomSurface& surface);
 
 } // namespace rough
