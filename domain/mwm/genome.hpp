@@ -26,12 +26,8 @@ struct Series {
     std::vector<Chromosome> chromosomes; ///< at least one; no two have the same n
 };
 
-/// A rough surface: `scale` times the sum of its series. The paper's GCO and CCO add the parents' series
-/// (`sum`).
-///
-/// `scale` is the amplitude of the whole surface. A positive factor on it needs no new contact solution: it
-/// scales pressures and displacements, and leaves stiffness and contact sets as they are. So Eq. 11 changes
-/// only `scale`.
+/// A rough surface: `scale` times the sum of its series. A positive factor on the scale needs no new contact
+/// solution: pressures and displacements scale, stiffness and contact sets stay. So Eq. 11 changes only it.
 struct Genome {
     double scale = 1;           ///< factor on all heights, not 0
     std::vector<Series> series; ///< at least one series

@@ -35,13 +35,10 @@ struct AlongWave {
     WaveAngles angles;
 
     AlongWave(double step, double phase, Index nodes)
-        : starts(phase, step * block, (nodes + block - 1) / block),
-          fine(0, step, std::min(block, nodes)), angles{nodes,
-                                                        block,
-                                                        starts.cosines.data(),
-                                                        starts.sines.data(),
-                                                        fine.cosines.data(),
-                                                        fine.sines.data()} {}
+        : starts(phase, step * block, (nodes + block - 1) / block), fine(0, step, std::min(block, nodes)) {
+        angles = {
+            nodes, block, starts.cosines.data(), starts.sines.data(), fine.cosines.data(), fine.sines.data()};
+    }
 };
 
 void add_wave(const Wave& wave, const Grid& grid, Eigen::VectorXd& heights) {
@@ -123,14 +120,6 @@ Eigen::MatrixXd sampled_from(double offset, const std::vector<PlaneWave>& all, c
         (x.cosines * c.asDiagonal() - x.sines * s.asDiagonal()).eval() * y.cosines.transpose();
     heights.noalias() += (x.sines * c.asDiagonal() + x.cosines * s.asDiagonal()).eval() * y.sines.transpose();
     return heights;
-}
-
-Profile sample_area(const Genome& genome, const Grid& grid) {
-    const auto all = plane_waves(genome, grid);
-    double offset = 0;
-    for (const PlaneWave& wave : all)
-        offset += wave.amplitude * std::cos(wave.phase);
-    return {sampled_from(offset, all, grid).reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
 }
 
 /// Sums of one functional over a map. S = sum g exp(i(k_x x + k_y y)); T_x and T_y have g x and g y in place
@@ -252,8 +241,13 @@ Eigen::VectorXd sampled(const std::vector<PlaneWave>& waves, const Grid& grid) {
 }
 
 Profile sample(const Genome& genome, const Grid& grid) {
-    if (grid.is_2d())
-        return sample_area(genome, grid);
+    if (grid.is_2d()) {
+        const auto all = plane_waves(genome, grid);
+        double offset = 0;
+        for (const PlaneWave& wave : all)
+            offset += wave.amplitude * std::cos(wave.phase);
+        return {sampled_from(offset, all, grid).reshaped(), grid.spacing(), grid.rows, grid.row_spacing()};
+    }
     Profile profile{Eigen::VectorXd::Zero(grid.nodes), grid.spacing()};
     for (const Wave& wave : waves(genome)) // Eq. 9
         add_wave(wave, grid, profile.heights);
