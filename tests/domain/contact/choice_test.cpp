@@ -14,12 +14,11 @@ namespace {
 
 /// 1 mm long, 0.25 mm high
 Profile parabola(Index nodes) {
-    return scenes::line_of(nodes, 1.0 / static_cast<double>(nodes - 1),
-                           [](double x) { return -(x - 0.5) * (x - 0.5); });
+    return sampled({nodes, 1}, [](double x) { return -(x - 0.5) * (x - 0.5); });
 }
 
 std::vector<double> steps_to(double displacement) {
-    return scenes::load_steps(scenes::line_of(2, 1, [](double x) { return x; }), 20, displacement);
+    return scenes::load_steps(sampled({2, 1}, [](double x) { return x; }), 20, displacement);
 }
 
 ContactCurve pressed(Index nodes, double displacement, ContactOptions options = {}) {
@@ -28,8 +27,8 @@ ContactCurve pressed(Index nodes, double displacement, ContactOptions options = 
 
 /// Raised nodes on a flat or wavy periodic profile, 1 mm long.
 Profile raised(Index nodes, const std::vector<Index>& where, double height, double wave = 0) {
-    Profile profile = scenes::line_of(nodes, 1.0 / static_cast<double>(nodes),
-                                      [&](double x) { return wave * std::cos(6.283185307179586 * x); });
+    Profile profile =
+        sampled({nodes, 1, true}, [&](double x) { return wave * std::cos(6.283185307179586 * x); });
     for (const Index i : where)
         profile.heights[i] += height;
     return profile;
@@ -62,7 +61,7 @@ TEST_CASE("auto takes active-set, with the reason, when the factor would not fit
 TEST_CASE("nested and active-set agree on a prime number of nodes, up to near full contact", "[contact]") {
     for (const Index nodes : {509, 1021, 2039})
         for (const int waves : {1, 40}) {
-            const Profile profile = scenes::line_of(nodes, 1.0 / static_cast<double>(nodes), [&](double x) {
+            const Profile profile = sampled({nodes, 1, true}, [&](double x) {
                 return std::cos(6.283185307179586 * x) + 0.2 * std::cos(waves * 6.283185307179586 * x + 1);
             });
             const double full = largest_displacement(profile, periodic);

@@ -131,10 +131,8 @@ TEST_CASE("a periodic flat punch converges to first order", "[contact]") {
 TEST_CASE("pressures follow Hertz and the wedge's arccosh inside the contact", "[contact]") {
     const Index nodes = 1025;
     const double a = 0.3;
-    const double spacing = 1.0 / static_cast<double>(nodes - 1);
-    const Profile parabola =
-        scenes::line_of(nodes, spacing, [](double x) { return -(x - 0.5) * (x - 0.5) / 2; });
-    const Profile wedge = scenes::line_of(nodes, spacing, [](double x) { return -std::abs(x - 0.5); });
+    const Profile parabola = sampled({nodes, 1}, [](double x) { return -(x - 0.5) * (x - 0.5) / 2; });
+    const Profile wedge = sampled({nodes, 1}, [](double x) { return -std::abs(x - 0.5); });
     const Body body{Kernel::free, half_plane.effective_modulus, half_plane.datum};
     const auto hertz =
         solve_contact(parabola, body, {exact::parabola(1, a, half_plane).displacement}, {.states = true});
@@ -172,8 +170,8 @@ TEST_CASE("a wave closes at Westergaard's pressure of full contact", "[contact]"
     constexpr double h = 0.02, wavelength = 0.7, E = 1.3;
     const double full = pi * E * h / wavelength;
     const Body body{Kernel::periodic, E};
-    const Profile two = scenes::line_of(64, wavelength / 32, // two waves
-                                        [&](double x) { return h * std::cos(2 * pi * x / wavelength); });
+    const Profile two = sampled({64, 2 * wavelength, true}, // two waves
+                                [&](double x) { return h * std::cos(2 * pi * x / wavelength); });
     CHECK(full_contact_load(two, body) == Approx(full).epsilon(1e-12));
     for (const double a : {0.05, 0.2, 0.35}) { // Westergaard: p = p_full sin^2(pi a/wavelength)
         const double s = std::sin(pi * a / wavelength);

@@ -29,7 +29,7 @@ ContactCurve solved(const Scene& scene) {
 
 /// Two waves on 2 mm.
 Profile two_mm() {
-    return scenes::line_of(201, 0.01, [](double x) { return std::cos(5 * x) + 0.3 * std::sin(21 * x); });
+    return sampled({201, 2}, [](double x) { return std::cos(5 * x) + 0.3 * std::sin(21 * x); });
 }
 
 } // namespace
@@ -146,8 +146,7 @@ TEST_CASE("the contact set settles within nine rounds per step", "[contact]") {
 
 TEST_CASE("iterations on a fixed set do not grow with the grid", "[contact]") {
     for (const Index nodes : {1024, 4096, 16384}) {
-        const Profile profile = scenes::line_of(nodes, 1.0 / static_cast<double>(nodes - 1),
-                                                [](double x) { return -(2 * x - 1) * (2 * x - 1); });
+        const Profile profile = sampled({nodes, 1}, [](double x) { return -(2 * x - 1) * (2 * x - 1); });
         const ContactProblem problem = make_problem(profile, {Kernel::free, 1, 1, 0}, {0.1});
         ContactSet set(nodes);
         set.assign([&](Index i) { return i >= nodes / 3 && i < nodes / 2; });
@@ -208,7 +207,7 @@ TEST_CASE("datum and strip width default to those of the profile's length, to th
 
 TEST_CASE("the displacement at a pressure does not depend on how the datum was given", "[contact]") {
     // It is found from every fourth node, which span a shorter length.
-    const Profile fine = scenes::line_of(1025, 0.004, [](double x) { return std::cos(3.25 * x); });
+    const Profile fine = sampled({1025, 4.096}, [](double x) { return std::cos(3.25 * x); });
     Body stated;
     stated.datum = 0.004 * 1024;
     CHECK(displacement_at_pressure(fine, {}, 0.01) == displacement_at_pressure(fine, stated, 0.01));

@@ -171,9 +171,8 @@ TEST_CASE("beyond the approach of full contact nodes sink in at the hardness", "
 TEST_CASE("full contact carries a range of loads until a node reaches the hardness", "[contact]") {
     const Index n = 64;
     const double amplitude = 0.01, full = std::numbers::pi * amplitude; // Westergaard's load, E* = 1, L = 1
-    const Profile profile = scenes::line_of(n, 1.0 / static_cast<double>(n), [&](double x) {
-        return amplitude * std::cos(2 * std::numbers::pi * x);
-    });
+    const Profile profile =
+        sampled({n, 1, true}, [&](double x) { return amplitude * std::cos(2 * std::numbers::pi * x); });
     const Body body{.kernel = Kernel::periodic, .hardness = 3 * full};
     const ContactCurve curve = solve_contact_at_pressures(
         profile, body, {0.5 * full, 1.2 * full, 1.9 * full, 2.5 * full}, {.states = true});

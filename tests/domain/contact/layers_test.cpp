@@ -132,7 +132,7 @@ TEST_CASE("all solvers agree under layers, by displacement and by load") {
 TEST_CASE("full contact under layers is that of each wave's compliance") {
     // z = h cos q x is in full contact from P = h/(u/p) on. On a rigid base P then continues to rise by 1/C0.
     const double h = 0.01, nu = 0.3, t = 0.1, modulus = 7;
-    const Profile wave = scenes::line_of(128, 1.0 / 128, [&](double x) { return h * std::cos(2 * pi * x); });
+    const Profile wave = sampled({128, 1, true}, [&](double x) { return h * std::cos(2 * pi * x); });
     const double own = effective_modulus(modulus, nu), q = 2 * pi,
                  full = h * own * q / 2 / on_rigid_base(nu, q * t),
                  c0 = t * (1 + nu) * (1 - 2 * nu) / (modulus * (1 - nu));

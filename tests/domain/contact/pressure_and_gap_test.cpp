@@ -1,6 +1,5 @@
 #include "domain/contact/interface.hpp"
 #include "tests/domain/contact/maps.hpp"
-#include "tests/domain/contact/scenes.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,7 +29,7 @@ TEST_CASE("pressure and gap exclude each other, and the pressures add up to the 
 
 TEST_CASE("a spot across the ends of a periodic body is one spot") {
     const Profile profile =
-        scenes::line_of(200, 0.01, [](double x) { return 0.01 * std::cos(2 * 3.14159265358979 * x); });
+        sampled({200, 2, true}, [](double x) { return 0.01 * std::cos(2 * 3.14159265358979 * x); });
     const Body body{.kernel = Kernel::periodic};
     const auto curve = solve_contact(profile, body, {0.004}, {.states = true});
     const Interface at = interface_at(profile, body, curve.steps[0], curve.states[0]);

@@ -3,6 +3,7 @@
 #include "domain/contact/solve.hpp"
 #include "domain/mwm/genome.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/mwm/test_surfaces.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -55,15 +56,6 @@ inline std::vector<rough::Profile> database(rough::Index nodes) {
     for (const rough::Genome& genome : rough::sobol_database({.shortest = length / 511}))
         profiles.push_back(sample(genome, {nodes, length}));
     return profiles;
-}
-
-/// Heights (mm) of a function of x on a line of `nodes` nodes.
-template <class Height>
-rough::Profile line_of(rough::Index nodes, double spacing, Height height) {
-    rough::Profile profile{Eigen::VectorXd(nodes), spacing};
-    for (rough::Index i = 0; i < nodes; ++i)
-        profile.heights[i] = height(static_cast<double>(i) * spacing);
-    return profile;
 }
 
 /// A profile on a body, and the displacements that it is pressed to.
