@@ -109,14 +109,6 @@ Eigen::ArrayXcd transformed(const Eigen::VectorXd& values, Index length) {
     return fourier_transform(padded);
 }
 
-/// sum_t weight_t z_(i+t) for each node i, t = -reach .. reach, from the transforms of the heights and of the
-/// reversed weights.
-Eigen::VectorXd correlated(const Eigen::ArrayXcd& heights, const Eigen::ArrayXcd& weights, Index reach,
-                           Index nodes, Index length) {
-    const Eigen::ArrayXd sums = inverse_fourier_transform(heights * weights, length);
-    return sums.segment(reach, nodes).matrix() / static_cast<double>(length);
-}
-
 /// The filter for lines of one length.
 class LineFilter {
   public:
@@ -143,9 +135,13 @@ class LineFilter {
         if (reach_ == 0)
             return line;
         const double mean = line.mean();
-        const auto heights = transformed(line.array() - mean, length_);
-        const Eigen::VectorXd t0 = correlated(heights, weight_, reach_, nodes_, length_),
-                              t1 = correlated(heights, moment_, reach_, nodes_, length_);
+        const Eigen::ArrayXcd heights = transformed(line.array() - mean, length_);
+        // sum_t weight_t z_(i+t) for each node i, t = -reach .. reach
+        const auto correlated = [&](const Eigen::ArrayXcd& weights) -> Eigen::ArrayXd {
+            return inverse_fourier_transform(heights * weights, length_).col(0).segment(reach_, nodes_) /
+                   static_cast<double>(length_);
+        };
+        const Eigen::ArrayXd t0 = correlated(weight_), t1 = correlated(moment_);
         Eigen::VectorXd result(nodes_);
         for (Index i = 0; i < nodes_; ++i) {
             const Index first = std::max<Index>(reach_ - i, 0),
@@ -160,7 +156,7 @@ class LineFilter {
   private:
     Index nodes_, reach_, length_ = 0;
     Eigen::ArrayXd s0_, s1_, s2_;
-    Eigen::ArrayXcd weight_, moment_;
+    Eigen::ArrayXcd weight_, moment_; ///< transforms of the reversed weights and of their moments
 };
 
 } // namespace
