@@ -52,7 +52,7 @@ std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, 
     std::vector<Wave> waves;
     for (int n = 1; n <= count; ++n)
         waves.push_back({-amplitude * std::pow(n, -(hurst + 0.5)), turn * n / length,
-                         golden_angle * (n - 1) * (n - 1), 0}); // squares: the crests meet nowhere
+                         golden_angle * (n - 1) * (n - 1), 0}); // if they grew evenly, crests would meet
     return waves;
 }
 

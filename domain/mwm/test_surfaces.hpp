@@ -32,7 +32,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
 
 /// Waves n = 1 to `count` of a fractional-Brownian profile. Their wavelengths are length/n, their amplitudes
 /// `amplitude` n^-(hurst + 1/2), both mm. So the power spectral density is ~ k^-(1 + 2 hurst). Phases are
-/// squares of n times the golden angle. If they grew evenly, the crests of these waves would meet.
+/// (n - 1)^2 golden angles.
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count);
 
 /// A sum of waves at x, both in mm, without their offsets.
