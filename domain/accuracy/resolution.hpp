@@ -36,9 +36,9 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
                                       Resolution resolution);
 
 /// The uncertainty of a measured surface's curve from its node spacing (scan/README.md), one entry per load
-/// step; empty if it was not computed. The band contains the measured curve, those of both interpolated
-/// surfaces at equal mean pressures, and the spline's curve extrapolated to spacing 0, with a margin. It does
-/// not cover roughness below the spacing.
+/// step; empty if it was not computed. The band contains the measured curve and, at equal mean pressures,
+/// those of both interpolated surfaces. It also contains the spline's curve extrapolated to spacing 0, and a
+/// margin. It does not cover roughness below the spacing.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction

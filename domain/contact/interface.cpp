@@ -93,7 +93,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         solver.load(w);
         double count = static_cast<double>(state.nodes.size()), rate = 0;
         Eigen::VectorXd on = Eigen::VectorXd::Zero(n); // d/dp_i; off: d/dgap_k
-        const auto add_edge = [&](Index i, Index k) {  // of a touching node i and its neighbour k
+        const auto add_edge = [&](Index i, Index k) {  // i touches, k is a neighbour
             if (set.holds(k))
                 return;
             const double closing = std::max(closest, 1 - w.displacement[k]);

@@ -100,7 +100,7 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
     const Solver chosen = is_nested ? Solver::nested : Solver::active_set;
     return {chosen, line_with_digits(2, name_of(chosen), ": about ", m, " of ", problem.nodes(),
                                      " nodes in contact: a factor of ", memory / 1e9, " GB, cost ",
-                                     nested / 1e9, " against ", active_set / 1e9, " by active set",
+                                     nested / 1e9, " against the active set's ", active_set / 1e9,
                                      fits ? "" : "; the factor would not fit")};
 }
 
