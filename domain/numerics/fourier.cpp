@@ -23,6 +23,12 @@ namespace {
 template <typename Real>
 struct FftLibrary;
 
+/// A transform and its inverse.
+template <typename Real>
+struct PlanPair {
+    typename FftLibrary<Real>::Plan forward, backward;
+};
+
 #ifndef RUGOSA_KISSFFT
 
 #define RUGOSA_FFTW(Real, prefix)                                                                            \
@@ -30,13 +36,10 @@ struct FftLibrary;
     struct FftLibrary<Real> {                                                                                \
         using Complex = std::complex<Real>;                                                                  \
         using Plan = prefix##_plan;                                                                          \
-        struct Plans {                                                                                       \
-            Plan forward, backward;                                                                          \
-        };                                                                                                   \
         static prefix##_complex* as_fftw(Complex* numbers) {                                                 \
             return reinterpret_cast<prefix##_complex*>(numbers);                                             \
         }                                                                                                    \
-        static Plans plans(bool of_real, Extent shape, Index count, Index apart) {                           \
+        static PlanPair<Real> plans(bool of_real, Extent shape, Index count, Index apart) {                  \
             AlignedBuffer<Real> real(of_real ? count* shape.nodes() : 1);                                    \
             AlignedBuffer<Complex> numbers(count* apart);                                                    \
             auto* const wave = as_fftw(numbers.data());                                                      \
@@ -93,11 +96,8 @@ struct FftLibrary {
         }
     };
     using Plan = const Transform*;
-    struct Plans {
-        Plan forward, backward;
-    };
 
-    static Plans plans(bool, Extent shape, Index count, Index apart) {
+    static PlanPair<Real> plans(bool, Extent shape, Index count, Index apart) {
         return {new Transform(shape, count, apart, false), new Transform(shape, count, apart, true)};
     }
     /// Transforms real or complex numbers.
@@ -132,10 +132,6 @@ struct FftLibrary {
 };
 
 #endif
-
-/// A transform and its inverse.
-template <typename Real>
-using PlanPair = typename FftLibrary<Real>::Plans;
 
 std::mutex planner; ///< planning is not thread-safe; executing a plan on new arrays is
 
