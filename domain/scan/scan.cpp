@@ -27,6 +27,7 @@ struct Points {
     double at(std::size_t i) const { return spacing > 0 ? static_cast<double>(i) * spacing : x[i]; } ///< mm
     int line_of(std::size_t i) const { return line.empty() ? 0 : line[i]; } ///< 0: none
     bool is_whole(std::size_t i) const { return !std::isnan(at(i)) && !std::isnan(heights[i]); }
+    void each_list(auto change) { change(x), change(last_digit), change(heights), change(line); }
 };
 
 void refuse_missing(const Points& points, const std::string& file) {
@@ -38,32 +39,22 @@ void refuse_missing(const Points& points, const std::string& file) {
                              "fill");
 }
 
-template <class Keep>
-void keep_only(Points& points, Keep keep) {
-    std::size_t kept = 0;
-    const auto in_each_list = [&](auto change) {
-        change(points.x), change(points.last_digit), change(points.heights), change(points.line);
-    };
-    for (std::size_t i = 0, all = points.size(); i < all; ++i)
-        if (keep(i)) {
-            in_each_list([&](auto& list) {
-                if (!list.empty())
-                    list[kept] = list[i];
-            });
-            ++kept;
-        }
-    in_each_list([&](auto& list) { list.resize(std::min(list.size(), kept)); });
-}
-
 /// Fills missing heights between two others. Removes points without x, and points without height at either
 /// end. Returns the number of filled heights.
 std::size_t fill(Points& points) {
-    std::size_t first = 0, end = points.size(), filled = 0;
+    std::size_t first = 0, end = points.size(), kept = 0, filled = 0;
     while (first < end && !points.is_whole(first))
         ++first;
     while (end > first && !points.is_whole(end - 1))
         --end;
-    keep_only(points, [&](std::size_t i) { return first <= i && i < end && !std::isnan(points.at(i)); });
+    for (std::size_t i = first; i < end; ++i) {
+        points.each_list([&](auto& list) {
+            if (!list.empty())
+                list[kept] = list[i];
+        });
+        kept += !std::isnan(points.at(kept));
+    }
+    points.each_list([&](auto& list) { list.resize(std::min(list.size(), kept)); });
     for (std::size_t left = 0, right = 1; right < points.size(); left = right++) {
         while (std::isnan(points.heights[right]))
             ++right;
@@ -304,10 +295,10 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
 }
 
 Points points_of(const Lines& lines, const ScanOptions& options, const std::string& file, Account& account) {
-    bool spacing_named = false;
-    for (const std::string_view line : lines)
-        spacing_named = spacing_named || names_spacing(line);
-    Table table = read_table(lines, file, options.spacing > 0 || spacing_named);
+    bool one_column = options.spacing > 0;
+    for (std::size_t i = 0; i < lines.size() && !one_column; ++i)
+        one_column = names_spacing(lines[i]);
+    Table table = read_table(lines, file, one_column);
     const Header header = read_header(table, file);
     take_row(table, options.row, file, account);
     const Layout layout = layout_of(table, header, options.spacing > 0, file);
@@ -350,8 +341,7 @@ Points in_order(Points points, bool fills, const std::string& file, Account& acc
     if (points.at(0) <= points.at(points.size() - 1))
         return points;
     account.say("x was decreasing, so the points were reversed");
-    const auto reverse = [](auto& list) { std::reverse(list.begin(), list.end()); };
-    reverse(points.x), reverse(points.heights), reverse(points.last_digit), reverse(points.line);
+    points.each_list([](auto& list) { std::reverse(list.begin(), list.end()); });
     return points;
 }
 
@@ -419,10 +409,7 @@ void check(const ScanOptions& options) {
 Source open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
-        if (!is_binary_map(head))
-            expect_text(head, file);
-    });
+    std::string bytes = read_whole(path);
     Account account;
     Points points;
     if (const auto map = binary_map(bytes, file)) {

@@ -14,23 +14,20 @@ namespace {
 
 using Separator = Dialect::Separator;
 
-/// A quantity's name, its columns and the curve of a response that a target of it is compared with.
+/// A quantity's columns and the curve of a response that a target of it is compared with.
 struct QuantityRow {
-    const char* name;
     Columns columns;
     Curve (*curve)(const Response&);
 };
 /// In the order of Quantity.
 constexpr std::array<QuantityRow, 5> quantities{
-    {{"stiffness", {"pressure_MPa", "stiffness_MPa_per_mm"}, secant_stiffness},
-     {"area", {"pressure_MPa", "contact_fraction"}, area_against_pressure},
-     {"area-displacement",
-      {"displacement_mm", "contact_fraction"},
+    {{{"pressure_MPa", "stiffness_MPa_per_mm"}, secant_stiffness},
+     {{"pressure_MPa", "contact_fraction"}, area_against_pressure},
+     {{"displacement_mm", "contact_fraction"},
       [](const Response& response) { return from_origin(response.displacement, response.contact_fraction); }},
-     {"load",
-      {"displacement_mm", "pressure_MPa"},
+     {{"displacement_mm", "pressure_MPa"},
       [](const Response& response) { return from_origin(response.displacement, response.pressure); }},
-     {"interface_stiffness", {"pressure_MPa", "interface_stiffness_MPa_per_mm"}, interface_secants}}};
+     {{"pressure_MPa", "interface_stiffness_MPa_per_mm"}, interface_secants}}};
 
 const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<std::size_t>(quantity)); }
 
@@ -176,12 +173,8 @@ std::vector<RecordedDifference> differences(const Target& target, const Model& m
 } // namespace
 
 const std::vector<std::string>& quantity_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const QuantityRow& row : quantities)
-            all.emplace_back(row.name);
-        return all;
-    }();
+    static const std::vector<std::string> names{"stiffness", "area", "area-displacement", "load",
+                                                "interface_stiffness"};
     return names;
 }
 
@@ -224,14 +217,13 @@ void validate(const Target& target) {
 TargetTable read_target_table(const std::filesystem::path& file) {
     TargetTable table;
     Separator separator = Separator::comma;
-    int number = 0;
     std::string bytes = read_whole(file, max_bytes);
-    for (const std::string_view whole : text_lines(bytes, file.string())) {
-        ++number;
-        const std::string line(trim(whole));
+    const Lines lines = text_lines(bytes, file.string());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string line(trim(lines[i]));
         if (line.empty())
             continue;
-        const std::string where = file.string() + ":" + std::to_string(number);
+        const std::string where = file.string() + ":" + std::to_string(i + 1);
         if (line[0] == '#') {
             const auto colon = line.find(':');
             if (colon != std::string::npos)

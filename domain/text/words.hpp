@@ -63,17 +63,6 @@ class Lines {
         return line.substr(0, line.find_last_not_of("\r\n") + 1); // npos + 1 is 0
     }
 
-    /// Visits the lines in their order.
-    struct Iterator {
-        const Lines* lines;                                         ///< all
-        std::size_t at;                                             ///< index of the current one
-        std::string_view operator*() const { return (*lines)[at]; } ///< the current line
-        Iterator& operator++() { return ++at, *this; }              ///< goes to the next one
-        bool operator==(const Iterator&) const = default;           ///< at the same line
-    };
-    Iterator begin() const { return {this, 0}; }    ///< the first line
-    Iterator end() const { return {this, size()}; } ///< after the last line
-
   private:
     std::string_view text_;
     std::vector<std::uint32_t> starts_;
@@ -84,10 +73,6 @@ class Lines {
 /// with LF, CRLF, CRCRLF or a lone CR. The typographic minus becomes '-' and the no-break space ' '. Throws
 /// InputError on binary content and on more than 12 million lines.
 Lines text_lines(std::string& bytes, const std::string& file);
-
-/// Throws InputError if a file that begins with these bytes is binary, before a large file is read
-/// completely.
-void expect_text(std::string_view head, const std::string& file);
 
 /// The place in a message: "scan.txt, line 7", or only the file if `line` is 0.
 std::string at(const std::string& file, int line);
