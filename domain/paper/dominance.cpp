@@ -18,23 +18,6 @@ std::optional<Response> response_alone(const Genome& genome, const LengthScale& 
     return respond(profile, model.body, model.loading, model.contact);
 }
 
-/// The dominance of each chromosome from that of its length scale.
-Dominance dominance_of(const Genome& genome, const std::vector<LengthScale>& scales,
-                       const DominantParts& parts) {
-    Dominance result;
-    result.only_best = parts.only_best;
-    for (const auto& series : genome.series) {
-        result.correlation.emplace_back(series.chromosomes.size(), undefined);
-        result.dominant.emplace_back(series.chromosomes.size(), char{0});
-    }
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        for (const auto& [s, c] : scales[i].members) {
-            result.correlation[s][c] = parts.correlation[i];
-            result.dominant[s][c] = parts.dominant[i];
-        }
-    return result;
-}
-
 } // namespace
 
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
@@ -68,6 +51,13 @@ Curve compared_curve(const Response& response, DominanceReading reading) {
     return curve;
 }
 
+bool Dominance::at(std::size_t series, std::size_t chromosome) const {
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        if (std::ranges::count(scales[i].members, std::pair(series, chromosome)) > 0)
+            return dominant[i] != 0;
+    return false;
+}
+
 DominanceRule::DominanceRule(Model model, DominanceReading reading, double threshold)
     : model_(std::move(model)), reading_(reading), threshold_(threshold) {
     for (Grid& grid = model_.grid; grid.is_2d() && std::max(grid.nodes, grid.rows) > 64;) {
@@ -92,9 +82,8 @@ Dominance DominanceRule::operator()(const Genome& genome, DominanceReading readi
     std::vector<std::optional<Curve>> alone;
     for (const auto& part : responses->parts)
         alone.push_back(part ? std::optional(compared_curve(*part, reading)) : std::nullopt);
-    return dominance_of(
-        genome, length_scales(genome),
-        dominant_parts(compared_curve(responses->whole, reading), alone, threshold_, reading));
+    return {dominant_parts(compared_curve(responses->whole, reading), alone, threshold_, reading),
+            length_scales(genome)};
 }
 
 Genome reduced(const Genome& genome, const Dominance& dominance) {
@@ -114,8 +103,7 @@ Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::si
                 alone[i] = curve_of(wanted.quantity, *response);
         } catch (const InputError&) { // periodic, in full contact below that load
         }
-    const DominantParts parts = dominant_parts({wanted.x, wanted.y}, alone, threshold);
-    return reduced(genome, dominance_of(genome, scales, parts));
+    return reduced(genome, {dominant_parts({wanted.x, wanted.y}, alone, threshold), scales});
 }
 
 } // namespace rough

@@ -33,16 +33,13 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
 /// The curve of a response that Algorithm 1 compares under a reading.
 Curve compared_curve(const Response& response, DominanceReading reading);
 
-/// The chromosomes that dominate a genome's stiffness curve.
-struct Dominance {
-    /// Entry [s][c] is the correlation of the stiffness K of chromosome c of series s alone with K of the
-    /// genome. NaN if the chromosome is flat or its K does not vary.
-    std::vector<std::vector<double>> correlation;
-    std::vector<std::vector<char>> dominant; ///< whether chromosome [s][c] is dominant; at least one is
-    bool only_best = false; ///< whether no chromosome exceeds the threshold, so that only the best is kept
+/// The length scales that dominate a genome's stiffness curve K. The correlation is NaN if a length scale is
+/// flat at the nodes or its K does not vary.
+struct Dominance : DominantParts {
+    std::vector<LengthScale> scales; ///< the genome's length scales, in the order of the parts
 
-    /// Whether a chromosome is dominant, by its index in its series.
-    bool at(std::size_t series, std::size_t chromosome) const { return dominant[series][chromosome] != 0; }
+    /// Whether a chromosome is in a dominant length scale, by the indices of its series and in this series.
+    bool at(std::size_t series, std::size_t chromosome) const;
 };
 
 /// Algorithm 1 on genomes. It stores the responses of each genome and of each of its length scales alone, for
@@ -75,10 +72,9 @@ class DominanceRule {
 /// The genome with only its dominant chromosomes.
 Genome reduced(const Genome& genome, const Dominance& dominance);
 
-/// The genome with only the length scales whose curve alone follows a target (Cinat, Paggi and Gnecco 2019).
-/// Their correlation (Pearson) with the target at its points is above the threshold. Each length scale keeps
-/// the genome's amplitude and is loaded as far as the target. If no correlation is above the threshold, the
-/// best correlated length scale is kept, or all if none has a response.
+/// The genome with only the length scales whose curve alone follows a target (Cinat, Paggi and Gnecco 2019),
+/// by dominant_parts() at the target's points. Each length scale keeps the genome's amplitude and is loaded
+/// as far as the target.
 Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
                          double threshold = dominance_threshold);
 
