@@ -21,8 +21,8 @@ function(rugosa_unity target)
 endfunction()
 if(RUGOSA_UNITY)
     rugosa_unity(rugosa_domain ${DOMAIN_SOURCES})
-    set_source_files_properties(domain/problem/pipeline.cpp domain/paper/variants.cpp domain/design/pipelines.cpp
-        domain/design/search.cpp PROPERTIES UNITY_GROUP engine)
+    set_source_files_properties(domain/paper/variants.cpp domain/design/pipelines.cpp domain/design/search.cpp
+        PROPERTIES UNITY_GROUP engine)
     if(TARGET rugosa_apps)
         rugosa_unity(rugosa_apps ${APP_SOURCES})
     endif()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/pipeline.hpp"
+#include "domain/paper/variants.hpp"
 
 namespace rough {
 

@@ -1,6 +1,6 @@
 #include "domain/paper/variants.hpp"
 
-#include "ga/text/refinement_vocabulary.hpp"
+#include "ga/text/whole_vocabulary.hpp"
 
 namespace rough {
 
@@ -98,7 +98,7 @@ Pipeline cco_of_sums(const Vocabulary& words) {
 }
 
 Registry<DesignProblem> paper_registry(const Vocabulary& words) {
-    auto registry = engine_words();
+    auto registry = whole_vocabulary<DesignProblem>();
     add_method<Gcmma>(registry);
     registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
                  reduce_dominant(words));
@@ -121,3 +121,5 @@ Variants paper_variants() {
 }
 
 } // namespace rough
+
+GA_PIPELINES_HERE(rough::DesignProblem)

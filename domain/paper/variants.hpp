@@ -1,9 +1,13 @@
 #pragma once
 
 #include "domain/paper/dominance.hpp"
-#include "domain/problem/pipeline.hpp"
+#include "domain/problem/problem.hpp"
+#include "ga/text/compiled_once.hpp"
 
 namespace rough {
+
+/// A pipeline on a design's problem, e.g. the paper's.
+using Pipeline = ga::Stage<DesignProblem>;
 
 /// Parameters of the operators that the domain of roughness adds to the engine.
 struct Vocabulary {
@@ -47,3 +51,7 @@ ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 ga::Variants paper_variants();
 
 } // namespace rough
+
+/// @cond
+GA_PIPELINES_ELSEWHERE(rough::DesignProblem)
+/// @endcond
