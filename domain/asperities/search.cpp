@@ -18,10 +18,8 @@ namespace {
 using Designs = ga::Population<CapGenome>;
 using CapStage = ga::Stage<CapProblem>;
 
-constexpr std::size_t hall_size = 60;       ///< best individuals of all stages that are kept
-constexpr std::size_t max_compromises = 24; ///< size of the Pareto front
-constexpr double search_share = 0.6;        ///< share of the time that is not for boundary elements
-constexpr double different_heights = 0.05;  ///< rms difference of sorted heights over their range
+constexpr double search_share = 0.6;       ///< share of the time that is not for boundary elements
+constexpr double different_heights = 0.05; ///< rms difference of sorted heights over their range
 
 /// Nearly the largest misfit, but smaller if fewer rows have it.
 double cost_of(const Eigen::VectorXd& r) {
@@ -224,7 +222,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
         ga::Stream random(options.seed);
         starts.push_back(problem.sample(random));
     }
-    Exploration<CapProblem> explored(problem, hall_size, 1, "similarity");
+    Exploration<CapProblem> explored(problem, 1, "similarity");
     explored.run(pipeline, variants.count(text) ? text : "pipeline", starts, options,
                  search_share * options.seconds, std::move(observers));
     static_cast<SearchRun&>(result) = explored.spent;

@@ -8,6 +8,8 @@
 
 namespace rough {
 
+constexpr std::size_t max_compromises = 24; ///< largest number of genomes of a Pareto front that is returned
+
 /// A run of a pipeline on a design problem with any type of genome, and the genomes to verify after it.
 template <ga::Problem P>
 struct Exploration {
@@ -21,9 +23,9 @@ struct Exploration {
     SearchRun spent = {};               ///< cost and remarks of the pipeline
     std::string nothing = {};           ///< the stage that left no individual, in words; otherwise empty
 
-    /// Keeps the best `max_seen` individuals, and the best `max_verified` under the objective `verifies`.
-    Exploration(const P& problem, std::size_t max_seen, std::size_t max_verified, const std::string& verifies)
-        : seen(problem, max_seen), verified(problem, max_verified, verifies), problem_(problem) {}
+    /// Keeps the best 60 individuals, and the best `max_verified` under the objective `verifies`.
+    Exploration(const P& problem, std::size_t max_verified, const std::string& verifies)
+        : seen(problem, 60), verified(problem, max_verified, verifies), problem_(problem) {}
 
     /// Runs the pipeline from the starts for `seconds`. Version and task identify its checkpoints.
     void run(const ga::Stage<P>& pipeline, const std::string& name, const std::vector<Genome>& starts,

@@ -10,8 +10,6 @@ namespace rough {
 
 namespace {
 
-constexpr std::size_t hall_size = 60; ///< best individuals of all stages that are kept
-constexpr std::size_t max_compromises = 24;
 constexpr std::size_t max_verified_on_area = 2; ///< answers of the pipeline
 constexpr int compared_draws = 200;             ///< draws of noise under which answers are compared
 
@@ -223,7 +221,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     const DesignProblem problem(ending(setup, for_pipeline, options.stop), options.memory, threads);
     const DesignSetup reported = as_reported(ending(setup, left, options.stop));
 
-    Exploration<DesignProblem> explored(problem, hall_size, options.verifying,
+    Exploration<DesignProblem> explored(problem, options.verifying,
                                         chooses_by_errors(setup) ? "made" : "verified");
     const std::vector<Genome> starts = !options.starts.empty() ? options.starts
                                        : pipeline.begins() ? std::vector<Genome>{any_start(setup, options)}

@@ -6,8 +6,7 @@
 
 namespace rough {
 
-using SearchOptions = SearchOptionsOf<DesignProblem>;         ///< options of a search for genomes
-using CheckpointOptions = CheckpointOptionsOf<DesignProblem>; ///< checkpoints of a search for genomes
+using SearchOptions = SearchOptionsOf<DesignProblem>; ///< options of a search for genomes
 
 /// A genome that a search returns, and its similarities. If time ran out during the verification of a map,
 /// the similarities without a result and worst() are NaN; `similarity` is always known.
