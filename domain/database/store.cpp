@@ -246,9 +246,8 @@ GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::
     const Fields fields = stored_fields(*sqlite_);
     setup_ = setup_from(fields, file().string());
     validate(setup_.law);
-    for (const auto& [name, value] : fields)
-        if (name == "version")
-            version_ = value;
+    if (const std::string* version = find(fields, "version"))
+        version_ = *version;
 }
 
 GenomeStore::GenomeStore(GenomeStore&&) noexcept = default;

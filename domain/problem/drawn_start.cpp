@@ -102,27 +102,23 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
     const Response response = respond(folded(genome), model);
     const double end =
         target.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];
-    // Points beyond the curve at this amplitude count as a misfit of 1.
-    const auto misfit_at = [&](double scale) {
+    const double lowest = target.last() / end;
+    double best = lowest, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
+    const auto consider = [&](double scale) {
         const Curve curve = curve_of(target.quantity, scaled(response, scale));
-        double worst = 0;
+        double worst = 0; // points beyond the curve at this amplitude count as a misfit of 1
         for (Index k = 0; k < target.points(); ++k)
             worst = std::max(worst,
                              target.x[k] > curve.to ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
-        return worst;
+        if (worst < nearest)
+            best = scale, nearest = worst;
     };
-    const double lowest = target.last() / end;
-    double best = lowest, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
-    for (int i = 0; i < 33; ++i) {
-        const double scale = lowest * std::pow(ratio, i);
-        if (const double here = misfit_at(scale); here < nearest)
-            best = scale, nearest = here;
-    }
+    for (int i = 0; i < 33; ++i)
+        consider(lowest * std::pow(ratio, i));
     for (int round = 0; round < 12; ++round) {
         ratio = std::sqrt(ratio);
         for (const double scale : {best * ratio, best / ratio})
-            if (const double here = misfit_at(scale); here < nearest)
-                best = scale, nearest = here;
+            consider(scale);
     }
     Genome fitted = folded(genome);
     fitted.scale = best;

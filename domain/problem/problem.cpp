@@ -235,8 +235,7 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
         double from = 0, to = 0;
         switch (places[g].kind) {
         case GenePlace::Kind::A:
-            from = std::min(0.1 * values[g], 10 * values[g]);
-            to = std::max(0.1 * values[g], 10 * values[g]);
+            std::tie(from, to) = std::minmax({0.1 * values[g], 10 * values[g]});
             break;
         case GenePlace::Kind::H:
             from = within.H_from, to = within.H_to;

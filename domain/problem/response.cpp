@@ -6,11 +6,6 @@ namespace rough {
 
 namespace {
 
-Model pressed_by(Model model, const Loading& loading) {
-    model.loading = loading;
-    return model;
-}
-
 /// The share of the displacement of full contact at which a curve ends if it cannot be continued.
 constexpr double nearly_full = 0.999;
 
@@ -78,6 +73,31 @@ Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, co
         [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
+/// Continues a curve that ends in full contact before its target, and its derivatives if given. Adds a point
+/// at twice the last x. The contact fraction there is unchanged. Stiffness and load are 101 times the last
+/// value, so that they do not match any target.
+void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
+                                  CurveJacobian* jacobian = nullptr) {
+    const Body& body = setup.model.body;
+    constexpr double rounding = 1e-6; // iteration finds a load to this share
+    if (setup.max_pressure || !body.relative_to_mean() || body.yields() ||
+        curve.to >= (1 - rounding) * target.last())
+        return;
+    const Index points = curve.x.size();
+    const double rise = is_contact_fraction(target.quantity) ? 1 : 101;
+    const auto append = [&](auto& rows, double factor) {
+        rows.conservativeResize(points + 1, rows.cols());
+        rows.row(points) = factor * rows.row(points - 1);
+    };
+    append(curve.x, 2);
+    append(curve.y, rise);
+    curve.to = target.last();
+    if (jacobian) {
+        append(jacobian->x, 2);
+        append(jacobian->y, rise);
+    }
+}
+
 Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
     const auto& [responses, jacobians] = pressed;
     Rows result;
@@ -135,8 +155,10 @@ std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loadin
 
 std::vector<Model> loaded_models(const DesignSetup& setup) {
     std::vector<Model> models;
-    for (const Loading& loading : loadings_of(setup, setup.model.loading))
-        models.push_back(pressed_by(setup.model, loading));
+    for (const Loading& loading : loadings_of(setup, setup.model.loading)) {
+        models.push_back(setup.model);
+        models.back().loading = loading;
+    }
     return models;
 }
 
@@ -186,35 +208,15 @@ Loading up_to_full_contact(Loading loading, const Profile& profile, const Model&
     return loading;
 }
 
-void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
-                                  CurveJacobian* jacobian) {
-    const Body& body = setup.model.body;
-    constexpr double rounding = 1e-6; // iteration finds a load to this share
-    if (setup.max_pressure || !body.relative_to_mean() || body.yields() ||
-        curve.to >= (1 - rounding) * target.last())
-        return;
-    const Index points = curve.x.size();
-    const double rise = is_contact_fraction(target.quantity) ? 1 : 101;
-    const auto append = [&](auto& rows, double factor) {
-        rows.conservativeResize(points + 1, rows.cols());
-        rows.row(points) = factor * rows.row(points - 1);
-    };
-    append(curve.x, 2);
-    append(curve.y, rise);
-    curve.to = target.last();
-    if (jacobian) {
-        append(jacobian->x, 2);
-        append(jacobian->y, rise);
-    }
-}
-
 std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model) {
     std::vector<Response> responses;
     const Genome shape = at_scale_one(genome, setup);
-    for (Loading loading : loadings_of(setup, model.loading)) {
+    Model loaded = model;
+    for (const Loading& loading : loadings_of(setup, model.loading)) {
+        loaded.loading = loading;
         if (may_pass_full_contact(loading, model.body))
-            loading = up_to_full_contact(loading, sample(shape, model.grid), model);
-        responses.push_back(respond(shape, pressed_by(model, loading)));
+            loaded.loading = up_to_full_contact(loading, sample(shape, model.grid), model);
+        responses.push_back(respond(shape, loaded));
     }
     return responses;
 }

@@ -10,11 +10,6 @@ std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loadin
 /// Returns the load steps, or steps to 0.999 of the full-contact displacement if the given steps go further.
 /// Only an elastic periodic body has such a limit.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
-/// Continues a curve that ends in full contact before its target, and its derivatives if given. Adds a point
-/// at twice the last x. The contact fraction there is unchanged. Stiffness and load are 101 times the last
-/// value, so that they do not match any target.
-void continue_beyond_full_contact(const DesignSetup& setup, const Target& target, Curve& curve,
-                                  CurveJacobian* jacobian = nullptr);
 /// The set-up's model with each of its targets' loadings.
 std::vector<Model> loaded_models(const DesignSetup& setup);
 
