@@ -94,17 +94,14 @@ Profile map_of(const Caps& caps, double nodes, bool spheres, double depth);
 
 /// The contact of caps as solved by boundary elements.
 struct MeshedCaps {
-    double load = 0;       ///< load, N
-    Eigen::VectorXd force; ///< force of each cap, N, from the nodes in the pitch x pitch square around it
-    Eigen::VectorXd area;  ///< contact area of each cap, from its force by hertz_area(), mm^2
-    /// Lower limit of each cap's contact area, mm^2: the cells of touching nodes whose four neighbours touch.
-    Eigen::VectorXd area_low;
-    /// Upper limit of each cap's contact area, mm^2: the cells of nodes that touch or have a touching
-    /// neighbour.
-    Eigen::VectorXd area_high;
-    double approach = 0;     ///< approach from first touch, mm
-    double stiffness = 0;    ///< dF/dDelta at this contact, N/mm
-    double kkt_residual = 0; ///< certificate of the solution
+    double load = 0;           ///< load, N
+    Eigen::VectorXd force;     ///< force of each cap, N, from the nodes in the pitch x pitch square around it
+    Eigen::VectorXd area;      ///< contact area of each cap, from its force by hertz_area(), mm^2
+    Eigen::VectorXd area_low;  ///< lower limit, mm^2: cells of touching nodes with four touching neighbours
+    Eigen::VectorXd area_high; ///< upper limit, mm^2: cells of nodes that touch or have a touching neighbour
+    double approach = 0;       ///< approach from first touch, mm
+    double stiffness = 0;      ///< dF/dDelta at this contact, N/mm
+    double kkt_residual = 0;   ///< certificate of the solution
 };
 
 /// The contact of caps (as paraboloids) with a half-space by boundary elements, on a map of about `nodes`

@@ -58,9 +58,8 @@ CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& 
 
 /// The values of independent caps over those of interacting caps at a target's points.
 Eigen::ArrayXd interaction_factor(const CapSetup& setup, const Target& target, const CapGenome& genome);
-/// The set-up with independent caps, if all targets are areas against pressure. Otherwise the given set-up,
-/// because independent caps are wrong for other quantities. With `like`, targets are multiplied by its
-/// interaction_factor(). So `like` has the same misfits under both models.
+/// The set-up with independent caps if all targets are areas against pressure, otherwise the given set-up.
+/// With `like`, targets are multiplied by its interaction_factor(), so that `like` keeps its misfits.
 CapSetup with_independent_caps(CapSetup setup, const CapGenome* like = nullptr);
 
 /// The problem of finding the caps that match all targets. Its objectives are `similarity`, the lowest

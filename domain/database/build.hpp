@@ -36,16 +36,13 @@ struct BuildOptions {
 /// The response of a genome of the set-up's distribution; NaN if the solution does not converge.
 Response response_for(const DatabaseSetup& setup, std::uint64_t genome);
 
-/// Computes and stores the missing genomes of the store, batch by batch. A genome's numbers depend only on
-/// the set-up and its index, so builds may be stopped, killed, resumed and shared. Only unfinished batches
-/// are held in memory, a few per thread or machine. Throws InputError if the set-up has no solution.
+/// Computes and stores the missing genomes of the store, batch by batch. Builds may be stopped, killed,
+/// resumed and shared, with equal results. Throws InputError if the set-up has no solution.
 void build(GenomeStore& store, const BuildOptions& options);
 
-/// Puts the genomes of several databases of one set-up, distribution and version into a new file. The file
-/// gets its name when it is complete, and replaces an older file. If several databases have the same
-/// genome, the first copy is used. Returns the number of genomes. Throws InputError if the databases have
-/// different set-ups, distributions or versions, if a genome differs from its distribution, and if numbers
-/// were altered.
+/// Puts the genomes of several databases of one set-up, distribution and version into a new file. A complete
+/// file replaces an older one. Returns the number of different genomes. Throws InputError if the databases
+/// have different set-ups, distributions or versions, and if one was altered.
 std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::filesystem::path& out);
 
 } // namespace rough

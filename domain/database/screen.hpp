@@ -20,12 +20,9 @@ struct ScreenOptions {
 };
 
 /// The stored genomes nearest to the targets, best first. Equal similarities are ordered by index. Genomes
-/// whose curves end before a target are omitted. Throws InputError if a target extends beyond max_pressure,
-/// or if nothing is stored.
-///
-/// If amplitude is free, 33 amplitudes of each genome are compared. At the lowest one the curves extend 2 %
-/// beyond the targets, and the highest is 16 times the lowest. The best amplitudes are then refined between
-/// their neighbours.
+/// whose curves end before a target are omitted. If amplitude is free, each genome has its best amplitude, at
+/// most 16 times the one at which its curves just extend beyond the targets. Throws InputError if a target
+/// extends beyond max_pressure, or if nothing is stored.
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options);
 

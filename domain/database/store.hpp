@@ -92,10 +92,9 @@ class GenomeStore {
     std::uint64_t stored() const;                           ///< number of stored genomes
     const std::filesystem::path& file() const;              ///< the database's path
 
-    /// Reserves the next genomes of `wanted` to compute, at most `batch`. Genomes that no builder has
-    /// reserved come first. Then come genomes that were reserved and not yet stored, except batches for which
-    /// `is_own` is true. Returns nothing if all are stored. Stored genomes are removed from the beginning of
-    /// `wanted`, so that the next call starts after them.
+    /// Reserves the next genomes of `wanted` to compute, at most `batch`; nothing if all are stored. Genomes
+    /// that no builder has reserved come first, then those of batches for which `is_own` is not true. Stored
+    /// genomes are removed from the beginning of `wanted`.
     std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
     /// The spans of these genomes that are not stored, in order.

@@ -25,11 +25,9 @@ using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffne
 Advance advance_for(const Target& target, Index nodes);
 
 /// Solves the contact problem backwards. H is the influence matrix (kernel.hpp), and H_AA its part for a
-/// contact set A. On A, pressures grow by w = H_AA^-1 1 > 0 per unit of displacement. So any order and any
-/// advance give pressures that are not negative. Node k touches at the displacement Delta if its gap
-/// at first touch is Delta - u_k. u_k is the displacement of the body's surface at node k at that moment.
-/// Before, the gap closes steadily, because the contact set moves every other node less than itself. So there
-/// is exactly one profile for each order and advance.
+/// contact set A. On A, pressures grow by w = H_AA^-1 1 > 0 per unit of displacement. Node k touches at the
+/// displacement Delta if its gap at first touch is Delta - u_k. u_k is the displacement of the body's surface
+/// at node k at that moment. So there is exactly one profile for each order and advance.
 ///
 /// Only the nodes of `surface` are read, not its heights. `order` holds each node once. Loading ends at
 /// `last_pressure` (MPa) or `last_displacement` (mm), whichever comes first; infinity: not given. Work

@@ -47,15 +47,11 @@ struct Morphed {
 /// to |r_k| <= 1 - required for all k. The method is sequential quadratic programming (Kraft 1988; NLopt's
 /// LD_SLSQP) with exact derivatives.
 ///
-/// The search starts from the given genome. If it fails, it starts again from the result of
-/// Levenberg-Marquardt. If the constraints cannot be met, the result is the genome whose largest misfit is
-/// the smallest. Limits on shape count as misfits.
-///
-/// `control` names at least one chromosome. Only the phases of these chromosomes change, whatever the
-/// set-up's genes are. `largest_change` limits the change of a phase. It is a share of a turn, > 0 and <=
-/// 0.5. `required` is the required similarity on the set-up's grid.
-///
-/// Throws what DesignProblem throws, and InputError on a genome without a response.
+/// If the constraints cannot be met, the result is the genome whose largest misfit is the smallest. Limits on
+/// shape count as misfits. `control` names at least one chromosome. Only the phases of these chromosomes
+/// change. `largest_change` limits the change of a phase. It is a share of a turn, > 0 and <= 0.5. `required`
+/// is the required similarity on the set-up's grid. Throws what DesignProblem throws, and InputError on a
+/// genome without a response.
 Morphed morph(const DesignSetup& setup, const Genome& genome, const std::vector<ChromosomeName>& control,
               double largest_change, double required = default_required_similarity);
 

@@ -9,9 +9,6 @@ namespace rough {
 /// map: 24 x 24). shaped_as() fits waves to this profile. They are two drawn series within the set-up's
 /// bounds, on a map two equal series, on a periodic line the harmonics of the length.
 ///
-/// Such profiles do not look rough. They are near the target and have few contacts that open and close. So
-/// they are good starts for refinement.
-///
 /// If the set-up has noise, a line gets tips at an even pitch instead, with valleys that do not touch. The
 /// pitch is 2 to 6 times the noise length or the shortest wavelength, whichever is longer. The waves are then
 /// all harmonics of one length.

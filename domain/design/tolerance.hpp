@@ -55,8 +55,8 @@ struct Tolerance {
 /// correlation length of DesignSetup::errors. Eq. 11 does not rescale the heights of a draw, and displacement
 /// counts from the first touch of the draw.
 ///
-/// Noise is tried up to the height range, tilt up to 16 times the height range and scale up to 0.99. Noise is
-/// found with 1,000 draws on lines of up to 4,096 nodes. Larger lines and maps get fewer draws, at least 40.
+/// Noise is tried up to the height range, tilt up to 16 times the height range and scale up to 0.99. There
+/// are 1,000 draws of noise on lines of up to 4,096 nodes, and fewer on larger ones and maps, at least 40.
 /// Throws InputError if the design has no response.
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 

@@ -28,9 +28,9 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
 /// instead, see plane_waves.)
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
-/// The genome with the amplitude at which its curve is the most similar to the first target. The best of 33
-/// amplitudes is refined. With the lowest amplitude, full approach just reaches the target's last load. The
-/// highest amplitude is 2^16 times the lowest. Under Eq. 11 the genome is returned unchanged.
+/// The genome with the amplitude at which its curve is the most similar to the first target, at most 2^16
+/// times the one at which full approach just reaches the target's last load. Under Eq. 11 the genome is
+/// returned unchanged.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
 
 } // namespace rough

@@ -58,10 +58,8 @@ struct Margin {
 };
 
 /// A genome's shortest wavelength, largest slope, height range and smallest radius of curvature over [0,
-/// length]. They are found from the derivatives of its cosines on a grid eight times finer than `grid` (a
-/// map: four times). A bound for points between the nodes is added: h^2/8 times the sum of a k^(m + 2) over
-/// the cosines. h is the node spacing. a is the amplitude and k the wavenumber of a cosine. m is the order of
-/// the derivative: 0 for heights, 1 for slopes, 2 for curvatures. So a finer grid never shows a larger value.
+/// length]. They are found on a grid eight times finer than `grid` (a map: four times). A bound for points
+/// between the nodes is added, so that a finer grid never shows a larger value.
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
 /// The sum of the amounts by which slope, height and curvature exceed their limits, each divided by its

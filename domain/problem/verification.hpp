@@ -34,12 +34,8 @@ class Verifier {
     explicit Verifier(DesignSetup setup, int threads = 1) : setup_(std::move(setup)), threads_(threads) {}
 
     /// Verifies one genome. One solution on each grid in finer load steps gives all four similarities,
-    /// because every fourth step is a load step of the set-up.
-    ///
-    /// On a fine map, only every fourth step is solved. The steps between are interpolated by cubics through
-    /// the neighbouring pressures and tangents. On the set-up's grid all steps are solved, and the same
-    /// interpolation is tried. Steps at which its error exceeds 2e-3 times a secant are solved on the fine
-    /// map, too. The effect of the interpolation on the set-up's grid is subtracted from `both`.
+    /// because every fourth step is a load step of the set-up. On a fine map, steps between are interpolated
+    /// unless the same interpolation on the set-up's grid has an error above 2e-3 times a secant.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.

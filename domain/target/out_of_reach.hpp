@@ -34,19 +34,11 @@ struct OutOfReach {
     std::string verdict() const;
 };
 
-/// Exact tests of each target, without a search, for a model that is solved without approximation. They use
-/// these facts.
-///
-/// - Contact sets only grow, so stiffness K(P) and contact fractions never fall with the load P. Let y_i >
-///   y_j be two values of a target, with i < j. A curve that does not fall has a relative error of at least
-///   (y_i - y_j)/(y_i + y_j) at one of these two points.
-/// - Secants of K lie between the stiffness of a single node and the stiffness of full contact. So the scored
-///   curve lies between scored_limits(). The lower limit falls as the grid is refined.
-/// - The interface stiffness K_i never falls either, and its upper limit is infinite. The first secant of a
-///   curve is in the middle of the first load step. From there on K_i is at least the K_i of a single node.
-///   On a periodic body K_i = K.
-/// - The pressure P(Delta) is convex from (0, 0) on, because contact sets only grow. Its slope is at least
-///   the stiffness of a single node, and at most the stiffness of full contact.
+/// Exact tests of each target, without a search, for a model that is solved without approximation. Contact
+/// sets only grow. So stiffness K(P), interface stiffness K_i(P) and contact fractions never fall with the
+/// load P, and P(Delta) is convex from (0, 0) on. Secants of K and slopes of P(Delta) lie between the
+/// stiffness of a single node and the stiffness of full contact. K_i has no upper limit. From the middle of
+/// the first load step on, it is at least the K_i of a single node. On a periodic body K_i = K.
 ///
 /// The last pressure of K(P) is `max_pressure` (MPa, Eq. 11) if it is given, and otherwise the last pressure
 /// of all targets. A target passes a test if its band contains a curve that fulfils the condition. For each

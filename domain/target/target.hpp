@@ -145,8 +145,6 @@ struct RecordedDifference {
 std::vector<RecordedDifference> recorded_differences(const Target& target, const Model& model);
 
 /// The differences that hardly affect the target's curve: datum and length, only for an interface stiffness.
-/// The interface stiffness excludes the compliance of full contact, so it does not depend on the datum. At
-/// light loads it depends only weakly on the length.
 std::vector<RecordedDifference> carried_over(const Target& target, const Model& model);
 
 /// The differences in words: "kernel strip (here free), length_mm 0.004 (here 0.84942)".
@@ -160,11 +158,10 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
                    const std::function<double(double)>& y);
 
 /// A profile's response as a target, with its recorded model, at evenly spaced points up to `last` (MPa or
-/// mm). If `last` is 0 or beyond the last load step, the last load step is used. Points before the curve's
-/// first secant are omitted if the linear continuation of the curve is 0 or less there. If `resolution`
-/// is not `off` (the default), the band spans three curves. One is for the given heights, two are for heights
-/// interpolated linearly and by a spline. `automatic` omits the band of a very large surface. Throws
-/// InputError if an interface stiffness is infinite at full contact.
+/// mm). If `last` is 0 or beyond the last load step, the last load step is used. Points at which the curve is
+/// continued to 0 or less are omitted. Unless `resolution` is `off`, the band spans the curves of the given
+/// heights and of heights interpolated linearly and by a spline. Throws InputError if an interface stiffness
+/// is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,
                    Resolution resolution = Resolution::off);
