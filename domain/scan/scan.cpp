@@ -138,7 +138,7 @@ std::string counted(std::size_t count, const std::string& of) {
 bool has_running_index(const Table& table) {
     for (std::size_t i = 0; i < table.rows(); ++i)
         if (table.at(i, 0).value != table.at(0, 0).value + static_cast<double>(i) ||
-            table.at(i, 0).last_digit != 1)
+            table.at(i, 0).last_place != 0)
             return false;
     return table.rows() > 1;
 }
@@ -316,7 +316,7 @@ Points points_of(const Lines& lines, const ScanOptions& options, const std::stri
         points.heights.push_back(valid ? height * header.height_factor * units.height.in_mm : missing);
         if (has_x) {
             points.x.push_back(table.at(i, layout.x).value * units.x.in_mm);
-            points.last_digit.push_back(table.at(i, layout.x).last_digit * units.x.in_mm);
+            points.last_digit.push_back(std::pow(10., table.at(i, layout.x).last_place) * units.x.in_mm);
         }
     }
     if (table.announced >= 0 && table.announced != static_cast<long>(points.size()))

@@ -49,10 +49,8 @@ struct Source {
 /// Opens a genome file (JSON). Throws InputError as read_genome_file.
 Source open_genome(const std::filesystem::path& file);
 
-/// Reads a measured line scan (README.md lists the formats). A text file has one column of heights, or two
-/// columns of x and height. A running index before them and a validity column (0 or 1) after them are
-/// optional. From an instrument's file, the function takes a profile, or one row of a map. Throws InputError
-/// with one line that names the file, the line and the fault.
+/// Reads a measured line scan, or one row of a map (README.md lists the formats). Throws InputError with one
+/// line that names the file, the line and the fault.
 Source open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
 
 } // namespace rough

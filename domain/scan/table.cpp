@@ -114,8 +114,8 @@ Guess best_guess(const Lines& lines, bool one_column) {
 bool is_count(const Table& table, const Lines& lines, std::size_t next) {
     if (table.rows() > 0 || table.announced >= 0)
         return false;
-    const auto& [value, last_digit] = table.cells.back();
-    if (!(value >= 1 && value == std::floor(value) && last_digit == 1 &&
+    const auto& [value, last_place] = table.cells.back();
+    if (!(value >= 1 && value == std::floor(value) && last_place == 0 &&
           value <= static_cast<double>(max_rows)))
         return false;
     if (table.columns > 1)

@@ -49,8 +49,7 @@ class Reader {
         text_.clear();
         for (; !done(); ++at_) {
             text_ = lines_[at_];
-            std::replace_if(
-                text_.begin(), text_.end(), [](char c) { return c == '\x1a' || c == '\0'; }, ' ');
+            std::replace(text_.begin(), text_.end(), '\x1a', ' ');
             text_ = trim(text_);
             if (!text_.empty())
                 return;

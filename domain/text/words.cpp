@@ -41,19 +41,6 @@ std::pair<std::size_t, std::size_t> cell_end(std::string_view line, std::size_t 
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
-/// std::pow(10, exponent), of which a table holds the usual ones.
-double power_of_ten(int exponent) {
-    constexpr int largest = 30;
-    static const auto usual = [] {
-        std::array<double, 2 * largest + 1> powers{};
-        for (int k = -largest; k <= largest; ++k)
-            powers[static_cast<std::size_t>(k + largest)] = std::pow(10., k);
-        return powers;
-    }();
-    return std::abs(exponent) <= largest ? usual[static_cast<std::size_t>(exponent + largest)]
-                                         : std::pow(10., exponent);
-}
-
 bool says_missing(std::string_view cell) {
     constexpr std::array<std::string_view, 23> words{
         "",        "nan",     "-nan", "na",  "n/a", "#n/a", "null",    "none",
@@ -165,7 +152,7 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
         std::from_chars(first, end, power);
     }
     const int decimals = point < exponent ? static_cast<int>(exponent - point - 1) : 0;
-    result.last_digit = power_of_ten(std::clamp(power, -1000, 1000) - decimals);
+    result.last_place = std::clamp(power, -1000, 1000) - decimals;
     return result;
 }
 

@@ -40,10 +40,10 @@ void for_each_cell(std::string_view line, Dialect::Separator separator,
 /// The cells of a line as for_each_cell visits them.
 std::vector<std::string_view> split(std::string_view line, Dialect::Separator separator);
 
-/// A cell's number and the value of one unit in its last written digit.
+/// A cell's number and the place of its last written digit.
 struct Number {
-    double value = 0;      ///< NaN if the cell says that the value is missing ("", NaN, BAD, --, …)
-    double last_digit = 0; ///< 0.001 of "1.234"
+    double value = 0;   ///< NaN if the cell says that the value is missing ("", NaN, BAD, --, …)
+    int last_place = 0; ///< power of ten of the last digit: -3 for "1.234"
 };
 /// A cell as a number; nothing if it is neither a number nor a word for a missing value.
 std::optional<Number> number(std::string_view cell, const Dialect& dialect);
