@@ -74,8 +74,7 @@ bool holds_limits(const DesignSetup& setup, const Genome& genome) {
     return std::ranges::all_of(margins(genome, setup.model.grid, setup.limits), &Margin::holds);
 }
 
-/// The genomes to verify, without duplicates: the best `max_count` of the final population and of those that
-/// the pipeline verified. On a line also the best `max_count` of all stages and the first given start.
+/// The genomes to verify, without duplicates: at most `max_count` of each source of SearchOptions::verifying.
 std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Population<Genome>& population,
                                   const ga::Population<Genome>& verified, const ga::Population<Genome>& seen,
                                   const SearchOptions& options, std::size_t max_count) {

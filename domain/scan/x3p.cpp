@@ -17,12 +17,10 @@ constexpr std::ptrdiff_t max_xml_nodes = 1'000'000; // an element with text coun
 
 /// A child by its name without a namespace prefix.
 pugi::xml_node child(const pugi::xml_node& of, std::string_view name) {
-    for (const pugi::xml_node& node : of.children()) {
+    return of.find_child([&](const pugi::xml_node& node) {
         const std::string_view full = node.name();
-        if (full.substr(full.find(':') == full.npos ? 0 : full.find(':') + 1) == name)
-            return node;
-    }
-    return {};
+        return full.substr(full.find(':') + 1) == name; // npos + 1 is 0
+    });
 }
 
 std::string_view text(const pugi::xml_node& of, std::string_view name) {

@@ -154,9 +154,7 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     Genome genome = fitted_genome(random, setup, 3);
     genome = problem.settled(genome, problem.evaluate(genome));
     const auto has = margins(genome, setup.model.grid, {});
-    setup.limits.max_slope = 0.8 * has[1].value;
-    setup.limits.max_height = 0.7 * has[2].value;
-    setup.limits.min_radius = 1.2 * has[3].value;
+    setup.limits = {setup.limits.shortest_wave, 0.8 * has[1].value, 0.7 * has[2].value, 1.2 * has[3].value};
     CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
     check_jacobian(setup, genome, "similarity");
 }

@@ -98,16 +98,13 @@ TEST_CASE("rows of limits on shape agree with differences, and are 0 within the 
         genome = problem.settled(genome, problem.evaluate(genome));
         const auto has = margins(genome, setup.model.grid, {});
         CHECK(problem.sensitivity(genome, "similarity").residuals.size() == 20);
-        setup.limits.max_slope = 0.8 * has[1].value;
-        setup.limits.max_height = 0.7 * has[2].value;
-        setup.limits.min_radius = 1.2 * has[3].value;
+        const double wave = setup.limits.shortest_wave;
+        setup.limits = {wave, 0.8 * has[1].value, 0.7 * has[2].value, 1.2 * has[3].value};
         check_jacobian(setup, genome, "similarity");
         const DesignProblem tight(setup);
         CHECK(tight.evaluate(genome).excess > 0.5);
         CHECK(tight.objectives()[0].fitness(tight.evaluate(genome)) < -1);
-        setup.limits.max_slope = 1.1 * has[1].value;
-        setup.limits.max_height = 1.1 * has[2].value;
-        setup.limits.min_radius = 0.9 * has[3].value;
+        setup.limits = {wave, 1.1 * has[1].value, 1.1 * has[2].value, 0.9 * has[3].value};
         CHECK(DesignProblem(setup).sensitivity(genome, "similarity").residuals.tail(3).isZero());
     }
 }
