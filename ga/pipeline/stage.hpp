@@ -1,10 +1,70 @@
 #pragma once
 
-#include "ga/pipeline/check.hpp"
 #include "ga/pipeline/parameters.hpp"
 #include "ga/run/context.hpp"
 
 namespace ga {
+
+/// Properties of a population at one point of a pipeline that are known before the pipeline runs. Each stage
+/// checks whether it can work on such a population, and updates the properties. A stage that cannot work
+/// throws UsageError. A policy is one objective, or several objectives (`pareto`).
+struct CheckState {
+    std::vector<std::string> objectives;     ///< names of the problem's objectives; the first is the default
+    std::optional<std::string> scored;       ///< policy under which every individual is scored
+    bool in_generation = false;              ///< whether the point is inside a `repeat` or `until`
+    std::optional<std::string> start_scored; ///< policy under which the generation's start is scored
+    bool nobody = false;                     ///< whether the population is still empty
+    bool on_islands = false;                 ///< whether the point is inside `islands`
+    /// Whether the population is scored under several objectives.
+    bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
+
+    /// Throws UsageError, with the stage's name, if individuals may be unscored.
+    [[gnu::cold]] void need_score(const std::string& stage) const {
+        if (!scored)
+            throw UsageError("stage '" + stage + "' needs a scored population; put score before it");
+    }
+    /// Throws UsageError, with the stage's name, if the fitness has several objectives.
+    [[gnu::cold]] void need_one_objective(const std::string& stage) const {
+        need_score(stage);
+        if (several_objectives())
+            throw UsageError("stage '" + stage +
+                             "' needs one objective's fitness, the population is ranked by '" + *scored +
+                             "'; put score before it");
+    }
+    /// Throws UsageError, with the stage's name and purpose, if the stage is not in a block of generations.
+    [[gnu::cold]] void need_generation(const std::string& stage,
+                                       const std::string& does = "reads the start of a generation") const {
+        if (!in_generation)
+            throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");
+    }
+    /// Throws UsageError if a stage that learns is not in a block of generations.
+    [[gnu::cold]] void need_repetition(const std::string& stage) const {
+        need_generation(stage, "learns from one generation to the next");
+    }
+    /// Throws UsageError, with the stage's name, if the stage is not in a block of generations. Also throws
+    /// it if the generation's start and the population are scored under different policies.
+    [[gnu::cold]] void need_comparable_start(const std::string& stage) const {
+        need_generation(stage);
+        need_score(stage);
+        if (scored != start_scored)
+            throw UsageError("stage '" + stage + "' compares the population, scored by '" + *scored +
+                             "', with the generation's start, " +
+                             (start_scored ? "scored by '" + *start_scored + "'" : "unscored") +
+                             "; score both by the same objective");
+    }
+    /// The name of an objective; an empty name stands for the problem's first. Throws UsageError if the name
+    /// is unknown.
+    [[gnu::cold]] std::string objective(const std::string& stage, const std::string& name) const {
+        if (name.empty())
+            return objectives.front();
+        if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())
+            return name;
+        std::string list;
+        for (const auto& each : objectives)
+            list += (list.empty() ? "" : ", ") + each;
+        throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " + list);
+    }
+};
 
 /// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its
 /// action.
@@ -27,7 +87,7 @@ struct Step {
 /// @code
 ///     words() and describe(), or text()                       give the operator's text (parameters.hpp)
 ///     void check(CheckState&) const;                          checks whether the operator can work on the
-///                                                         population, and updates the CheckState (check.hpp)
+///                                                         population, and updates the CheckState
 ///     Population operator()(Population, Context<P>&) const;   does the work; a template over the problem P,
 ///                                                         constrained by the members of P that it uses
 /// @endcode
@@ -41,6 +101,10 @@ struct Step {
 ///     static constexpr bool begins = true;    if the operator works without a population
 ///     template <Problem P> void check_problem() const;   checks needs that concepts cannot express
 /// @endcode
+/// A block is an operator that contains pipelines. Instead of check and operator() it has
+/// @code
+///     template <Problem P> Step<P> step() const;
+/// @endcode
 // clang-format on
 struct Operator : NoParameters {};
 
@@ -52,35 +116,17 @@ requires std::derived_from<Op, Operator>
     return op;
 }
 
-/// An operator that contains pipelines. Instead of `operator()` it has `template <Problem P> Step<P> step()
-/// const`.
-template <class Op, class P>
-concept Block = requires(const Op& op) {
-    op.template step<P>();
-};
-
 /// An operator that the problem and its genome allow to call.
 template <class Op, class P>
 concept Callable = std::invocable < const Op&,
         PopulationOf<P>, Context<P>
 & > || std::invocable<const Op&, PopulationOf<P>, Context<P>&, typename Op::State&>;
 
-/// The text of an operator: from its text(), or from its parameters.
-template <class Op>
-std::string stage_text(const Op& op) {
-    if constexpr (requires { op.text(); })
-        return op.text();
-    else
-        return text_of(op);
-}
-
 /// a | b for any problem.
 template <class A, class B>
 struct Then : Operator {
     A first;  ///< operator that runs first
     B second; ///< operator that runs on the result of the first
-    /// a | b.
-    Then(A a, B b) : first(std::move(a)), second(std::move(b)) {}
 };
 
 /// A pipeline: a list of operators, Population -> Population. `|` joins lists, so that parentheses have no
@@ -219,79 +265,53 @@ class Stage {
     [[gnu::cold]] void take(const Op& op) {
         if constexpr (requires { op.template check_problem<P>(); })
             op.template check_problem<P>();
-        if constexpr (Block<Op, P>)
+        if constexpr (requires { op.template step<P>(); }) {
             add(op.template step<P>());
-        else
-            add_operator(op);
-    }
-    /// Hides an operator's type, so that the compiler makes Step's functions only once.
-    struct AnyOperator {
-        virtual ~AnyOperator() = default;
-        virtual void check(CheckState& known) const = 0;
-        virtual Population<Genome> apply(Population<Genome> population, Context<P>& context) const = 0;
-    };
-    template <class Op>
-    struct OneOperator final : AnyOperator {
-        Op op;
-
-        explicit OneOperator(const Op& op_) : op(op_) {}
-        void check(CheckState& known) const override { op.check(known); }
-        Population<Genome> apply(Population<Genome> population, Context<P>& context) const override {
-            if constexpr (requires { typename Op::State; }) {
-                HeldState& held = context.state.loops.back()->states[context.path()];
-                auto& state = held.template as<typename Op::State>();
-                const auto before = state;
-                try {
-                    return op(std::move(population), context, state);
-                } catch (const Stopped&) {
-                    state = before;
-                    throw;
-                }
-            } else {
-                return op(std::move(population), context);
-            }
-        }
-    };
-
-    template <class Op>
-    [[gnu::cold]] void add_operator(const Op& op) {
-        if constexpr (!requires { typename Op::State; } && !Callable<Op, P>) {
+        } else if constexpr (!requires { typename Op::State; } && !Callable<Op, P>) {
             static_assert(Callable<Op, P>,
                           "this operator needs what the problem or its genome does not have; the compiler "
                           "names it below");
             // Not callable; here the compiler names the constraint.
             using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
-            Step<P>& step = add(stage_text(op), std::unique_ptr<const AnyOperator>(new OneOperator<Op>(op)));
+            Step<P> step;
+            if constexpr (requires { op.text(); })
+                step.text = op.text();
+            else
+                step.text = text_of(op);
+            step.check = [op](CheckState& known) { op.check(known); };
+            step.apply = [op](Population<Genome> population, Context<P>& context) {
+                return applied(op, std::move(population), context);
+            };
             if constexpr (requires { op.reads_of_start(); })
                 step.reads_of_start = op.reads_of_start();
             if constexpr (requires { Op::begins; })
                 step.begins = Op::begins;
+            add(std::move(step));
+        }
+    }
+    template <class Op>
+    static Population<Genome> applied(const Op& op, Population<Genome> population, Context<P>& context) {
+        if constexpr (requires { typename Op::State; }) {
+            HeldState& held = context.state.loops.back()->states[context.path()];
+            auto& state = held.template as<typename Op::State>();
+            const auto before = state;
+            try {
+                return op(std::move(population), context, state);
+            } catch (const Stopped&) {
+                state = before;
+                throw;
+            }
+        } else {
+            return op(std::move(population), context);
         }
     }
 
-    [[gnu::cold, gnu::noinline]] Step<P>& add(std::string text, std::shared_ptr<const AnyOperator> any) {
-        Step<P>& step = add(std::move(text));
-        step.check = [any](CheckState& known) { any->check(known); };
-        step.apply = [any](Population<Genome> population, Context<P>& context) {
-            return any->apply(std::move(population), context);
-        };
-        return step;
-    }
-    [[gnu::cold, gnu::noinline]] Step<P>& add(std::string text) {
-        const Name name(text.substr(0, text.find_first_of(" ({")));
-        std::size_t ordinal = 1;
-        for (const Place& place : places_)
-            ordinal += place.name == name ? 1 : 0;
-        Place& place = places_.emplace_back();
-        place.step.text = std::move(text);
-        place.name = name;
-        place.ordinal = ordinal;
-        return place.step;
-    }
     [[gnu::cold, gnu::noinline]] void add(Step<P> step) {
-        Step<P>& added = add(step.text);
-        added = std::move(step);
+        const Name name(step.text.substr(0, step.text.find_first_of(" ({")));
+        const auto earlier =
+            std::ranges::count_if(places_, [&](const Place& place) { return place.name == name; });
+        places_.push_back({std::move(step), name, 1 + static_cast<std::size_t>(earlier)});
     }
 
     std::vector<Place> places_;
@@ -319,7 +339,7 @@ template <Problem P, class More>
 /// a | b of operators, for any problem.
 template <class A, class B>
 requires std::derived_from<A, Operator> && std::derived_from<B, Operator> Then<A, B>
-operator|(A a, B b) { return {std::move(a), std::move(b)}; }
+operator|(A a, B b) { return {{}, std::move(a), std::move(b)}; }
 
 /// a | b of a pipeline and an operator.
 template <Problem P, class B>
