@@ -21,10 +21,7 @@ struct Pair : Operator {
     Right right;        ///< pipeline that gives the second parents
     Combine<G> combine; ///< function that makes a child of two parents
 
-    /// The block `pair(l, r, c)`.
-    Pair(Left l, Right r, Combine<G> c) : left(std::move(l)), right(std::move(r)), combine(std::move(c)) {}
-
-    /// The block as one step (Block).
+    /// The block as one step (Operator).
     template <Problem P>
     Step<P> step() const {
         const auto on_left = std::make_shared<const Stage<P>>(left),
@@ -87,7 +84,7 @@ struct Pair : Operator {
 /// The stage `pair(left, right, combine)`.
 template <class Left, class Right, class G>
 Pair<Left, Right, G> pair(Left left, Right right, Combine<G> combine) {
-    return {std::move(left), std::move(right), std::move(combine)};
+    return {{}, std::move(left), std::move(right), std::move(combine)};
 }
 
 } // namespace ga

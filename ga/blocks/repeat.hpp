@@ -95,7 +95,7 @@ struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1
     Body body;         ///< pipeline that runs in each generation
 
-    ///@{ Members that every block has (Block).
+    ///@{ Members that every block has (Operator).
     static Words words() { return {"repeat", "blocks", "n generations of the pipeline in braces"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
@@ -132,10 +132,7 @@ struct Generations : Operator {
     Body body; ///< pipeline that runs in each generation
     Ends ends; ///< rules that end the block
 
-    /// The block `until ends { body }`.
-    Generations(Body body_, Ends ends_) : body(std::move(body_)), ends(std::move(ends_)) {}
-
-    /// The block as one step (Block). Throws UsageError if it has no rule.
+    /// The block as one step (Operator). Throws UsageError if it has no rule.
     template <Problem P>
     Step<P> step() const {
         return until_step<P>(body, ends.template rules<typename P::Genome>());
@@ -145,12 +142,12 @@ struct Generations : Operator {
 /// The block `until ... { body }` with the engine's rules (Until) or any rules (any_of()).
 template <class Body, class Ends = Until>
 Generations<Body, Ends> until(Ends ends, Body body) {
-    return {std::move(body), std::move(ends)};
+    return {{}, std::move(body), std::move(ends)};
 }
 /// The block `until ... { body }` with any one rule.
 template <class Body, class R>
 requires std::derived_from<R, StoppingRule> Generations<Body, AnyOf<R>> until(R rule, Body body) {
-    return {std::move(body), any_of(std::move(rule))};
+    return {{}, std::move(body), any_of(std::move(rule))};
 }
 
 /// Runs a body n times on the same population, with different random numbers each time. Returns the
@@ -160,7 +157,7 @@ struct Restarts : Operator {
     std::size_t n = 1; ///< number of runs, >= 1
     Body body;         ///< pipeline that runs each time
 
-    ///@{ Members that every block has (Block).
+    ///@{ Members that every block has (Operator).
     static Words words() {
         return {"restarts", "blocks",
                 "runs the pipeline n times on the same population and joins the answers"};

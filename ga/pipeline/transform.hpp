@@ -12,9 +12,6 @@ struct Transform : Operator {
     std::string name;  ///< name of the stage
     Function function; ///< function from a genome to a genome; called from several threads
 
-    /// The stage of this name with this function.
-    Transform(std::string name_, Function function_)
-        : name(std::move(name_)), function(std::move(function_)) {}
     ///@{ Members that every operator has (Operator).
     std::string text() const { return name; }
     void check(CheckState& known) const { known.scored.reset(); }
@@ -45,7 +42,7 @@ struct Transform : Operator {
 /// @param name  name in text pipelines; more words may follow the first ("reduce dominant")
 template <class Function>
 Transform<Function> transform(std::string name, Function function) {
-    return {std::move(name), std::move(function)};
+    return {{}, std::move(name), std::move(function)};
 }
 
 } // namespace ga
