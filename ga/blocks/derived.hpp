@@ -25,7 +25,7 @@ PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf
     const auto book = [&] {
         books.counters = ledger.counters;
         context.state.next_identity = inside.state.next_identity;
-        for (const std::string& note : inside.state.notes())
+        for (const std::string& note : inside.state.notes)
             context.state.note(note);
     };
     try {

@@ -23,7 +23,7 @@ struct Islands : Operator {
     Migration migration; ///< exchange of individuals
     Body body;           ///< pipeline that runs on each island
 
-    ///@{ Members that every block has (Block).
+    ///@{ Members that every block has (Operator).
     static Words words() {
         return {
             "islands", "blocks",
@@ -72,17 +72,18 @@ struct Islands : Operator {
                 frame->kept[i % n].push_back(std::move(population[i]));
         }
         expect_fit(frame->kept.size() == n && frame->next <= migration.rounds);
-        while (frame->next < migration.rounds) {
-            run_round(*frame, body, context);
-            if (frame->next + 1 < migration.rounds)
-                migrate(frame->kept, migration.migrants);
-            ++frame->next;
-            try {
+        try {
+            while (frame->next < migration.rounds) {
+                run_round(*frame, body, context);
+                if (frame->next + 1 < migration.rounds)
+                    migrate(frame->kept, migration.migrants);
+                ++frame->next;
                 context.pause();
-            } catch (const Stopped&) {
-                context.state.in_hand = joined(frame->kept);
-                throw;
             }
+        } catch (const Stopped&) {
+            if (!context.state.in_hand)
+                context.state.in_hand = joined(frame->kept);
+            throw;
         }
         return strict(joined(frame->kept));
     }
@@ -136,13 +137,8 @@ struct Islands : Operator {
         for (std::size_t i = 0; i < n; ++i)
             most = std::max(most, (islands[i]->state.next_identity - first - i * step) / (n * step));
         context.state.next_identity += most * n * step;
-        try {
-            for (auto& each : islands)
-                context.show_again(*each);
-        } catch (const Stopped&) { // thrown by an observer
-            context.state.in_hand = joined(frame.kept);
-            throw;
-        }
+        for (auto& each : islands)
+            context.show_again(*each); // an observer may throw Stopped
     }
 
     static std::string name_of(std::size_t island) { return "island" + std::to_string(island + 1); }

@@ -164,7 +164,7 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Stage<P>>& pipeline, 
         result.front = ga::front_of(result.population);
     result.best = context.best();
     result.counters = context.counters();
-    result.notes = context.state.notes();
+    result.notes = context.state.notes;
     if (checkpointer && !checkpointer->trouble().empty())
         result.notes.push_back(checkpointer->trouble());
     result.seconds = context.seconds();

@@ -112,7 +112,7 @@ class SteadyState {
         result.front = front_of(result.population);
         result.best = context_.best();
         result.counters = ledger_.counters;
-        result.notes = context_.state.notes();
+        result.notes = context_.state.notes;
         result.seconds = ledger_.watch().seconds();
         if (stopped())
             result.stopped = ledger_.watch().reason();

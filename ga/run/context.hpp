@@ -51,8 +51,7 @@ class Context {
         if (parent.observed())
             observers_ = {[&parent](Event<Genome> event) {
                 event.derived = true;
-                for (const auto& observer : parent.observers_)
-                    observer(event);
+                parent.report(event);
             }};
     }
     Context(const Context&) = delete;
@@ -222,20 +221,14 @@ class Context {
     bool observed() const { return !observers_.empty(); } ///< whether there are observers
     /// Shows the population that the current stage has made to the observers.
     void show(const Population<Genome>& population) {
-        if (!observed())
-            return;
-        const std::string here = path();
-        const std::vector<std::size_t> generation = position.generations();
-        for (const auto& observer : observers_)
-            observer({here, generation, population, ledger_.counters, seconds()});
+        if (observed())
+            report({path(), position.generations(), population, ledger_.counters, seconds()});
     }
     /// Shows an island's events of the last round to the observers of this context.
     void show_again(Context& island) {
         for (const Shown& each : island.shown_)
-            for (const auto& observer : observers_)
-                observer({each.path, each.generation, each.population, each.counters, each.seconds});
-        island.shown_.clear();
-        for (const std::string& note : island.state.notes())
+            report({each.path, each.generation, each.population, each.counters, each.seconds});
+        for (const std::string& note : island.state.notes)
             state.note(note);
     }
 
@@ -267,7 +260,7 @@ class Context {
                 ledger_.counters,
                 state.next_identity,
                 state.best,
-                state.notes(),
+                state.notes,
                 seconds(),
                 ledger_.memory.young.size(),
                 ledger_.heaviest()};
@@ -278,7 +271,7 @@ class Context {
         ledger_.counters = snapshot.counters;
         state.next_identity = snapshot.next_identity;
         state.best = std::move(snapshot.best);
-        state.resume_notes(std::move(snapshot.notes));
+        state.notes = std::move(snapshot.notes);
         state.earlier_seconds = snapshot.seconds;
         ledger_.resume(state.best.has_value(), snapshot.heaviest);
     }
@@ -302,6 +295,10 @@ class Context {
         double seconds;
     };
 
+    void report(const Event<Genome>& event) const {
+        for (const auto& observer : observers_)
+            observer(event);
+    }
     /// Makes the requested evaluations. If the run has to stop, stores this population as its result and
     /// throws Stopped.
     void serve(const Population<Genome>& population) {

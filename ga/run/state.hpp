@@ -208,7 +208,7 @@ struct Snapshot {
     std::optional<Individual<G>> best; ///< best individual under the problem's first objective
     std::vector<std::string> notes;    ///< remarks so far
     double seconds = 0;                ///< time spent so far in all processes of the run, s
-    std::size_t remembered = 0;        ///< number of evaluations in the newer half of the memory (memory.hpp)
+    std::size_t remembered = 0;        ///< number of evaluations in the newer half of the memory
     std::size_t heaviest = 0;          ///< bytes of the largest outcome or failure message so far
 };
 
@@ -229,23 +229,16 @@ class RunState {
     std::optional<Individual<G>> best;    ///< best under the problem's first objective
     std::optional<Population<G>> in_hand; ///< the population of a run that has to stop
     double earlier_seconds = 0;           ///< time spent in earlier processes of the run, s
+    std::vector<std::string> notes;       ///< remarks, in the order they were made
 
     /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {
-        if (notes_.size() < max_notes)
-            notes_.push_back(std::move(text));
-        else
-            ++more_notes_;
+        if (notes.size() < max_notes)
+            return notes.push_back(std::move(text));
+        if (more_notes_++ == 0)
+            notes.emplace_back();
+        notes.back() = "and " + std::to_string(more_notes_) + " more remarks";
     }
-    /// The remarks, in the order they were made.
-    std::vector<std::string> notes() const {
-        std::vector<std::string> all = notes_;
-        if (more_notes_ > 0)
-            all.push_back("and " + std::to_string(more_notes_) + " more remarks");
-        return all;
-    }
-    /// Sets the notes of a resumed run.
-    void resume_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
 
     /// Keeps a block's frame as long as this object exists: a new frame, or the saved one of a resumed run.
     class OpenFrame {
@@ -286,7 +279,6 @@ class RunState {
   private:
     static constexpr std::size_t max_notes = 100;
 
-    std::vector<std::string> notes_;
     std::size_t more_notes_ = 0;
 };
 
