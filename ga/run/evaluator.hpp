@@ -2,12 +2,23 @@
 
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
+#include "ga/problem/individual.hpp"
 #include "ga/problem/problem.hpp"
-#include "ga/run/memory.hpp"
 
 #include <span>
+#include <variant>
 
 namespace ga {
+
+/// An evaluation that was requested and has not been made.
+struct Pending {
+    bool queued = false; ///< whether the evaluation is among the calls to be made
+    Reason why = {};     ///< why the problem itself stopped the evaluation, if it did
+};
+
+/// An evaluation: pending, its outcome, or the reason of its failure.
+template <class Outcome>
+using Evaluation = std::variant<Pending, Outcome, Reason>;
 
 /// One call of `evaluate`: a genome, and the place for the outcome or the reason of a failure.
 template <Problem P>
@@ -86,17 +97,6 @@ class Evaluator {
     virtual int threads() const { return 1; } ///< number of threads for work other than evaluations
 };
 
-/// Makes one call after the other, on the calling thread.
-template <Problem P>
-class Serial : public Evaluator<P> {
-  public:
-    void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
-        for (Call<P>& call : calls)
-            if (!watch.expired())
-                *call.answer = evaluated(problem, *call.genome, call.replicate);
-    }
-};
-
 /// Distributes the calls over threads. Each thread takes the next call, so that all threads are busy even if
 /// costs differ.
 template <Problem P>
@@ -118,6 +118,13 @@ class OnThreads : public Evaluator<P> {
 
   private:
     int threads_;
+};
+
+/// Makes one call after the other, on the calling thread.
+template <Problem P>
+class Serial : public OnThreads<P> {
+  public:
+    Serial() : OnThreads<P>(1) {}
 };
 
 /// Records the genomes of all calls to another evaluator, for tests.

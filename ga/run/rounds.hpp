@@ -80,22 +80,19 @@ class Rounds {
     void go(std::size_t from, EvaluationQueue<P>& through, Job& job, const std::function<void()>& after) {
         std::vector<std::thread> threads;
         const std::size_t inside = std::max<std::size_t>(1, room() / seats_.size());
-        const auto work = [&](std::size_t i) {
-            return [&, i] {
-                room() = inside;
-                Seat& seat = seats_[i];
-                try {
-                    job(from + i, static_cast<EvaluationQueue<P>&>(seat));
-                } catch (...) {
-                    seat.error = std::current_exception();
-                }
-                seat.done = true;
-                wait();
-            };
-        };
         for (std::size_t i = 0; i < seats_.size(); ++i)
             try {
-                threads.emplace_back(work(i));
+                threads.emplace_back([&, i] {
+                    room() = inside;
+                    Seat& seat = seats_[i];
+                    try {
+                        job(from + i, static_cast<EvaluationQueue<P>&>(seat));
+                    } catch (...) {
+                        seat.error = std::current_exception();
+                    }
+                    seat.done = true;
+                    wait();
+                });
             } catch (const std::system_error&) {
                 seats_[i].error = std::make_exception_ptr(
                     UsageError("search " + std::to_string(from + i + 1) +
