@@ -14,7 +14,6 @@
 #include "ga/selection/selection.hpp"
 #include "ga/variation/cross.hpp"
 #include "ga/variation/mutate.hpp"
-#include "ga/variation/sample.hpp"
 
 /// The engine of genetic algorithms: a population passes through stages. It does not depend on a domain.
 namespace ga {}

@@ -74,11 +74,6 @@ struct Clearing : Operator {
     ///@}
 };
 
-/// The stage `clear radius capacity=capacity`.
-inline Clearing clear(double radius, std::size_t capacity = 1) {
-    return checked(Clearing{{}, radius, capacity});
-}
-
 /// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). The result is the
 /// generation's start, in which children replace parents that are worse. Two children of the same two parents
 /// are matched with these parents so that the sum of distances is smallest. A child replaces the parent with
@@ -136,9 +131,6 @@ struct Crowding : Operator {
     ///@}
 };
 
-/// The stage `crowding`.
-inline Crowding crowding() { return {}; }
-
 /// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness of an
 /// individual is divided by the size of its niche. This size is the sum of 1 - (d/radius)^alpha over all
 /// individuals whose distance d is below `radius`. If a fitness is below 0, all fitnesses are first raised so
@@ -188,10 +180,14 @@ struct Sharing : ByFitness {
     }
 };
 
-/// The stage `share radius`.
-/// @param radius  niche radius, in the problem's distance
+///@{ The operators as stages.
+inline Clearing clear(double radius, std::size_t capacity = 1) {
+    return checked(Clearing{{}, radius, capacity});
+}
+inline Crowding crowding() { return {}; }
 inline Proportional<Sharing> share(double radius, double alpha = 1) {
     return checked(Proportional<Sharing>{{}, Sharing{{}, radius, alpha}});
 }
+///@}
 
 } // namespace ga

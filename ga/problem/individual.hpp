@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ga/base/errors.hpp"
-#include "ga/problem/ranking.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace ga {
 
@@ -49,6 +50,9 @@ inline Reason reason(std::string words) { return std::make_shared<const std::str
         return reason("an exception of another type than std::exception");
     }
 }
+
+/// Values of several objectives, higher is better.
+using Point = std::vector<double>;
 
 /// The fitness of an individual under a policy: the name of one objective, or "pareto f1 f2 ..." for several.
 /// It has the values of the objectives and the violations of constraints, or the reason of a failure. A

@@ -39,9 +39,6 @@ struct Elite : Operator {
     ///@}
 };
 
-/// The stage `elite k`.
-inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
-
 /// (mu + lambda) replacement (Schwefel 1975). Returns the mu best individuals of the generation's start and
 /// of the population. Under several objectives the two populations are ranked as one. This is NSGA-II's
 /// replacement (Deb et al. 2002).
@@ -64,9 +61,6 @@ struct Plus : Operator {
     }
     ///@}
 };
-
-/// The stage `plus mu`.
-inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
 
 /// Adds the individuals of the generation's start to the population, so that the next stages choose among the
 /// individuals of both populations.
@@ -92,9 +86,6 @@ struct JoinParents : Operator {
     ///@}
 };
 
-/// The stage `parents`.
-inline JoinParents parents() { return {}; }
-
 /// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
 /// the children, whatever the children's fitness. For two children per generation, put `tournament 2 size=2`
 /// before this stage.
@@ -118,7 +109,11 @@ struct Steady : Operator {
     ///@}
 };
 
-/// The stage `steady`.
+///@{ The operators as stages.
+inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
+inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
+inline JoinParents parents() { return {}; }
 inline Steady steady() { return {}; }
+///@}
 
 } // namespace ga

@@ -19,9 +19,6 @@ struct Best : Operator {
     ///@}
 };
 
-/// The stage `best n`.
-inline Best best(std::size_t n) { return checked(Best{{}, n}); }
-
 /// Keeps n different individuals at random, in random order. If there are fewer, all stay, in random order.
 struct Random : Operator {
     std::size_t n = 0; ///< number of individuals that stay; 0 for all
@@ -43,9 +40,6 @@ struct Random : Operator {
     }
     ///@}
 };
-
-/// The stage `random n`; n = 0 keeps all, in random order.
-inline Random at_random(std::size_t n = 0) { return {{}, n}; }
 
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
 /// is a tie, the individual that was drawn first is chosen. If a large population has as many places as
@@ -85,15 +79,10 @@ struct Tournament : Operator {
     ///@}
 };
 
-/// The stage `tournament k size=size`.
-inline Tournament tournament(std::size_t k, std::size_t size = 0) { return checked(Tournament{{}, k, size}); }
-
 /// The minimum number of individuals that a threshold keeps.
 struct AtLeast {
     std::size_t count = 0; ///< number; 0 for no minimum
 };
-/// The argument `at_least=count`.
-inline AtLeast at_least(std::size_t count) { return {count}; }
 
 /// The `at_least` individuals that are nearest to passing a threshold, in the population's order. Individuals
 /// with smaller violations of the constraints are nearer. If violations are equal, a higher fitness is nearer
@@ -164,15 +153,6 @@ struct Threshold : Operator {
     }
     ///@}
 };
-
-/// The stage `above threshold at_least=...`.
-inline Threshold<true> above(double threshold, AtLeast least = {}) {
-    return checked(Threshold<true>{{}, threshold, least});
-}
-/// The stage `below threshold at_least=...`.
-inline Threshold<false> below(double threshold, AtLeast least = {}) {
-    return checked(Threshold<false>{{}, threshold, least});
-}
 
 /// Weights of individuals for Proportional (windowing). A weight is the distance of the fitness from the
 /// worst fitness, divided by the distance of the best fitness from the worst. So any fitness is allowed, and
@@ -295,14 +275,22 @@ struct Proportional : Operator {
     ///@}
 };
 
-/// The stage `roulette`.
+///@{ The operators as stages, and the argument `at_least` of `above` and `below`.
+inline Best best(std::size_t n) { return checked(Best{{}, n}); }
+inline Random at_random(std::size_t n = 0) { return {{}, n}; }
+inline Tournament tournament(std::size_t k, std::size_t size = 0) { return checked(Tournament{{}, k, size}); }
+inline AtLeast at_least(std::size_t count) { return {count}; }
+inline Threshold<true> above(double threshold, AtLeast least = {}) {
+    return checked(Threshold<true>{{}, threshold, least});
+}
+inline Threshold<false> below(double threshold, AtLeast least = {}) {
+    return checked(Threshold<false>{{}, threshold, least});
+}
 inline Proportional<Roulette> roulette() { return {}; }
-/// The stage `sus`.
 inline Proportional<Universal> sus() { return {}; }
-/// The stage `rank pressure`.
-/// @param pressure  expected number of places of the best, above 1 and at most 2
 inline Proportional<ByRank> rank(double pressure = 1.5) {
     return checked(Proportional<ByRank>{{}, ByRank{pressure}});
 }
+///@}
 
 } // namespace ga

@@ -176,11 +176,6 @@ struct OnePoint : Points {
     ///@}
 };
 
-/// The method `one_point` of `cross`.
-inline OnePoint one_point() { return {}; }
-/// The method `n_points n` of `cross`, n >= 1.
-inline Points n_points(std::size_t n) { return {n}; }
-
 /// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
 /// genome.
 struct Uniform : NoParameters {
@@ -209,9 +204,6 @@ struct Uniform : NoParameters {
     }
     ///@}
 };
-
-/// The method `uniform` of `cross`.
-inline Uniform uniform() { return {}; }
 
 /// Order cross-over (Davis 1985). Each child keeps a piece of one parent at its position. The other numbers
 /// follow from the end of that piece, in the order of the other parent. Permutations of unequal length stay
@@ -259,9 +251,6 @@ struct Order : NoParameters {
     }
 };
 
-/// The method `order` of `cross`.
-inline Order order() { return {}; }
-
 /// BLX-alpha (Eshelman and Schaffer 1993): each child's gene is uniform in an interval around both parents'
 /// genes. It extends alpha times their distance beyond each of them, and is cut at the bounds.
 struct Blend {
@@ -288,15 +277,11 @@ struct Blend {
     ///@}
 };
 
-/// The method `blend alpha` of `cross`.
-/// @param alpha  extension of the interval relative to the parents' distance, >= 0
-inline Blend blend(double alpha = 0.5) { return {alpha}; }
-
 /// Simulated binary cross-over (Deb and Agrawal 1995, with bounds as in NSGA-II's code). Each gene is crossed
 /// with probability 1/2. Children lie symmetrically about the parents' mean. They spread as the children of
 /// binary strings do after one-point cross-over.
 struct SimulatedBinary {
-    double eta = 15; ///< distribution index; greater values put children nearer to their parents
+    double eta = 15; ///< distribution index, >= 0; greater values put children nearer to their parents
 
     ///@{ Members that every cross-over has (Crosses).
     static constexpr const char* needs = real_genes;
@@ -337,8 +322,13 @@ struct SimulatedBinary {
     }
 };
 
-/// The method `sbx eta` of `cross`.
-/// @param eta  distribution index, >= 0; greater values put children nearer to their parents
+///@{ The methods for `cross`.
+inline OnePoint one_point() { return {}; }
+inline Points n_points(std::size_t n) { return {n}; }
+inline Uniform uniform() { return {}; }
+inline Order order() { return {}; }
+inline Blend blend(double alpha = 0.5) { return {alpha}; }
 inline SimulatedBinary sbx(double eta = 15) { return {eta}; }
+///@}
 
 } // namespace ga

@@ -278,19 +278,14 @@ struct Natural : NoParameters {
     ///@}
 };
 
-/// The method `gaussian sigma` of `mutate`.
+///@{ The methods for `mutate`.
 inline Gaussian gaussian(double sigma = 0.1) { return {sigma}; }
-/// The method `uniform step` of `mutate`.
 inline UniformStep uniform_step(double step = 0.1) { return {step}; }
-/// The method `polynomial eta` of `mutate`.
-/// @param eta  distribution index; a greater one gives smaller steps
 inline Polynomial polynomial(double eta = 20) { return {eta}; }
-/// The method `reset` of `mutate`.
 inline Reset reset() { return {}; }
-/// The method `swap` of `mutate`.
 inline Swap swap() { return {}; }
-/// The method `reverse` of `mutate`.
 inline Reverse reverse() { return {}; }
+///@}
 
 /// The stage `mutate` with a method.
 /// @param rate  probability that a gene mutates, 0 to 1
@@ -298,5 +293,36 @@ template <class Way = Natural>
 Mutate<Way> mutate(double rate, Way way = {}) {
     return checked(Mutate<Way>{{}, rate, std::move(way)});
 }
+
+/// Replaces the population by n new individuals, which the problem draws at random.
+struct Sample : Operator {
+    std::size_t n = 1; ///< number of individuals, >= 1
+    ///@{ Members that every operator has (Operator).
+    static constexpr bool begins = true;
+    static constexpr const char* needs = "a problem that samples genomes";
+    static Words words() {
+        return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
+    }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
+    void check(CheckState& known) const { known.scored.reset(); }
+
+    template <Sampled P>
+    PopulationOf<P> operator()(PopulationOf<P>, Context<P>& context) const {
+        PopulationOf<P> fresh;
+        for (std::size_t i = 0; i < n; ++i) {
+            Stream stream = context.stream(i);
+            fresh.push_back({context.problem().sample(stream), context.new_identity(), {}, {}, {}});
+            if (i == 0) {
+                context.need_room(n, {}, &fresh.front().genome);
+                fresh.reserve(n);
+            }
+        }
+        return fresh;
+    }
+    ///@}
+};
+
+/// The stage `sample n`.
+inline Sample sample(std::size_t n) { return checked(Sample{{}, n}); }
 
 } // namespace ga

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/external/solution.hpp"
+#include "ga/problem/comparison.hpp"
 #include "ga/problem/problem.hpp"
-#include "ga/problem/ranking.hpp"
 
 #include <atomic>
 
