@@ -127,9 +127,7 @@ struct LevenbergMarquardt {
     }
 };
 
-/// The method `lm evaluations`.
-/// @param evaluations  maximum number of evaluations after the start point, >= 1
-/// @param sharpen      see LevenbergMarquardt
+/// The method `lm evaluations sharpen=sharpen`.
 inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
     return method_of(LevenbergMarquardt{evaluations, sharpen});
 }

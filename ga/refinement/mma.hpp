@@ -63,7 +63,6 @@ struct Mma {
 };
 
 /// The method `mma evaluations`.
-/// @param evaluations  maximum number of evaluations after the start point, >= 1
 inline ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations}); }
 
 /// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
@@ -134,7 +133,6 @@ struct Minimax {
 };
 
 /// The method `minimax evaluations`.
-/// @param evaluations  maximum number of evaluations after the start point, >= 1
 inline ResidualMethod minimax(int evaluations) { return method_of(Minimax{evaluations}); }
 
 } // namespace ga

@@ -178,7 +178,6 @@ struct Nlopt {
 };
 
 /// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.
-/// @param evaluations  maximum number of evaluations after the start point, >= 1
 inline Method nlopt_method(const std::string& name, int evaluations) {
     return method_of(Nlopt{name, evaluations});
 }

@@ -2,6 +2,261 @@
 
 /// @file
 /// Refinement by every method of the engine. It is not part of ga/ga.hpp, because it needs Eigen and NLopt.
+#include "ga/pipeline/stage.hpp"
 #include "ga/refinement/levenberg_marquardt.hpp"
 #include "ga/refinement/mma.hpp"
-#include "ga/refinement/refine.hpp"
+
+namespace ga {
+
+/// A problem that a method of refinement works for.
+template <class P, class M>
+concept Refinable = Problem<P> && HasGenes<P> &&(Sensitive<P> || !std::derived_from<M, ResidualMethod>);
+
+/// The refinement of one individual by a method. It evaluates the points that the method requests.
+template <Problem P>
+class Search {
+  public:
+    using Genome = typename P::Genome; ///< genome of the problem
+
+    /// Prepares a search. `moving` are the genes that move, `limit` is the maximum number of requests. The
+    /// problem, the queue, the watch and the individual must outlive the search.
+    Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
+           const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
+        : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
+          limit_(limit), genes_(genes_of(problem, individual.genome)) {
+        for (const Variable& variable : moving_) {
+            if (variable.gene >= genes_.size())
+                throw UsageError("refine: gene " + std::to_string(variable.gene) +
+                                 " may move but does not exist; name one below " +
+                                 std::to_string(genes_.size()));
+            places_.push_back(static_cast<Eigen::Index>(variable.gene));
+        }
+        const auto& objectives = problem.objectives();
+        for (std::size_t i = 0; i < objectives.size(); ++i)
+            if (objectives[i].name == individual.fitness.objective())
+                objective_ = i;
+    }
+
+    /// The genome to which the method moved the individual; none if it did not move it.
+    std::optional<Genome> by(const Method& method, std::uint64_t seed) {
+        const auto n = static_cast<Eigen::Index>(moving_.size());
+        if (n == 0)
+            return std::nullopt;
+        Landscape land;
+        land.seed = seed;
+        land.start.resize(n), land.lower.resize(n), land.upper.resize(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Variable& variable = moving_[static_cast<std::size_t>(i)];
+            land.lower[i] = variable.lower;
+            land.upper[i] = variable.upper;
+            land.start[i] = std::clamp(genes_[variable.gene], variable.lower, variable.upper);
+        }
+        land.exhausted = [this] { return stopped_ || asked_ >= limit_ || watch_.expired(); };
+        land.fitness = [this](const Eigen::VectorXd& x) {
+            const Fitness found = fitness(x);
+            return found.known() && found.feasible() ? found.merit() : -HUGE_VAL;
+        };
+        if constexpr (Constrained<P>)
+            land.constrained = [this](const Eigen::VectorXd& x) {
+                if (seen_at_.size() != x.size() ||
+                    seen_at_ != x) { // called for the fitness, then for the constraints
+                    seen_fitness_ = fitness(x);
+                    seen_at_ = x;
+                }
+                return std::pair(seen_fitness_.known() ? seen_fitness_.merit() : -HUGE_VAL, violations_);
+            };
+        if constexpr (Differentiable<P>)
+            land.gradient = [this](const Eigen::VectorXd& x) { return gradient(x); };
+        if constexpr (Sensitive<P>)
+            land.sensitivity = [this](const Eigen::VectorXd& x) { return sensitivity(x); };
+        const Eigen::VectorXd x = method.improve(land);
+        return x == land.start ? std::nullopt : std::optional(at(x));
+    }
+
+  private:
+    static Eigen::Map<Eigen::VectorXd> as_vector(std::vector<double>& numbers) {
+        return {numbers.data(), static_cast<Eigen::Index>(numbers.size())};
+    }
+    Genome at(const Eigen::VectorXd& x) const {
+        std::vector<double> moved = genes_;
+        as_vector(moved)(places_) = x;
+        return with_genes(problem_, individual_.genome, std::move(moved));
+    }
+    const auto& objective() const { return problem_.objectives()[objective_]; }
+
+    /// Makes a request. It stays unanswered if the run has to stop or the limit is reached.
+    void ask(EvaluationRequest<P>& request) {
+        if (stopped_ || asked_ >= limit_)
+            return;
+        ++asked_;
+        try {
+            door_.serve(request);
+        } catch (const Stopped&) {
+            stopped_ = true;
+        } catch (const NothingLeft&) { // here a failure like any other
+        }
+    }
+
+    /// The fitness at a point, and the violations of constraints there; unknown if it was not evaluated.
+    Fitness fitness(const Eigen::VectorXd& x) {
+        const Genome genome = at(x);
+        Fitness found;
+        violations_.resize(0);
+        EvaluationRequest<P> request;
+        request.questions.push_back({&genome});
+        request.use = [&] {
+            const auto* answer = request.questions.front().answer;
+            if (!answer || std::holds_alternative<Pending>(*answer))
+                return;
+            found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
+            if constexpr (Constrained<P>)
+                if (!found.has_failed()) {
+                    auto each = violations_of(problem_, std::get<typename P::Outcome>(*answer));
+                    violations_ = as_vector(each);
+                }
+        };
+        ask(request);
+        return found;
+    }
+    /// The slope at a point; unknown parts are empty.
+    Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
+        Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
+        EvaluationRequest<P> request;
+        request.slopes.push_back(&slope);
+        ask(request);
+        return slope;
+    }
+    Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
+        Slope<P> found = slope(x, false);
+        if (found.gradient.size() != genes_.size())
+            return {};
+        return (objective().minimise ? -1.0 : 1.0) * as_vector(found.gradient)(places_);
+    }
+    std::optional<Sensitivity> sensitivity(const Eigen::VectorXd& x) {
+        const Slope<P> found = slope(x, true);
+        if (!found.sensitivity ||
+            found.sensitivity->jacobian.cols() != static_cast<Eigen::Index>(genes_.size()))
+            return std::nullopt;
+        const Sensitivity& all = *found.sensitivity;
+        Sensitivity chosen{all.residuals, all.jacobian(Eigen::all, places_)};
+        if (chosen.residuals.size() == 0 || !chosen.residuals.allFinite() || !chosen.jacobian.allFinite())
+            return std::nullopt;
+        return chosen;
+    }
+
+    const P& problem_;
+    EvaluationQueue<P>& door_;
+    const Watch& watch_;
+    const Individual<Genome>& individual_;
+    std::vector<Variable> moving_;
+    long limit_, asked_ = 0;
+    std::vector<double> genes_;
+    std::vector<Eigen::Index> places_; ///< indices of the genes that move
+    std::size_t objective_ = 0;
+    bool stopped_ = false;
+    Eigen::VectorXd violations_; ///< at the last evaluated point
+    Eigen::VectorXd seen_at_;    ///< the last point of `constrained`
+    Fitness seen_fitness_;       ///< there
+};
+
+/// The choice of all genes; each moves between the problem's bounds.
+struct EveryGene {
+    std::string name = "all"; ///< name of the choice in a stage's text
+};
+
+/// Moves the chosen genes of every individual by a method of refinement, and scores the results. Individuals
+/// are refined in parallel (`Rounds`). Failed individuals and individuals that do not improve stay unchanged.
+/// The genes that move and their bounds are chosen for the genome before its first refinement.
+template <class M, class Choice>
+struct Refine : Operator {
+    M method;         ///< method that moves the genes
+    Choice variables; ///< genes that may move: Variables<G>, or EveryGene
+
+    ///@{ Members that every operator has (Operator).
+    std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
+    void check(CheckState& known) const { known.need_one_objective(text()); }
+
+    template <Problem P>
+    void check_problem() const {
+        if (method.needs_gradient && !Differentiable<P>)
+            throw UsageError(
+                "stage '" + text() +
+                "' needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
+    }
+
+    template <class P>
+    requires Refinable<P, M> PopulationOf<P>
+    operator()(PopulationOf<P> population, Context<P>& context) const {
+        using G = typename P::Genome;
+        std::vector<Individual<G>*> jobs;
+        for (auto& individual : population)
+            if (!individual.fitness.has_failed())
+                jobs.push_back(&individual);
+        // One evaluation is reserved for each result. The rest of the budget is divided before any search.
+        const auto count = static_cast<long>(jobs.size());
+        if (context.ledger().spent(count)) {
+            context.state.in_hand = population;
+            throw Stopped{"evaluation budget spent"};
+        }
+        const long left =
+            std::max(0L, context.ledger().budget().evaluations - context.counters().asked - count);
+        std::vector<std::optional<G>> found(jobs.size());
+        Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, EvaluationQueue<P>& door) {
+            const auto& individual = *jobs[i];
+            const G& original = individual.origin ? *individual.origin : individual.genome;
+            std::vector<Variable> moving;
+            if constexpr (std::same_as<Choice, EveryGene>)
+                moving = checked_bounds(context.problem(), original);
+            else
+                moving = variables.of(original);
+            std::erase_if(moving,
+                          [](const Variable& variable) { return !(variable.lower < variable.upper); });
+            const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
+            found[i] =
+                Search<P>(context.problem(), door, context.watch(), individual, std::move(moving), limit)
+                    .by(method, context.stream(i)());
+        });
+        Population<G> answers;
+        for (std::size_t i = 0; i < jobs.size(); ++i) {
+            if (!jobs[i]->origin)
+                jobs[i]->origin = std::make_shared<const G>(jobs[i]->genome);
+            answers.push_back(*jobs[i]);
+            if (found[i]) {
+                answers.back().genome = std::move(*found[i]);
+                answers.back().fitness = {};
+            }
+        }
+        std::optional<Stopped> stop;
+        try {
+            if (!answers.empty())
+                context.score(answers, jobs.front()->fitness.objective(), Patience::finish);
+        } catch (const Stopped& stopped) {
+            stop = stopped;
+        }
+        // An interrupted search is not a result of this stage; the best point so far is kept.
+        if (!stop && context.watch().expired())
+            stop = Stopped{context.watch().reason()};
+        for (std::size_t i = 0; i < jobs.size(); ++i)
+            if (answers[i].fitness.known() && better(answers[i].fitness, jobs[i]->fitness))
+                *jobs[i] = std::move(answers[i]);
+        if (stop) {
+            context.state.in_hand = population;
+            throw *stop;
+        }
+        return population;
+    }
+    ///@}
+};
+
+/// The stage `refine method genes=NAME`.
+template <class M, class G>
+requires std::derived_from<M, Method> Refine<M, Variables<G>> refine(M method, Variables<G> variables) {
+    return {{}, std::move(method), std::move(variables)};
+}
+/// The stage `refine method` for all genes; each moves between the problem's bounds.
+template <class M>
+requires std::derived_from<M, Method> Refine<M, EveryGene> refine(M method) {
+    return {{}, std::move(method), {}};
+}
+
+} // namespace ga
