@@ -48,12 +48,15 @@ struct Difference {
     }
 };
 
-/// The genes of all individuals.
+/// The genes of all individuals. Throws NothingLeft if there are fewer than the four that a trial needs.
 template <Problem P>
-std::vector<std::vector<double>> all_genes(const P& problem, const PopulationOf<P>& population) {
+std::vector<std::vector<double>> all_genes(const PopulationOf<P>& population, const Context<P>& context) {
+    if (population.size() < 4)
+        throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
+                          " individuals; give 4 or more");
     std::vector<std::vector<double>> all;
     for (const auto& individual : population)
-        all.push_back(genes_of(problem, individual.genome));
+        all.push_back(genes_of(context.problem(), individual.genome));
     return all;
 }
 
@@ -93,9 +96,7 @@ struct DifferentialEvolution : Operator {
     template <HasGenes P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const std::size_t n = population.size();
-        if (n < 4)
-            throw NothingLeft(context.path() + ": " + std::to_string(n) + " individuals; give 4 or more");
-        const auto genes = all_genes(context.problem(), population);
+        const auto genes = all_genes(population, context);
         const std::size_t best = ranking(population, 1).front();
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);

@@ -110,9 +110,6 @@ struct LShade : Operator {
 
     template <HasGenes P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
-        if (population.size() < 4)
-            throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
-                              " individuals; give 4 or more");
         Stream random = context.stream(everyone);
         if (state.initial == 0) {
             state.initial = population.size();
@@ -125,7 +122,7 @@ struct LShade : Operator {
         while (state.beaten.size() > room(n))
             drop(state.beaten, random.below(state.beaten.size()));
 
-        auto genes = all_genes(context.problem(), population);
+        auto genes = all_genes(population, context);
         const auto order = ranking(population, std::max<std::size_t>(2, rounded(p * static_cast<double>(n))));
         state.trials.clear();
         for (std::size_t i = 0; i < n; ++i) {
