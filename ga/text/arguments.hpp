@@ -2,11 +2,17 @@
 
 #include "ga/pipeline/parameters.hpp"
 #include "ga/text/nearest.hpp"
-#include "ga/text/syntax.hpp"
 
 #include <map>
 
 namespace ga {
+
+/// One argument of a stage: VALUE, or KEY=VALUE.
+struct ArgumentText {
+    std::string key;        ///< empty if only a value was given
+    std::string value;      ///< value as it was written
+    std::size_t column = 0; ///< column in the text, from 1
+};
 
 /// The arguments of an operator, each checked against its parameter.
 class Arguments {
@@ -19,22 +25,28 @@ class Arguments {
                             const std::string& stage, std::size_t column, std::string where)
         : where_(std::move(where)) {
         for (const auto& argument : given) {
-            const auto parameter =
-                argument.key.empty() ? next_free(parameters) : named(parameters, argument.key);
+            const auto parameter = std::ranges::find_if(parameters, [&](const Parameter& each) {
+                return !argument.key.empty() ? each.name == argument.key
+                                             : each.kind == Parameter::Kind::words || !has(each.name);
+            });
             if (parameter == parameters.end())
                 throw TextError(where_, argument.column,
                                 argument.key.empty() ? "stage '" + stage + "' has no place for '" +
                                                            argument.value + "'; remove it"
                                                      : "stage '" + stage + "' has no '" + argument.key + "'" +
                                                            suggestion(argument.key, names(parameters)));
-            if (values_.count(parameter->name) && parameter->kind != Parameter::Kind::words)
+            if (has(parameter->name) && parameter->kind != Parameter::Kind::words)
                 throw TextError(where_, argument.column,
                                 "'" + parameter->name + "' is given twice; give it once");
-            check(*parameter, argument, stage);
+            const std::optional<double> value = parsed(argument.value);
+            if (!parameter->is_text() && !(value && parameter->allows(*value)))
+                throw TextError(where_, argument.column,
+                                "stage '" + stage + "': " + parameter->name + " is '" + argument.value +
+                                    "'; give " + parameter->expected(value && *value > parameter->upper));
             values_[parameter->name].push_back(argument);
         }
         for (const auto& parameter : parameters) {
-            if (values_.count(parameter.name))
+            if (has(parameter.name))
                 continue;
             if (!parameter.standard)
                 throw TextError(where_, column,
@@ -98,35 +110,12 @@ class Arguments {
                     field.value);
     }
 
-    using Parameters = std::vector<Parameter>;
-
-    Parameters::const_iterator named(const Parameters& parameters, const std::string& name) const {
-        return std::find_if(parameters.begin(), parameters.end(),
-                            [&](const auto& each) { return each.name == name; });
-    }
-    Parameters::const_iterator next_free(const Parameters& parameters) const {
-        return std::find_if(parameters.begin(), parameters.end(), [&](const auto& each) {
-            return each.kind == Parameter::Kind::words || values_.count(each.name) == 0;
-        });
-    }
-    static std::vector<std::string> names(const Parameters& parameters) {
+    static std::vector<std::string> names(const std::vector<Parameter>& parameters) {
         std::vector<std::string> names;
         for (const auto& each : parameters)
             names.push_back(each.name);
         return names;
     }
-    [[gnu::cold]] void check(const Parameter& parameter, const ArgumentText& argument,
-                             const std::string& stage) const {
-        if (parameter.is_text())
-            return;
-        const std::optional<double> value = parsed(argument.value);
-        const bool fits = value && parameter.allows(*value);
-        if (!fits)
-            throw TextError(where_, argument.column,
-                            "stage '" + stage + "': " + parameter.name + " is '" + argument.value +
-                                "'; give " + parameter.expected(value && *value > parameter.upper));
-    }
-
     std::string where_;
     std::map<std::string, std::vector<ArgumentText>> values_;
 };
