@@ -10,6 +10,7 @@
 
 #include <bit>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -52,22 +53,16 @@ inline std::string seal(const std::filesystem::path& name, std::string_view byte
     const std::filesystem::path file = held(name), draft = file.string() + ".tmp",
                                 before = file.string() + ".before";
     ::unlink(draft.c_str());
-    const int descriptor = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor < 0)
+    std::FILE* const stream = std::fopen(draft.c_str(), "wbxe"); // x: a new file, e: not for child processes
+    if (!stream)
         return std::strerror(errno);
     std::string error;
     const std::string head = seal_of(bytes);
-    for (std::string_view part : {std::string_view(head), bytes})
-        while (!part.empty() && error.empty()) {
-            const ssize_t written = ::write(descriptor, part.data(), part.size());
-            if (written > 0)
-                part.remove_prefix(static_cast<std::size_t>(written));
-            else if (errno != EINTR)
-                error = std::strerror(errno);
-        }
-    if (error.empty() && ::fsync(descriptor) != 0)
+    if (std::fwrite(head.data(), 1, head.size(), stream) < head.size() ||
+        std::fwrite(bytes.data(), 1, bytes.size(), stream) < bytes.size() || std::fflush(stream) != 0 ||
+        ::fsync(::fileno(stream)) != 0)
         error = std::strerror(errno);
-    if (::close(descriptor) != 0 && error.empty())
+    if (std::fclose(stream) != 0 && error.empty())
         error = std::strerror(errno);
     if (!error.empty()) {
         ::unlink(draft.c_str());
@@ -138,18 +133,18 @@ void from_json(const json& j, Individual<G>& individual) {
     individual.fitness = {};
     if (const json& scored = j.at(3); !scored.is_null()) {
         const Name policy(scored.at(0).get<std::string>());
+        std::size_t replicates = 1;
         if (scored.size() == 2)
             individual.fitness = Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
         else if (scored.size() == 4)
-            individual.fitness = Fitness(policy, scored.at(1).get<Point>())
-                                     .constrained(scored.at(3), scored.at(2).get<double>());
+            individual.fitness = Fitness(policy, scored.at(1).get<Point>());
         else {
-            std::size_t replicates = 0;
+            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(4).get<bool>());
             read_part(scored.at(5), replicates);
-            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(4).get<bool>())
-                                     .constrained(scored.at(3), scored.at(2).get<double>())
-                                     .averaged(replicates);
         }
+        if (scored.size() > 2)
+            individual.fitness =
+                individual.fitness.constrained(scored.at(3), scored.at(2).get<double>()).averaged(replicates);
     }
     individual.origin.reset();
     if (!j.at(4).is_null()) {
@@ -401,32 +396,24 @@ class Checkpoints : public Checkpointer<P> {
     }
     static void recall(const json& j, Ledger<P>& ledger) {
         if constexpr (Storable<Outcome>) {
-            const auto each = [&](const json& list, auto take) {
-                for (const json& entry : list) {
+            const auto evaluation = [&](const json& entry) -> Evaluation<Outcome> {
+                if (entry.size() > 3)
+                    return reason(entry.at(3).get<std::string>());
+                auto outcome = entry.at(2).get<Outcome>();
+                if constexpr (ValidatesOutcomes<P>)
+                    expect_valid(ledger.problem().valid_outcome(outcome));
+                return outcome;
+            };
+            const json& stored = j.at("memory"); // old, young, prepaid
+            for (std::size_t part = 0; part < 3; ++part)
+                for (const json& entry : stored.at(part)) {
                     Fingerprint print;
                     read_parts(entry, print.high, print.low);
-                    if (entry.size() == 3) {
-                        auto outcome = entry.at(2).get<Outcome>();
-                        if constexpr (ValidatesOutcomes<P>)
-                            expect_valid(ledger.problem().valid_outcome(outcome));
-                        take(print, Evaluation<Outcome>(std::move(outcome)));
-                    } else
-                        take(print, Evaluation<Outcome>(reason(entry.at(3).get<std::string>())));
+                    if (part < 2)
+                        (part == 0 ? ledger.memory.old : ledger.memory.young).at(print) = evaluation(entry);
+                    else if (!ledger.memory.old.find(print))
+                        ledger.prepay(print, evaluation(entry));
                 }
-            };
-            auto& memory = ledger.memory;
-            const auto& [old, young, prepaid] =
-                std::tie(j.at("memory").at(0), j.at("memory").at(1), j.at("memory").at(2));
-            each(old, [&](const Fingerprint& print, auto evaluation) {
-                memory.old.at(print) = std::move(evaluation);
-            });
-            each(young, [&](const Fingerprint& print, auto evaluation) {
-                memory.young.at(print) = std::move(evaluation);
-            });
-            each(prepaid, [&](const Fingerprint& print, auto evaluation) {
-                if (!memory.old.find(print))
-                    ledger.prepay(print, std::move(evaluation));
-            });
         }
     }
 
