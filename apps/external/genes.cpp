@@ -161,22 +161,12 @@ std::vector<bool> minimised(const std::string& text, std::size_t objectives) {
 
 ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
     const std::string rate = ga::number(1 / static_cast<double>(genes.count)); // one gene per child
-    std::string vary = "tournament 2 | ";
-    switch (genes.kind) {
-    case Genes::Kind::numbers:
-        vary += "cross sbx rate=0.9 | mutate " + rate + " polynomial";
-        break;
-    case Genes::Kind::bits:
-        vary += "cross uniform rate=0.9 | mutate " + rate;
-        break;
-    case Genes::Kind::permutation:
-        vary += "cross order rate=0.9 | mutate " + rate + " reverse";
-        break;
-    }
-    std::string pareto = "pareto";
-    for (const std::string& name : objective_names(objectives))
-        pareto += " " + name;
-    const std::string begin = "repeat 1000000000 { " + vary;
+    const auto [cross, mutation] = genes.kind == Genes::Kind::numbers ? std::pair("sbx", " polynomial")
+                                   : genes.kind == Genes::Kind::bits  ? std::pair("uniform", "")
+                                                                      : std::pair("order", " reverse");
+    const std::string pareto = "pareto " + boost::join(objective_names(objectives), " ");
+    const std::string begin = std::string("repeat 1000000000 { tournament 2 | cross ") + cross +
+                              " rate=0.9 | mutate " + rate + mutation;
     ga::Variants variants{
         {"ga", "sample 40 | score | " + begin + " | score | elite 2 } | best 1"},
         {"nsga2", "sample 100 | " + pareto + " | " + begin + " | " + pareto + " | plus 100 } | front"}};
