@@ -5,20 +5,6 @@ namespace rugosa::python {
 
 namespace {
 
-/// Runs a solution that Ctrl-C stops; then throws Python's KeyboardInterrupt.
-template <class Solve>
-auto interruptible(rough::Model& model, Solve solve) {
-    Interruptible interrupt;
-    model.contact.stop = [&] { return interrupt.requested(); };
-    try {
-        const py::gil_scoped_release unlocked;
-        return solve();
-    } catch (const rough::NotConverged&) {
-        interrupt.rethrow();
-        throw;
-    }
-}
-
 /// The response of a surface under the model, with the requested derivatives. They are with respect to the
 /// genes if the heights are a genome's, else to the heights.
 Curve press(const rough::Profile& surface, const rough::Genome* genome, const rough::Model& model,
@@ -63,12 +49,18 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
     else if (const auto scan = keywords.settings({app::resolution_setting()}); scan.given("resolution"))
         resolution = app::resolution_from(scan);
     keywords.expect_none_left();
-    return interruptible(model, [&] {
+    Interruptible interrupt;
+    model.contact.stop = [&] { return interrupt.requested(); };
+    try {
+        const py::gil_scoped_release unlocked;
         Curve curve = press(surface, genome, model, gradient, area_gradient);
         if (resolution)
             static_cast<rough::ResolutionBand&>(curve) = resolution_band(surface, model, curve, *resolution);
         return curve;
-    });
+    } catch (const rough::NotConverged&) {
+        interrupt.rethrow();
+        throw;
+    }
 }
 
 py::tuple slip_of(const Curve& curve, double friction) {

@@ -53,8 +53,6 @@ Interruptible::~Interruptible() {
     current = nullptr;
 }
 
-bool Interruptible::requested() const { return holds_ && stop_; }
-
 void Interruptible::rethrow() const {
     if (!requested())
         return;

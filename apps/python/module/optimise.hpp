@@ -29,9 +29,8 @@ py::array_t<Gene<G>> genes_of(const ga::Population<G>& population, std::size_t c
 template <class G>
 py::array_t<double> fitness_of(const ga::Population<G>& population) {
     py::array_t<double> fitness(population.size());
-    for (std::size_t i = 0; i < population.size(); ++i) {
+    for (std::size_t i = 0; i < population.size(); ++i)
         fitness.mutable_at(i) = population[i].fitness.has_value() ? population[i].value() : std::nan("");
-    }
     return fitness;
 }
 

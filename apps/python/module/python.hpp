@@ -111,9 +111,9 @@ class Interruptible {
     Interruptible(const Interruptible&) = delete;
     Interruptible& operator=(const Interruptible&) = delete;
 
-    bool requested() const;                     ///< whether Ctrl-C was pressed
-    void rethrow() const;                       ///< throws Python's KeyboardInterrupt if it was
-    std::atomic<bool>& stop() { return stop_; } ///< for budgets; others may set it, too
+    bool requested() const { return holds_ && stop_; } ///< whether Ctrl-C was pressed
+    void rethrow() const;                              ///< throws Python's KeyboardInterrupt if it was
+    std::atomic<bool>& stop() { return stop_; }        ///< for budgets; others may set it, too
 
   private:
     std::atomic<bool> stop_ = false;

@@ -4,38 +4,34 @@ import io
 from html import escape
 
 
-def _axes(axes):
-    if axes is not None:
-        return axes
-    import matplotlib.pyplot as plt
-    return plt.subplots()[1]
+def _axes(axes, **labels):
+    """The given axes, or new ones, with these labels."""
+    if axes is None:
+        import matplotlib.pyplot as plt
+        axes = plt.subplots()[1]
+    axes.set(**labels)
+    return axes
 
 
 def _plot_curve(curve, axes=None, **style):
     """Tangent stiffness against pressure; returns the axes."""
-    axes = _axes(axes)
+    axes = _axes(axes, xlabel="pressure / MPa", ylabel="stiffness / (MPa/mm)")
     axes.plot(curve.pressure, curve.tangent_stiffness, **style)
-    axes.set_xlabel("pressure / MPa")
-    axes.set_ylabel("stiffness / (MPa/mm)")
     return axes
 
 
 def _plot_profile(profile, axes=None, **style):
     """Heights along the profile; returns the axes."""
-    axes = _axes(axes)
+    axes = _axes(axes, xlabel="x / mm", ylabel="height / mm")
     axes.plot([i * profile.spacing for i in range(profile.nodes)], profile.heights, **style)
-    axes.set_xlabel("x / mm")
-    axes.set_ylabel("height / mm")
     return axes
 
 
 def _plot_surface(surface, axes=None, **style):
     """Heights as a picture; returns the axes."""
-    axes = _axes(axes)
+    axes = _axes(axes, xlabel="x / mm", ylabel="y / mm")
     (dx, dy), (nx, ny) = surface.spacing, surface.nodes
     picture = axes.imshow(surface.heights, origin="lower", extent=(0, nx * dx, 0, ny * dy), **style)
-    axes.set_xlabel("x / mm")
-    axes.set_ylabel("y / mm")
     axes.figure.colorbar(picture, ax=axes, label="height / mm")
     return axes
 
