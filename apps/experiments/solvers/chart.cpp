@@ -56,7 +56,7 @@ ChartScene of_waves(const std::string& name, const std::string& words, std::vect
     return scene;
 }
 
-ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::function<bool()>& stop) {
+ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const Stop& stop) {
     rough::ContactOptions options;
     options.stop = stop;
     rough::ContactCurve curve =
@@ -65,16 +65,15 @@ ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const std::f
     return {rough::response_of(curve.steps, curve.solver, 0), {}};
 }
 
-/// The reason to leave a setting out, if there is one. The time of a curve grows at least like the number of
-/// nodes. @param coarser  the run on the next coarser grid, or null
-std::optional<LeftOutFor> barred(const ChartSetting& setting, const ChartRun* coarser, double limit,
-                                 bool is_late) {
+/// The reason to leave a setting out, or "". The time of a curve grows at least like the number of nodes.
+/// @param coarser  the run on the next coarser grid, or null
+std::string reason_to_leave_out(const ChartSetting& setting, const ChartRun* coarser, double limit) {
     if (coarser && coarser->outcome != Outcome::solved && !coarser->late)
-        return LeftOutFor::unsolved;
+        return "refused or not converged on a coarser grid";
     if (coarser && coarser->seconds * static_cast<double>(setting.nodes) >
                        limit * static_cast<double>(coarser->setting.nodes))
-        return LeftOutFor::limit;
-    return is_late ? std::optional(LeftOutFor::time) : std::nullopt;
+        return "one curve takes more than " + brief(limit, 3) + " s";
+    return "";
 }
 
 Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
@@ -97,19 +96,7 @@ Findings run_chart_experiment(const Settings& settings, const Conditions& condit
     const ChartData data = charted(
         chart_scenes(), settings.is_on("chart.quick") ? quick : whole, 60 * settings.number("chart.minutes"),
         [&] { return conditions.stop.load(); }, watch);
-    if (data.runs.empty())
-        return {};
-    const std::string left_out = left_out_in_a_line(data);
-    const Csv table = chart_table(data);
-    Findings found{.result = chart_facts(data),
-                   .files = {{"chart.csv", table.text()},
-                             {"models.csv", models_table(data.models).text()},
-                             {"points.csv", points_table(data).text()},
-                             {"model_errors.csv", model_errors_table(data.models).text()}},
-                   .summary = std::to_string(data.runs.size()) + " settings charted" +
-                              (left_out.empty() ? "" : "; " + left_out)};
-    found.result["runs"] = table.rows();
-    return found;
+    return data.runs.empty() ? Findings() : findings_of(data);
 }
 
 } // namespace
@@ -161,7 +148,7 @@ std::vector<ChartScene> chart_scenes() {
                      rough::brownian_waves(longest_wave, 0.05, 0.8, 64))};
 }
 
-ChartTruth truth_of(const ChartScene& scene, Index max_nodes, const std::function<bool()>& stop) {
+ChartTruth truth_of(const ChartScene& scene, Index max_nodes, const Stop& stop) {
     if (scene.exact)
         return scene.exact();
     constexpr int steps = 160;
@@ -201,7 +188,7 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
 }
 
 ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
-                   double limit, const std::function<bool()>& stop) {
+                   double limit, const Stop& stop) {
     const ContactScene contact{scene.name, scene.profile(setting.nodes), scene.body,
                                even_steps(scene.last, setting.steps)};
     rough::ContactOptions options;
@@ -213,7 +200,7 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
     double start = 0;
     options.stop = [&] {
         run.late = processor_seconds() - start > limit;
-        return run.late || (stop && stop());
+        return run.late || stop();
     };
     ContactTrial trial;
     run.seconds = lowest_seconds([&] {
@@ -231,18 +218,15 @@ ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const Chart
 }
 
 ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
-                  const std::function<bool()>& stop,
-                  const std::function<void(const ChartData&, const std::string&)>& watch) {
+                  const Stop& stop, const std::function<void(const ChartData&, const std::string&)>& watch) {
     const ga::Stopwatch clock;
     const std::vector<ChartSetting> plan = chart_plan(extent);
     ChartData data;
     data.limit = extent.limit;
-    const auto stopped = [&] { return stop && stop(); };
     const auto tell = [&](const std::string& what) {
-        if (watch)
-            watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
-                            std::to_string(plan.size() * scenes.size()) + ", at most " +
-                            duration_words(std::max(0.0, seconds - clock.seconds())) + " left: " + what);
+        watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
+                        std::to_string(plan.size() * scenes.size()) + ", at most " +
+                        duration_words(std::max(0.0, seconds - clock.seconds())) + " left: " + what);
     };
     if (extent.finest_map > 0) {
         tell("theories, profiles and maps");
@@ -254,7 +238,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
         try {
             truths.push_back(truth_of(scene, extent.max_for_truth, stop));
         } catch (const rough::NotConverged&) {
-            if (!stopped())
+            if (!stop())
                 throw;
             truths.emplace_back(); // not used: the chart ends
         }
@@ -268,23 +252,23 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
             ChartSetting key = setting;
             key.nodes = 0;
             const auto coarser = last.find(key);
-            auto why = stopped() ? LeftOutFor::interrupt
-                                 : barred(setting, coarser == last.end() ? nullptr : &coarser->second,
-                                          extent.limit, is_late);
-            if (!why) {
-                const ChartRun run =
-                    run_chart(scenes[setting.scene], truths[setting.scene], setting, extent.limit, stop);
-                if (stopped()) {
-                    why = LeftOutFor::interrupt;
-                } else {
-                    last[key] = run;
-                    data.runs.push_back(run);
-                    tell(scenes[setting.scene].name + ", " + name_of(setting.method) +
-                         ", N = " + std::to_string(setting.nodes));
-                }
+            std::string why = reason_to_leave_out(setting, coarser == last.end() ? nullptr : &coarser->second,
+                                                  extent.limit);
+            if (why.empty() && is_late)
+                why = time_over;
+            ChartRun run;
+            if (why.empty() && !stop())
+                run = run_chart(scenes[setting.scene], truths[setting.scene], setting, extent.limit, stop);
+            if (stop())
+                why = interrupted;
+            if (!why.empty()) {
+                data.left_out.push_back({setting, why});
+                continue;
             }
-            if (why)
-                data.left_out.push_back({setting, *why});
+            last[key] = run;
+            data.runs.push_back(run);
+            tell(scenes[setting.scene].name + ", " + name_of(setting.method) +
+                 ", N = " + std::to_string(setting.nodes));
         }
     }
     return data;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
-#include "apps/report/csv.hpp"
 #include "domain/response/response.hpp"
 #include "domain/theory/theory.hpp"
 
@@ -33,6 +33,10 @@ struct ChartExtent {
     double limit;                               ///< maximum time of one curve, s
     rough::Index finest_map = 0;                ///< nodes along each side of the exact maps; 0: no models
 };
+
+/// Returns true if the work is to end.
+using Stop = std::function<bool()>;
+inline const Stop never = [] { return false; };
 
 constexpr int usual_steps = 20;
 /// A setting with 20 load steps, and with the tolerance 1e-6 if the method is iterative.
@@ -67,7 +71,7 @@ std::vector<ChartScene> chart_scenes();
 /// The exact curve, or the curve of a refined grid. Each refinement has four times the nodes. It ends when
 /// pressures change by less than 1e-6 (relative, root mean square), or with `most_nodes` nodes. Throws
 /// rough::NotConverged if `stop` returns true.
-ChartTruth truth_of(const ChartScene& scene, rough::Index max_nodes, const std::function<bool()>& stop = {});
+ChartTruth truth_of(const ChartScene& scene, rough::Index max_nodes, const Stop& stop = never);
 
 /// The result of a setting: a row of chart.csv.
 struct ChartRun {
@@ -88,7 +92,7 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
 /// Solves a few times. Stops after `limit` seconds of processor time, or if `stop` returns true. Errors are
 /// known on grids of at most `finest_verified` nodes.
 ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
-                   double limit, const std::function<bool()>& stop = {});
+                   double limit, const Stop& stop = never);
 
 /// The prediction of a model for a scene: a theory, one line instead of the map, or a coarser grid.
 struct ModelRun {
@@ -116,23 +120,18 @@ struct ModelScene {
 /// ridges along y and a tenth of the isotropic roughness. H = 0.8; loads from 0.5 % to nearly full contact.
 /// The exact maps have `finest` x `finest` nodes; waves have at least 8 nodes on 128 x 128. If `stop` returns
 /// true, only the finished scenes and models are returned.
-std::vector<ModelScene> charted_models(rough::Index finest, const std::function<bool()>& stop = {});
+std::vector<ModelScene> charted_models(rough::Index finest, const Stop& stop = never);
 
 /// Root mean square of the known errors; NaN if all are unknown.
 double root_mean_square(const Eigen::VectorXd& errors);
 
-/// The reason to leave a setting out.
-enum class LeftOutFor {
-    limit,    ///< one curve would take too long, estimated from a coarser grid
-    unsolved, ///< a coarser grid was refused or did not converge
-    time,     ///< the chart's time was over
-    interrupt
-};
-
+/// A setting of the plan without a run, and the reason in words.
 struct LeftOut {
     ChartSetting setting;
-    LeftOutFor why;
+    std::string why;
 };
+/// The reasons for which a chart ends.
+inline const std::string time_over = "the chart's time was over", interrupted = "interrupted";
 
 /// All results of a chart.
 struct ChartData {
@@ -151,22 +150,19 @@ struct ChartData {
 /// was not solved, or if its curve would take longer than the limit. `stop` is called often; true ends the
 /// chart, which keeps its results. `watch` is called after each setting and reference. It gets the results so
 /// far and words such as "12 of 740, at most 3 min left".
-ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
-                  const std::function<bool()>& stop = {},
-                  const std::function<void(const ChartData&, const std::string&)>& watch = {});
+ChartData charted(
+    const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
+    const Stop& stop = never,
+    const std::function<void(const ChartData&, const std::string&)>& watch = [](const ChartData&,
+                                                                                const std::string&) {});
 
 /// chart.csv: one row per run of solvers and of models.
 Csv chart_table(const ChartData& data);
-/// models.csv: one row per load and run.
-Csv models_table(const std::vector<ModelScene>& scenes);
-/// points.csv: each run that has an error, by kind. `best` is 1 if no run of its method is faster and more
+/// All tables and everything else on the page: scenes, fastest settings, failures, settings that were left
+/// out, and the ranges in which theories, a line and a map hold.
+///
+/// points.csv has each run with an error, by kind. Its `best` is 1 if no run of its method is faster and more
 /// accurate, and 2 if no run of any method is. Errors that differ by less than a twentieth count as equal.
-Csv points_table(const ChartData& data);
-/// model_errors.csv: the errors of each model over the loads, and its time.
-Csv model_errors_table(const std::vector<ModelScene>& scenes);
-/// The settings that were left out with reasons, in one line; "" if all were tried.
-std::string left_out_in_a_line(const ChartData& data);
-/// Everything else on the page: scenes, failures, and the ranges in which theories, a line and a map hold.
-nlohmann::json chart_facts(const ChartData& data);
+Findings findings_of(const ChartData& data);
 
 } // namespace app

@@ -53,8 +53,8 @@ rough::TheoryCurve pressed(const Profile& surface, const VectorXd& pressures) {
 }
 
 /// A scene and every model of it.
-ModelScene modelled(const std::function<bool()>& stop, const std::string& name, const std::string& words,
-                    Profile (*on)(Index), Index finest, const std::vector<Index>& coarser) {
+ModelScene modelled(const Stop& stop, const std::string& name, const std::string& words, Profile (*on)(Index),
+                    Index finest, const std::vector<Index>& coarser) {
     const Profile surface = on(finest);
     const bool is_map = surface.is_2d();
     const rough::RandomSurface random = random_surface(surface, true);
@@ -72,7 +72,7 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
         VectorXd::LinSpaced(loads, std::log(lightest), std::log(heaviest)).array().exp();
     scene.exact = pressed(surface, pressure);
     const auto measure = [&](const char* family, const std::string& model, Index nodes, auto work) {
-        if (stop && stop())
+        if (stop())
             return;
         ModelRun run{.family = family, .model = model, .nodes = nodes};
         run.seconds = lowest_seconds([&] { run.curve = work(); });
@@ -104,11 +104,11 @@ ModelScene modelled(const std::function<bool()>& stop, const std::string& name, 
 
 } // namespace
 
-std::vector<ModelScene> charted_models(Index finest, const std::function<bool()>& stop) {
+std::vector<ModelScene> charted_models(Index finest, const Stop& stop) {
     std::vector<ModelScene> scenes;
     const auto add = [&](const char* name, const char* words, Profile (*on)(Index), Index exact,
                          const std::vector<Index>& coarser) {
-        if (!stop || !stop())
+        if (!stop())
             scenes.push_back(modelled(stop, name, words, on, exact, coarser));
     };
     add("self-affine-line", "a self-affine profile, H = 0.8, waves from L/32 to L/256", line_on, 4096,

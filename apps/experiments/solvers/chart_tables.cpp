@@ -114,23 +114,6 @@ json fastest_by_error(const ChartData& data, const ErrorKind& kind) {
                                  })}};
 }
 
-/// Settings that were not tried: a row for each reason and method, with the coarsest grid of these.
-json left_out_rows(const ChartData& data) {
-    const std::array<std::string, 4> why{"one curve takes more than " + brief(data.limit, 3) + " s",
-                                         "refused or not converged on a coarser grid",
-                                         "the chart's time was over", "interrupted"};
-    std::map<std::pair<LeftOutFor, Solver>, std::vector<Index>> all;
-    for (const LeftOut& each : data.left_out)
-        all[{each.why, each.setting.method}].push_back(each.setting.nodes);
-    json rows = json::array();
-    for (const auto& [key, nodes] : all)
-        rows.push_back({{"method", rough::name_of(key.second)},
-                        {"settings", nodes.size()},
-                        {"from_nodes", std::ranges::min(nodes)},
-                        {"why", why[static_cast<std::size_t>(key.first)]}});
-    return rows;
-}
-
 constexpr double fair = 0.2; ///< a model holds up to this error
 
 /// The range of contact fractions around the lowest error in which errors stay fair; null if it is empty.
@@ -204,6 +187,69 @@ json losses_of_auto(const ChartData& data) {
                           : json{{"median", rough::median(losses)}, {"largest", std::ranges::max(losses)}};
 }
 
+void add_points(Findings& found, const ChartData& data) {
+    Csv& table = found.table("points.csv", "scene,kind,method,seconds,error,best", 6);
+    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
+        for (const ErrorKind& kind : error_kinds) {
+            std::vector<const ChartRun*> runs;
+            for (const ChartRun& run : data.runs)
+                if (run.setting.scene == scene && kind.compares(run) && run.*kind.value > 0)
+                    runs.push_back(&run);
+            std::ranges::stable_sort(
+                runs, {}, [&](const ChartRun* run) { return std::pair(run->seconds, run->*kind.value); });
+            double lowest = HUGE_VAL; // lowest error of the faster runs: any method, and each method
+            std::map<Solver, double> lowest_of;
+            for (const ChartRun* run : runs) {
+                const double error = run->*kind.value;
+                double& lowest_here = lowest_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
+                const int best = error < 0.95 * lowest ? 2 : error < 0.95 * lowest_here ? 1 : 0;
+                table.row(data.scenes[scene].name, kind.name, method_of(*run), run->seconds, error, best);
+                if (best == 2)
+                    lowest = error;
+                if (error < 0.95 * lowest_here)
+                    lowest_here = error;
+            }
+        }
+}
+
+/// models.csv, one row per load and run, and model_errors.csv, the errors of each model over the loads.
+void add_models(Findings& found, const std::vector<ModelScene>& scenes) {
+    Csv &loads = found.table("models.csv",
+                             "scene,model,nodes,seconds,pressure_MPa,contact_fraction,stiffness_MPa_per_mm,"
+                             "error_contact,error_stiffness",
+                             6),
+        &errors = found.table("model_errors.csv",
+                              "scene,family,model,nodes,answers,loads,area,stiffness,seconds", 6);
+    for (const ModelScene& scene : scenes)
+        for (const ModelRun& run : scene.runs) {
+            for (Index j = 0; j < run.area_errors.size(); ++j)
+                loads.row(scene.name, run.model, run.nodes, run.seconds, scene.exact.pressure[j],
+                          run.curve.contact_fraction[j], run.curve.stiffness[j], run.area_errors[j],
+                          run.stiffness_errors[j]);
+            errors.row(scene.name, run.family, run.model, run.nodes,
+                       run.curve.contact_fraction.array().isFinite().count(), run.area_errors.size(),
+                       run.area_error, run.stiffness_error, run.seconds);
+        }
+}
+
+/// Settings that were not tried: for each reason and method their number and their coarsest grid.
+void add_left_out(Findings& found, const ChartData& data) {
+    std::map<std::pair<std::string, Solver>, std::vector<Index>> all;
+    for (const LeftOut& each : data.left_out)
+        all[{each.why, each.setting.method}].push_back(each.setting.nodes);
+    std::string before = "; " + std::to_string(data.left_out.size()) + " left out: ";
+    for (const auto& [key, nodes] : all) {
+        const auto& [why, method] = key;
+        const Index coarsest = std::ranges::min(nodes);
+        found.result["left_out"].push_back({{"method", name_of(method)},
+                                            {"settings", nodes.size()},
+                                            {"from_nodes", coarsest},
+                                            {"why", why}});
+        found.summary += std::exchange(before, ", ") + name_of(method) +
+                         " from N = " + std::to_string(coarsest) + " (" + why + ")";
+    }
+}
+
 } // namespace
 
 double ChartData::contact(std::size_t scene) const {
@@ -235,79 +281,27 @@ Csv chart_table(const ChartData& data) {
     return table;
 }
 
-Csv models_table(const std::vector<ModelScene>& scenes) {
-    Csv table("scene,model,nodes,seconds,pressure_MPa,contact_fraction,stiffness_MPa_per_mm,error_contact,"
-              "error_stiffness",
-              6);
-    for (const ModelScene& scene : scenes)
-        for (const ModelRun& run : scene.runs)
-            for (Index j = 0; j < run.area_errors.size(); ++j)
-                table.row(scene.name, run.model, run.nodes, run.seconds, scene.exact.pressure[j],
-                          run.curve.contact_fraction[j], run.curve.stiffness[j], run.area_errors[j],
-                          run.stiffness_errors[j]);
-    return table;
-}
-
-Csv points_table(const ChartData& data) {
-    Csv table("scene,kind,method,seconds,error,best", 6);
-    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
-        for (const ErrorKind& kind : error_kinds) {
-            std::vector<const ChartRun*> runs;
-            for (const ChartRun& run : data.runs)
-                if (run.setting.scene == scene && kind.compares(run) && run.*kind.value > 0)
-                    runs.push_back(&run);
-            std::ranges::stable_sort(
-                runs, {}, [&](const ChartRun* run) { return std::pair(run->seconds, run->*kind.value); });
-            double lowest = HUGE_VAL; // lowest error of the faster runs: any method, and each method
-            std::map<Solver, double> lowest_of;
-            for (const ChartRun* run : runs) {
-                const double error = run->*kind.value;
-                double& lowest_here = lowest_of.try_emplace(run->setting.method, HUGE_VAL).first->second;
-                const int best = error < 0.95 * lowest ? 2 : error < 0.95 * lowest_here ? 1 : 0;
-                table.row(data.scenes[scene].name, kind.name, method_of(*run), run->seconds, error, best);
-                if (best == 2)
-                    lowest = error;
-                if (error < 0.95 * lowest_here)
-                    lowest_here = error;
-            }
-        }
-    return table;
-}
-
-Csv model_errors_table(const std::vector<ModelScene>& scenes) {
-    Csv table("scene,family,model,nodes,answers,loads,area,stiffness,seconds", 6);
-    for (const ModelScene& scene : scenes)
-        for (const ModelRun& run : scene.runs)
-            table.row(scene.name, run.family, run.model, run.nodes,
-                      run.curve.contact_fraction.array().isFinite().count(), run.area_errors.size(),
-                      run.area_error, run.stiffness_error, run.seconds);
-    return table;
-}
-
-std::string left_out_in_a_line(const ChartData& data) {
-    std::string line;
-    for (const json& row : left_out_rows(data))
-        line += (line.empty() ? std::to_string(data.left_out.size()) + " left out: " : ", ") +
-                row["method"].get<std::string>() + " from N = " + row["from_nodes"].dump() + " (" +
-                row["why"].get<std::string>() + ")";
-    return line;
-}
-
-json chart_facts(const ChartData& data) {
-    json facts{{"fastest_by_grid", fastest_by_grid(data)},
-               {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
-               {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
-               {"left_out", left_out_rows(data)},
-               {"tried", data.runs.size()},
-               {"not_tried", data.left_out.size()},
-               {"late", std::ranges::count(data.runs, true, &ChartRun::late)},
-               {"limit_seconds", data.limit},
-               {"auto_over_fastest", losses_of_auto(data)},
-               {"theories", theory_rows(data.models)},
-               {"lines", line_rows(data.models)},
-               {"failures", json::array()}};
+Findings findings_of(const ChartData& data) {
+    Findings found{.summary = std::to_string(data.runs.size()) + " settings charted"};
+    const Csv& runs = found.tables.emplace("chart.csv", chart_table(data)).first->second;
+    add_points(found, data);
+    add_models(found, data.models);
+    json& facts = found.result = {{"fastest_by_grid", fastest_by_grid(data)},
+                                  {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
+                                  {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
+                                  {"left_out", json::array()},
+                                  {"tried", data.runs.size()},
+                                  {"not_tried", data.left_out.size()},
+                                  {"late", std::ranges::count(data.runs, true, &ChartRun::late)},
+                                  {"limit_seconds", data.limit},
+                                  {"auto_over_fastest", losses_of_auto(data)},
+                                  {"theories", theory_rows(data.models)},
+                                  {"lines", line_rows(data.models)},
+                                  {"failures", json::array()},
+                                  {"runs", runs.rows()}};
+    add_left_out(found, data);
     for (const LeftOut& each : data.left_out)
-        if (each.why == LeftOutFor::time || each.why == LeftOutFor::interrupt) {
+        if (each.why == time_over || each.why == interrupted) {
             facts["ended_early"] = {{"nodes", each.setting.nodes}};
             break;
         }
@@ -330,7 +324,7 @@ json chart_facts(const ChartData& data) {
                                          {"reference", scene.reference},
                                          {"rms_slope", scene.rms_slope},
                                          {"rms_height_mm", scene.rms_height}});
-    return facts;
+    return found;
 }
 
 } // namespace app
