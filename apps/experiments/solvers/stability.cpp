@@ -5,7 +5,7 @@
 #include "domain/numerics/statistics.hpp"
 
 #include <cmath>
-#include <limits>
+#include <map>
 
 namespace app {
 
@@ -45,47 +45,73 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
     return "";
 }
 
-/// A scene and the trial of each solver, in the order of their names.
-struct StabilityRow {
-    std::string scene, kernel;
-    bool has_solution;
-    std::vector<ContactTrial> trials;
-};
-using Rows = std::vector<StabilityRow>;
+/// The scenes of a name on all kernels, bred ones, or all of them.
+std::vector<ContactScene> scenes_from(const Settings& settings, const Conditions& conditions) {
+    if (settings.has("stability.search"))
+        return bred_scenes(settings.whole("stability.search"), conditions.origin.seed,
+                           conditions.origin.threads, conditions.stop);
+    if (const std::string name = settings.text("stability.scene"); is_bred(name))
+        return {bred_scene(name)};
+    std::vector<ContactScene> scenes = stability_scenes(settings.is_on("stability.large"));
+    if (!settings.has("stability.scene"))
+        return scenes;
+    std::vector<std::string> names;
+    for (const ContactScene& scene : scenes)
+        if (std::ranges::find(names, scene.name) == names.end())
+            names.push_back(scene.name);
+    const std::string name = names[settings.one_of("stability.scene", names)];
+    std::erase_if(scenes, [&](const ContactScene& scene) { return scene.name != name; });
+    return scenes;
+}
 
-constexpr std::array outcomes{Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong};
-using Counts = std::array<long, outcomes.size()>; ///< number of trials with each outcome
+/// Whether a solver would take minutes on a scene.
+bool takes_minutes(const ContactScene& scene, rough::Solver solver) {
+    const bool is_every = solver == rough::Solver::nested || solver == rough::Solver::polonsky_keer;
+    const rough::Index nodes = scene.profile.is_2d() ? scene.profile.nodes() : 0;
+    return (solver == rough::Solver::nnls && nodes > max_nnls) || (is_every && nodes > max_every);
+}
 
-Findings findings_of(const Rows& rows) {
+ContactTrial verified_trial(const ContactScene& scene, rough::Solver solver) {
+    if (takes_minutes(scene, solver))
+        return {Outcome::refused, "not tried, because it would take minutes", {}};
+    rough::ContactOptions options;
+    options.solver = solver;
+    ContactTrial trial = try_contact(scene, options, seconds_per_cell);
+    verify(scene, trial);
+    return trial;
+}
+
+Findings run_stability(const Settings& settings, const Conditions& conditions) {
     const std::vector<std::string>& methods = rough::solver_names();
     Findings found;
     Csv& table = found.table("stability.csv",
                              "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
-    Counts all{};
-    std::vector<Counts> by_method(methods.size());
-    std::vector<long> missed(methods.size()); // not solved although there is a solution
     json scenes = json::array(), messages = json::array();
-    for (const StabilityRow& row : rows) {
-        scenes.push_back({{"scene", row.scene}, {"kernel", row.kernel}});
+    std::map<std::string, long> missed; // trials without success of scenes that have a solution, by method
+    for (const ContactScene& scene : scenes_from(settings, conditions)) {
+        if (conditions.stop)
+            break;
+        const std::string& kernel = name_of(scene.body.kernel);
+        scenes.push_back({{"scene", scene.name}, {"kernel", kernel}});
         std::map<std::string, std::size_t> known; // equal messages of a scene appear once
         for (std::size_t m = 0; m < methods.size(); ++m) {
-            const ContactTrial& trial = row.trials[m];
+            conditions.progress.show(scene.name + " (" + kernel + "): " + methods[m]);
+            const ContactTrial trial = verified_trial(scene, static_cast<rough::Solver>(m));
             const std::string& outcome = name_of(trial.outcome);
             const bool solved = trial.outcome == Outcome::solved;
-            table.row(row.scene, row.kernel, methods[m], outcome,
-                      trial.curve.steps.empty() ? std::nullopt : std::optional(trial.kkt_residual()),
+            const auto residuals = rough::column(trial.curve.steps, &rough::LoadStep::kkt_residual);
+            table.row(scene.name, kernel, methods[m], outcome,
+                      residuals.empty() ? std::nullopt : std::optional(std::ranges::max(residuals)),
                       trial.curve.iterations, trial.seconds, trial.message);
             scenes.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
                                               {"failure", solved ? "" : outcome}});
-            ++all[static_cast<std::size_t>(trial.outcome)];
-            ++by_method[m][static_cast<std::size_t>(trial.outcome)];
             if (solved)
                 continue;
-            missed[m] += row.has_solution;
+            missed[methods[m]] += scene.has_solution;
             const auto [entry, is_new] = known.emplace(trial.message, messages.size());
             if (is_new)
-                messages.push_back({{"scene", row.scene},
-                                    {"kernel", row.kernel},
+                messages.push_back({{"scene", scene.name},
+                                    {"kernel", kernel},
                                     {"methods", methods[m]},
                                     {"outcome", outcome},
                                     {"message", trial.message}});
@@ -93,76 +119,35 @@ Findings findings_of(const Rows& rows) {
                 messages[entry->second]["methods"].get_ref<std::string&>() += ", " + methods[m];
         }
     }
-    for (std::size_t m = 0; m < methods.size(); ++m)
-        found.result["methods"].push_back(
-            {{"method", methods[m]}, {"missed", missed[m]}, {"outcomes", by_method[m]}});
-    for (std::size_t o = 0; o < outcomes.size(); ++o) {
-        found.result["outcomes"].push_back(name_of(outcomes[o]));
+    if (scenes.empty())
+        return {};
+    const auto trials = [&](Outcome outcome, const std::string& method) {
+        return std::ranges::count_if(table.rows(), [&](const json& row) {
+            return row["outcome"] == name_of(outcome) && (method.empty() || row["method"] == method);
+        });
+    };
+    found.summary = std::to_string(table.rows().size()) + " trials of a solver on a scene";
+    for (const std::string& method : methods)
+        found.result["methods"].push_back({{"method", method}, {"missed", missed[method]}});
+    for (const Outcome outcome :
+         {Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong}) {
+        const std::string& name = name_of(outcome);
         found.summary +=
-            (o == 0 ? std::to_string(table.rows().size()) + " trials of a solver on a scene: " : ", ") +
-            std::to_string(all[o]) + " " + name_of(outcomes[o]);
+            (outcome == Outcome::solved ? ": " : ", ") + std::to_string(trials(outcome, "")) + " " + name;
+        found.result["outcomes"].push_back(name);
+        for (json& row : found.result["methods"])
+            row["outcomes"].push_back(trials(outcome, row["method"]));
     }
     found.result.update(
         {{"summary", found.summary}, {"scenes", scenes}, {"messages", messages}, {"runs", table.rows()}});
-    found.code = all[static_cast<std::size_t>(Outcome::wrong)] > 0 ? 3 : 0;
+    found.code = trials(Outcome::wrong, "") > 0 ? 3 : 0;
     return found;
-}
-
-/// The scenes of a name on all kernels, bred ones, or all of them.
-std::vector<StabilityScene> scenes_from(const Settings& settings, const Conditions& conditions) {
-    if (settings.has("stability.search"))
-        return bred_scenes(settings.whole("stability.search"), conditions.origin.seed,
-                           conditions.origin.threads, conditions.stop);
-    if (const std::string name = settings.text("stability.scene"); is_bred(name))
-        return {bred_scene(name)};
-    std::vector<StabilityScene> scenes = stability_scenes(settings.is_on("stability.large"));
-    if (!settings.has("stability.scene"))
-        return scenes;
-    std::vector<std::string> names;
-    for (const StabilityScene& scene : scenes)
-        if (std::ranges::find(names, scene.name) == names.end())
-            names.push_back(scene.name);
-    const std::string name = names[settings.one_of("stability.scene", names)];
-    std::erase_if(scenes, [&](const StabilityScene& scene) { return scene.name != name; });
-    return scenes;
-}
-
-/// The most nodes of a map on which a solver is tried.
-rough::Index largest_map(rough::Solver solver) {
-    return solver == rough::Solver::nnls ? max_nnls
-           : solver == rough::Solver::automatic || solver == rough::Solver::active_set
-               ? std::numeric_limits<rough::Index>::max()
-               : max_every;
-}
-
-Findings run_stability(const Settings& settings, const Conditions& conditions) {
-    Rows rows;
-    for (const StabilityScene& scene : scenes_from(settings, conditions)) {
-        if (conditions.stop)
-            break;
-        const std::string& kernel = name_of(scene.body.kernel);
-        rows.push_back({scene.name, kernel, scene.has_solution, {}});
-        for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
-            const std::string& method = rough::solver_names()[m];
-            conditions.progress.show(scene.name + " (" + kernel + "): " + method);
-            rough::ContactOptions options;
-            options.solver = static_cast<rough::Solver>(m);
-            ContactTrial& trial = rows.back().trials.emplace_back();
-            if (scene.profile.is_2d() && scene.profile.nodes() > largest_map(options.solver)) {
-                trial.outcome = Outcome::refused;
-                trial.message = "not tried, because it would take minutes";
-                continue;
-            }
-            trial = try_contact(scene, options, seconds_per_cell);
-            verify(scene, trial, promised_tolerance(trial.curve, options));
-        }
-    }
-    return rows.empty() ? Findings() : findings_of(rows);
 }
 
 } // namespace
 
-void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance) {
+void verify(const ContactScene& scene, ContactTrial& trial) {
+    const double tolerance = trial.tolerance;
     const bool by_load = !scene.pressures.empty(), small = !by_load && scene.profile.nodes() <= max_small;
     const double iterative = std::max(tolerance, 10 * rough::ContactOptions().tolerance);
     const double largest = largest_displacement(scene.profile, scene.body);
@@ -172,7 +157,7 @@ void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance) 
         if (by_load) // the reference at the displacement found must carry the load
             given.pressure = scene.pressures[j];
         const double displacement = by_load ? given.displacement : scene.displacements[j]; // 0 is first touch
-        StabilityScene verifying = scene;
+        ContactScene verifying = scene;
         verifying.pressures.clear();
         verifying.displacements = {displacement};
         if (small || by_load) { // a node that just touches may or may not count
@@ -186,8 +171,7 @@ void verify(const StabilityScene& scene, ContactTrial& trial, double tolerance) 
         for (const rough::Solver solver : {rough::Solver::nested, rough::Solver::nnls,
                                            rough::Solver::active_set, rough::Solver::polonsky_keer})
             if (reference.steps.empty() && solver != trial.curve.solver &&
-                (small || solver != rough::Solver::nnls) &&
-                !(scene.profile.is_2d() && scene.profile.nodes() > largest_map(solver))) {
+                (small || solver != rough::Solver::nnls) && !takes_minutes(scene, solver)) {
                 rough::ContactOptions options;
                 options.solver = solver;
                 reference = try_contact(verifying, options, seconds_per_cell).curve;

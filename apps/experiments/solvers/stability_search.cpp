@@ -1,4 +1,5 @@
 #include "apps/experiments/solvers/stability.hpp"
+#include "apps/external/problem.hpp"
 #include "domain/errors.hpp"
 #include "ga/base/number.hpp"
 #include "ga/ga.hpp"
@@ -11,63 +12,44 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t genes = 11;
+constexpr std::size_t gene_count = 11;
 constexpr std::size_t worst = 10; ///< scenes of a search that are tried by every solver
 const std::string mark = "bred ";
 
 /// Genomes are numbers from 0 to 1, rounded to thousandths. An outcome is the work of the solver `auto`: its
 /// products with H per load step. It is more than any work if `auto` fails or another solver contradicts it.
-struct HardScenes {
-    struct Work {
-        double products;
-    };
-    using Genome = std::vector<double>;
-    using Outcome = Work;
-
-    std::vector<ga::Objective<Outcome>> list = {{"work", [](const Work& of) { return of.products; }}};
-    std::vector<ga::Variable> range = [] {
-        std::vector<ga::Variable> all;
-        for (std::size_t gene = 0; gene < genes; ++gene)
-            all.push_back({gene, 0, 1});
-        return all;
-    }();
+struct HardScenes : OutsideProblem<std::vector<double>> {
     const std::atomic<bool>& stop;
 
-    const std::vector<ga::Objective<Outcome>>& objectives() const { return list; }
-    const std::vector<ga::Variable>& bounds(const Genome&) const { return range; }
-    Genome sample(ga::Stream& random) const {
-        Genome genome(genes);
-        for (double& gene : genome)
-            gene = random.uniform();
-        return genome;
-    }
+    explicit HardScenes(const std::atomic<bool>& stop)
+        : OutsideProblem({.count = gene_count, .parts = {{gene_count}}}, {false}), stop(stop) {}
+
     /// Genomes that are rounded to the same thousandths have one key.
     std::string key(const Genome& genome) const { return bred_name(genome); }
 
-    Work evaluate(const Genome& genome) const {
+    Answer evaluate(const Genome& genome) const {
         constexpr double wrong = 2e6, failed = 1e6;
-        StabilityScene scene;
+        ContactScene scene;
         try {
             scene = bred_scene(bred_name(genome));
         } catch (const rough::InputError&) { // waves that the grid cannot show
-            return {0};
+            return {{0}};
         }
         rough::ContactOptions options;
         options.stop = [this] { return stop.load(); };
         ContactTrial trial = try_contact(scene, options);
         if (stop)
             throw ga::Stopped{"stop requested"};
-        if (trial.outcome == app::Outcome::solved)
-            verify(scene, trial, promised_tolerance(trial.curve, options));
+        verify(scene, trial);
         switch (trial.outcome) {
         case app::Outcome::wrong:
-            return {wrong};
+            return {{wrong}};
         case app::Outcome::not_converged:
-            return {failed};
+            return {{failed}};
         case app::Outcome::refused:
-            return {0};
+            return {{0}};
         default:
-            return {static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())};
+            return {{static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())}};
         }
     }
 };
@@ -83,7 +65,7 @@ std::string bred_name(const std::vector<double>& genome) {
 
 bool is_bred(const std::string& name) { return name.starts_with(mark); }
 
-StabilityScene bred_scene(const std::string& name) {
+ContactScene bred_scene(const std::string& name) {
     std::vector<std::string> words;
     const std::string numbers = name.substr(mark.size());
     boost::split(words, numbers, boost::is_any_of(","));
@@ -94,9 +76,9 @@ StabilityScene bred_scene(const std::string& name) {
             throw rough::InputError("'" + word + "' is not a gene; give numbers from 0 to 1", "scene");
         gene.push_back(*number);
     }
-    if (gene.size() != genes)
+    if (gene.size() != gene_count)
         throw rough::InputError("a bred scene has " + std::to_string(gene.size()) + " genes; give " +
-                                    std::to_string(genes),
+                                    std::to_string(gene_count),
                                 "scene");
     const auto side = [](double u) { return static_cast<rough::Index>(std::round(8 * std::exp2(3 * u))); };
     const auto between = [](double from, double to, double u) { return from * std::pow(to / from, u); };
@@ -109,7 +91,7 @@ StabilityScene bred_scene(const std::string& name) {
     const Roughness roughness{0.1 + 0.85 * gene[3], between(2, 16, gene[4]),
                               static_cast<std::uint64_t>(std::round(1000 * gene[5]))};
     const double contact = 1 / (1 + std::exp(7 - 16 * gene[8]));
-    StabilityScene scene = map_scene(name, body, {side(gene[0]), side(gene[1])}, roughness, contact);
+    ContactScene scene = map_scene(name, body, {side(gene[0]), side(gene[1])}, roughness, contact);
     const double pressure = scene.pressures[0];
     const int steps = 1 + static_cast<int>(4 * gene[9]);
     scene.pressures = even_steps(pressure, steps);
@@ -118,13 +100,13 @@ StabilityScene bred_scene(const std::string& name) {
     return scene;
 }
 
-std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
-                                        const std::atomic<bool>& stop) {
+std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
+                                      const std::atomic<bool>& stop) {
     using namespace ga;
     const auto breeding =
         sample(40) | score() |
         repeat(1'000'000, tournament(3) | cross(uniform()) | mutate(0.2) | score() | elite(5));
-    const HardScenes problem{.stop = stop};
+    const HardScenes problem(stop);
     RunOptions options;
     options.seed = seed;
     options.threads = threads;
@@ -132,7 +114,7 @@ std::vector<StabilityScene> bred_scenes(long evaluations, std::uint64_t seed, in
     HallOfFame<HardScenes> hardest(problem, worst);
     for (const auto& individual : run(breeding, problem, {}, options, {hardest.observer()}).population)
         hardest.offer(individual); // the budget may end before a stage does
-    std::vector<StabilityScene> scenes;
+    std::vector<ContactScene> scenes;
     for (const auto& individual : hardest.members)
         scenes.push_back(bred_scene(bred_name(individual.genome)));
     return scenes;

@@ -26,13 +26,6 @@ const std::string& name_of(Outcome outcome) {
     return names[static_cast<std::size_t>(outcome)];
 }
 
-double ContactTrial::kkt_residual() const {
-    double worst = 0;
-    for (const rough::LoadStep& step : curve.steps)
-        worst = std::max(worst, step.kkt_residual);
-    return worst;
-}
-
 ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit) {
     const ga::Stopwatch clock;
     const double start = processor_seconds();
@@ -52,11 +45,8 @@ ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions option
         trial.message = late ? "stopped after " + std::to_string(std::lround(limit)) + " s" : error.what();
     }
     trial.seconds = processor_seconds() - start;
+    trial.tolerance = is_direct(trial.curve.solver) ? 1e-9 : 10 * options.tolerance;
     return trial;
-}
-
-double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options) {
-    return is_direct(curve.solver) ? 1e-9 : 10 * options.tolerance;
 }
 
 } // namespace app

@@ -15,6 +15,7 @@ struct ContactScene {
     rough::Body body;
     std::vector<double> displacements;  ///< mm
     std::vector<double> pressures = {}; ///< MPa; if there are any, the loads in place of displacements
+    bool has_solution = true;
     std::size_t steps() const { return pressures.empty() ? displacements.size() : pressures.size(); }
 };
 /// Displacements of `steps` even load steps up to `last`.
@@ -26,10 +27,12 @@ const std::string& name_of(Outcome outcome);
 /// One method on one scene.
 struct ContactTrial {
     Outcome outcome = Outcome::solved;
-    std::string message;         ///< the reason if the outcome is not `solved`
-    rough::ContactCurve curve;   ///< empty if refused or not converged
-    double seconds = 0;          ///< processor time of one solution
-    double kkt_residual() const; ///< maximum over the curve's steps
+    std::string message;       ///< the reason if the outcome is not `solved`
+    rough::ContactCurve curve; ///< empty if refused or not converged
+    double seconds = 0;        ///< processor time of one solution
+    /// The tolerance to which its results are verified: 1e-9 for direct methods, ten times the tolerance of
+    /// the options for iterative ones.
+    double tolerance = 0;
 };
 
 /// Processor time of this thread, s.
@@ -52,9 +55,5 @@ double lowest_seconds(Work work, int rounds = 9, double within = 0.1) {
 
 /// Solves a scene, or stops after `limit` seconds of wall time. Without a limit, options.stop applies.
 ContactTrial try_contact(const ContactScene& scene, rough::ContactOptions options, double limit = HUGE_VAL);
-
-/// The tolerance to which a method's results are verified: 1e-9 for direct methods, ten times the tolerance
-/// of the options for iterative ones.
-double promised_tolerance(const rough::ContactCurve& curve, const rough::ContactOptions& options);
 
 } // namespace app
