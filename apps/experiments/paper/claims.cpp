@@ -41,10 +41,6 @@ const std::vector<Claim>& paper_claims() {
     return claims;
 }
 
-const char* name_of(Verdict verdict) {
-    return std::array{"reproduced", "contradicted", "undecidable"}[static_cast<std::size_t>(verdict)];
-}
-
 std::string Claim::rule() const {
     return reproduced == "never" && contradicted == "never"
                ? "cannot be decided"
@@ -52,36 +48,37 @@ std::string Claim::rule() const {
                      (contradicted == "otherwise" || contradicted == "never" ? "" : "if ") + contradicted;
 }
 
-Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers) {
+std::string verdict_of(const Claim& claim, const std::vector<double>& numbers) {
     const auto all = [&](const auto& holds) {
         return !numbers.empty() && std::ranges::all_of(numbers, [&](double number) {
             return !std::isnan(number) && holds(number);
         });
     };
     if (all([&](double number) { return meets(claim.reproduced, number); }))
-        return Verdict::reproduced;
+        return "reproduced";
     return all([&](double number) {
         return claim.contradicted == "otherwise" ? !meets(claim.reproduced, number)
                                                  : meets(claim.contradicted, number);
     })
-               ? Verdict::contradicted
-               : Verdict::undecidable;
+               ? "contradicted"
+               : "undecidable";
 }
 
-json claims_json(const PaperRun& run, const Studies& studies, Findings& found) {
+void add_claims(Findings& found, const PaperRun& run, const Studies& studies) {
     Csv& table = found.table("claims.csv", "id,figure,sentence,measure,rule,verdict,number,number_heldout");
-    json claims = json::array(), counts = {{"reproduced", 0}, {"contradicted", 0}, {"undecidable", 0}};
+    json &claims = found.result["claims"] = json::array(),
+         &counts = found.result["verdicts"] = {{"reproduced", 0}, {"contradicted", 0}, {"undecidable", 0}};
     for (const Claim& claim : paper_claims()) {
         const std::vector<Finding> findings = findings_of(claim, run, studies);
         std::vector<double> known = rough::column(findings, &Finding::number);
-        const std::string verdict = name_of(verdict_of(claim, known));
+        const std::string verdict = verdict_of(claim, known);
         counts[verdict] = counts[verdict].get<int>() + 1;
         json numbers = json::array();
         for (const Finding& finding : findings) {
             numbers.push_back({{"on", finding.on},
                                {"number", finding.number},
                                {"known", !std::isnan(finding.number)},
-                               {"verdict", name_of(verdict_of(claim, {finding.number}))},
+                               {"verdict", verdict_of(claim, {finding.number})},
                                {"parts", json::array()}});
             for (const auto& [name, value] : finding.parts)
                 numbers.back()["parts"].push_back({{"name", name}, {"value", value}});
@@ -104,7 +101,6 @@ json claims_json(const PaperRun& run, const Studies& studies, Findings& found) {
                           {"numbers", std::move(numbers)},
                           {"other_readings", other == run.other_readings.end() ? "" : other->second}});
     }
-    return {{"claims", std::move(claims)}, {"verdicts", std::move(counts)}};
 }
 
 } // namespace app

@@ -115,7 +115,7 @@ class Paper {
     }
 
     void design(TargetRun& target) {
-        const rough::DesignSetup setup = setup_for(target, target.p_bar);
+        const rough::DesignSetup setup = setup_for(target, run_.p_bar);
         const DesignProblem problem(setup);
         target.database = scores_of(run_.database, setup);
         for (const Variant& variant : variants_) {

@@ -19,6 +19,7 @@ using All = const Studies&;
 using Measure = std::variant<std::function<Finding(Run, All)>, std::function<Finding(Run, Target)>>;
 
 using rough::column;
+using rough::median;
 using Numbers = std::vector<double>;
 
 /// The least or greatest number; NaN if the list is empty or a number is unknown.
@@ -29,7 +30,6 @@ double lowest(const Numbers& numbers) {
 }
 double highest(const Numbers& numbers) { return -lowest(column(numbers, std::negate<>())); }
 double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers); }
-double median(const Numbers& numbers) { return numbers.empty() ? unknown : rough::median(numbers); }
 
 template <class Value>
 Numbers over_thresholds(Target target, const std::string& variant, Value value) {
@@ -123,7 +123,7 @@ double gain(const VariantRun& variant) {
 /// log10 of the power in each octave. Octave o has the bins 2^o to 2^(o+1) - 1. Octaves make series of
 /// different gamma comparable, whose lines never coincide.
 struct Octaves {
-    Eigen::VectorXd continuous, discrete; ///< from the sampled heights; from the genome's waves, or -inf
+    Eigen::VectorXd continuous, discrete; ///< from the sampled heights; from the genome's waves, or NaN
     rough::Index half() const { return continuous.size() / 2; }
 };
 
@@ -131,31 +131,27 @@ Octaves octaves_of(Run run, const VariantRun& variant) {
     const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
     const double first = spectrum.wave_number[0];
     const auto lines = discrete_spectrum(variant.answer.genome);
-    Numbers continuous, discrete;
-    for (Eigen::Index bin = 1; 2 * bin - 1 <= spectrum.density.size(); bin *= 2) {
-        continuous.push_back(std::log10(spectrum.density.segment(bin - 1, bin).sum() * first));
+    const int count = std::ilogb(spectrum.density.size() + 1);
+    Octaves octaves{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+    for (int o = 0; o < count; ++o) {
+        const int bin = 1 << o;
+        octaves.continuous[o] = std::log10(spectrum.density.segment(bin - 1, bin).sum() * first);
         double power = 0;
-        const auto edge = static_cast<double>(bin);
         for (const rough::SpectralLine& line : lines)
-            if (line.wave_number >= (edge - 0.5) * first && line.wave_number < (2 * edge - 0.5) * first)
+            if (line.wave_number >= (bin - 0.5) * first && line.wave_number < (2 * bin - 0.5) * first)
                 power += line.power;
-        discrete.push_back(std::log10(power));
+        octaves.discrete[o] = power > 0 ? std::log10(power) : unknown;
     }
-    const auto count = static_cast<Eigen::Index>(continuous.size());
-    return {Eigen::Map<Eigen::VectorXd>(continuous.data(), count),
-            Eigen::Map<Eigen::VectorXd>(discrete.data(), count)};
+    return octaves;
 }
 
 /// Factor between a genome's continuous and discrete spectrum. It is the geometric mean over the octaves of
 /// the upper or lower half that have a wave.
 double off_its_waves(Run run, const VariantRun& variant, bool high) {
     const Octaves octaves = octaves_of(run, variant);
-    const Eigen::Index all = octaves.continuous.size(), middle = all - octaves.half();
-    Numbers apart;
-    for (Eigen::Index o = high ? middle : 0; o < (high ? all : middle); ++o)
-        if (std::isfinite(octaves.discrete[o]))
-            apart.push_back(std::abs(octaves.continuous[o] - octaves.discrete[o]));
-    return apart.empty() ? unknown : std::pow(10, rough::mean(apart));
+    const Eigen::VectorXd apart = (octaves.continuous - octaves.discrete).cwiseAbs();
+    const auto half = high ? apart.tail(octaves.half()) : apart.head(apart.size() - octaves.half());
+    return std::pow(10, rough::mean({half.begin(), half.end()}));
 }
 
 /// Exponent of the power law of wavenumber that fits the upper half of the octaves' densities best.
@@ -166,8 +162,8 @@ double high_exponent(Run run, const VariantRun& variant) {
         return unknown;
     const Eigen::VectorXd x =
         Eigen::VectorXd::LinSpaced(half, 0, static_cast<double>(half - 1)) * std::log10(2);
-    return rough::slope(x, octaves.continuous.tail(half)) -
-           1; // an octave's power is its density times its width
+    // An octave's power is its density times its width.
+    return rough::slope(x, octaves.continuous.tail(half)) - 1;
 }
 
 /// The factor by which CCO's power over SOG's scatters in the lower half of the octaves: its standard

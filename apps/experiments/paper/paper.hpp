@@ -14,9 +14,6 @@ namespace app {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The paper's algorithms, as variants are named.
-inline constexpr std::array<const char*, 3> algorithms{"sog", "gco", "cco"};
-
 /// Similarity of one genome with a target (Eq. 12).
 struct Scores {
     double all;  ///< on all points
@@ -41,7 +38,6 @@ struct ThresholdRow {
 struct TargetRun {
     std::string title; ///< "drawn" or "held-out"
     rough::Target target;
-    double p_bar = 0;                           ///< threshold of the variants below
     std::vector<Scores> database = {};          ///< one per database genome, in the same order
     std::vector<VariantRun> variants = {};      ///< the paper's three, then their minimax forms
     std::vector<ThresholdRow> thresholds = {};  ///< p_bar ascending, gco and cco at each
@@ -54,6 +50,7 @@ struct PaperRun {
     rough::Model model;      ///< solved exactly, for all reported numbers
     rough::Model searched;   ///< with the accuracy of the searches
     double max_pressure = 0; ///< p_max
+    double p_bar = 0;        ///< threshold of the variants, except in the sweep
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
     double dominant_above = rough::dominance_threshold;                         ///< its correlation
     bool reduces_children = false; ///< CCO reduces the children instead of the parents
@@ -161,10 +158,6 @@ double relative_gap(const rough::Curve& a, const rough::Curve& b);
 /// Largest difference |b - a| at the points of `a` within the range of `b`; NaN without such points.
 double gap(const rough::Curve& a, const rough::Curve& b);
 
-enum class Verdict { reproduced, contradicted, undecidable };
-/// "reproduced", "contradicted" or "undecidable"
-const char* name_of(Verdict verdict);
-
 /// The number that a rule is applied to, and the values it comes from, by their names. NaN: not in this run.
 struct Finding {
     double number;
@@ -195,12 +188,12 @@ std::vector<Finding> findings_of(const Claim& claim, const PaperRun& run, const 
 /// The claims of the paper, in its order.
 const std::vector<Claim>& paper_claims();
 
-/// The verdict whose condition all numbers meet. Undecidable if a number is unknown, if the list is empty, or
-/// if the targets differ.
-Verdict verdict_of(const Claim& claim, const std::vector<double>& numbers);
+/// "reproduced" or "contradicted" if all numbers meet its condition. Otherwise "undecidable": a number is
+/// unknown, the list is empty, or the targets differ.
+std::string verdict_of(const Claim& claim, const std::vector<double>& numbers);
 
-/// Adds claims.csv to the tables; returns the claims for result.json and the number of each verdict.
-nlohmann::json claims_json(const PaperRun& run, const Studies& studies, Findings& found);
+/// Adds claims.csv, the claims of result.json and the number of each verdict.
+void add_claims(Findings& found, const PaperRun& run, const Studies& studies);
 
 /// The variant of that name, or null.
 const VariantRun* find_variant(const TargetRun& target, const std::string& name);

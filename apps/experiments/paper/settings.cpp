@@ -142,8 +142,7 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
         expect_order(settings, range);
     if (settings.has("target.profile"))
         run.max_pressure = run.targets[0].target.last();
-    for (TargetRun& target : run.targets)
-        target.p_bar = settings.number("paper.threshold") * run.max_pressure;
+    run.p_bar = settings.number("paper.threshold") * run.max_pressure;
     if (settings.has("paper.readings"))
         run.other_readings = readings_from(settings.path("paper.readings"));
     const double share = settings.number("paper.phase-relative");

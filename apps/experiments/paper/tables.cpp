@@ -2,6 +2,8 @@
 #include "domain/profile/spectrum.hpp"
 #include "domain/text/json.hpp"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-bool is_papers(const std::string& name) { return std::ranges::find(algorithms, name) != algorithms.end(); }
+bool is_papers(const std::string& name) { return name == "sog" || name == "gco" || name == "cco"; }
 
 /// Whether figures show an answer: all except the minimax forms.
 bool is_shown(const std::string& name) { return is_papers(name) || !name.ends_with("-minimax"); }
@@ -21,10 +23,7 @@ std::string shown_name(const std::string& name) {
     const std::string algorithm = name.substr(0, name.find("-minimax"));
     if (!is_papers(algorithm))
         return name;
-    std::string result;
-    for (const char c : algorithm)
-        result += static_cast<char>(c - 'a' + 'A');
-    return result + (name == algorithm ? "" : ", minimax");
+    return boost::to_upper_copy(algorithm) + (name == algorithm ? "" : ", minimax");
 }
 
 void add_database_tables(const PaperRun& run, Findings& found) {
@@ -229,7 +228,8 @@ json datum_json(const PaperRun& run, const Studies& studies) {
 
 Findings findings_of(const PaperRun& run, const Studies& studies) {
     Findings found;
-    json page = claims_json(run, studies, found);
+    add_claims(found, run, studies);
+    json& page = found.result;
     page["seconds"] = run.seconds;
     page["database_size"] = run.database.size();
     page["dominance"] = {dominance_json(run, studies, true), dominance_json(run, studies, false)};
@@ -243,16 +243,15 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
         add_search_tables(target, place, found);
         add_answer_tables(run, target, place, found);
         json result = result_json(
-            run.origin, paper_setup(run.searched, target.target, run.max_pressure, target.p_bar, run.reach),
+            run.origin, paper_setup(run.searched, target.target, run.max_pressure, run.p_bar, run.reach),
             target.variants);
-        result["threshold_MPa"] = target.p_bar;
+        result["threshold_MPa"] = run.p_bar;
         if (first)
-            found.result = std::move(result);
+            page.update(result);
         else
             found.files[place + "result.json"] = rough::json_text(result) + "\n";
     }
     page["target_figure"] = target_figure;
-    found.result.update(page);
     add_database_tables(run, found);
     add_study_tables(studies, found);
     return found;

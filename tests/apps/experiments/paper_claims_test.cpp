@@ -52,11 +52,12 @@ PaperRun run_with(const std::vector<TargetRun>& targets) {
     return run;
 }
 
-Verdict verdict(const std::string& id, const std::vector<TargetRun>& targets, const Studies& studies = {}) {
+std::string verdict(const std::string& id, const std::vector<TargetRun>& targets,
+                    const Studies& studies = {}) {
     const auto findings = findings_of(claim_of(id), run_with(targets), studies);
     return verdict_of(claim_of(id), rough::column(findings, &Finding::number));
 }
-Verdict verdict(const std::string& id, const TargetRun& target) {
+std::string verdict(const std::string& id, const TargetRun& target) {
     return verdict(id, std::vector<TargetRun>{target, target});
 }
 
@@ -66,7 +67,7 @@ TargetRun answers(VariantRun sog, VariantRun gco, VariantRun cco) {
     return target;
 }
 
-constexpr auto yes = Verdict::reproduced, no = Verdict::contradicted, open = Verdict::undecidable;
+const std::string yes = "reproduced", no = "contradicted", open = "undecidable";
 
 } // namespace
 
