@@ -47,26 +47,20 @@ Reached raced(const rough::DesignSetup& setup, const std::string& variant, const
     return tally.reached();
 }
 
+void expect_fits(const rough::DesignSetup& setup, const std::string& variant) {
+    rough::expect_searchable(setup, variant);
+}
+
 /// A benchmark; `make` creates the instance of a number.
 template <class Make>
-Benchmark benchmark(std::string name, std::string group, std::string kind, std::vector<double> targets,
-                    Make make) {
-    Benchmark result{
-        std::move(name), std::move(group), std::move(kind), make(1).genes, std::move(targets), {}, {}};
-    result.check = [make](const std::string& variant) {
-        const auto instance = make(1);
-        if constexpr (std::is_same_v<decltype(instance), const RealInstance>)
-            if (is_pagmos(variant))
-                return expect_pagmos(instance, variant);
-        expect_fits(instance, variant);
-    };
-    result.run = [make, targets = result.targets](const std::string& variant, int number,
-                                                  const Attempt& attempt) -> Reached {
-        const auto instance = make(number);
-        if constexpr (std::is_same_v<decltype(instance), const RealInstance>)
-            if (is_pagmos(variant))
-                return raced_by_pagmo(instance, variant, targets, attempt);
-        return raced(instance, variant, targets, attempt);
+Benchmark benchmark(const std::string& name, const std::string& group, const std::string& kind,
+                    const std::vector<double>& targets, Make make) {
+    Benchmark result{.name = name, .group = group, .kind = kind, .targets = targets, .check = {}, .run = {}};
+    if constexpr (requires { make(1).genes; })
+        result.genes = make(1).genes;
+    result.check = [make](const std::string& variant) { expect_fits(make(1), variant); };
+    result.run = [make, targets](const std::string& variant, int number, const Attempt& attempt) {
+        return raced(make(number), variant, targets, attempt);
     };
     return result;
 }
@@ -115,15 +109,6 @@ std::optional<std::pair<int, int>> bbob_named(const std::string& name) {
     return std::pair(dimension, function);
 }
 
-Benchmark roughness_benchmark(const rough::DesignSetup& setup) {
-    Benchmark result{"roughness", "roughness", "surfaces", 1, precisions(1, 1e-3), {}, {}};
-    result.check = [setup](const std::string& variant) { rough::expect_searchable(setup, variant); };
-    result.run = [setup, targets = result.targets](const std::string& variant, int, const Attempt& attempt) {
-        return raced(setup, variant, targets, attempt);
-    };
-    return result;
-}
-
 } // namespace
 
 std::vector<double> precisions(double from, double to) {
@@ -145,7 +130,8 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
                 if (bbob->second == 0 || bbob->second == function)
                     all.push_back(bbob_benchmark(bbob->first, function));
         } else if (name == "roughness" && roughness) {
-            all.push_back(roughness_benchmark(*roughness));
+            all.push_back(benchmark("roughness", "roughness", "surfaces", precisions(1, 1e-3),
+                                    [setup = *roughness](int) { return setup; }));
         } else if (name == "roughness") {
             rough::refuse("roughness: has no target; give its file (CSV)");
         }

@@ -17,8 +17,6 @@
 
 namespace app {
 
-bool is_pagmos(const std::string& variant) { return variant.starts_with("pagmo:"); }
-
 void expect_pagmos(const RealInstance& instance, const std::string& variant) {
     const std::vector<std::string>& names = pagmo_variants();
     if (names.empty())

@@ -87,6 +87,8 @@ ga::Stage<OutsideProblem<G>> stage_of(const Instance<G>& instance, std::string t
     return ga::Parser<OutsideProblem<G>>(ga::whole_vocabulary<OutsideProblem<G>>()).parse(text);
 }
 
+bool is_pagmos(const std::string& variant) { return variant.starts_with("pagmo:"); }
+
 template <class G>
 OutsideProblem<G> problem_of(const Instance<G>& instance) {
     return {instance.genes, instance.box, std::vector<bool>(instance.objectives, true)};
@@ -95,15 +97,21 @@ OutsideProblem<G> problem_of(const Instance<G>& instance) {
 } // namespace
 
 template <class G>
-void expect_fits(const Instance<G>& instance, const std::string& pipeline) {
-    ga::check(stage_of(instance, pipeline), problem_of(instance), {});
+void expect_fits(const Instance<G>& instance, const std::string& variant) {
+    if constexpr (std::is_same_v<Instance<G>, RealInstance>)
+        if (is_pagmos(variant))
+            return expect_pagmos(instance, variant);
+    ga::check(stage_of(instance, variant), problem_of(instance), {});
 }
 
 template <class G>
-Reached raced(const Instance<G>& instance, const std::string& pipeline, const std::vector<double>& targets,
+Reached raced(const Instance<G>& instance, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt) {
+    if constexpr (std::is_same_v<Instance<G>, RealInstance>)
+        if (is_pagmos(variant))
+            return raced_by_pagmo(instance, variant, targets, attempt);
     const OutsideProblem<G> problem = problem_of(instance);
-    const auto stage = stage_of(instance, pipeline);
+    const auto stage = stage_of(instance, variant);
     Tally tally(targets, attempt);
     Tallied<G> evaluator(instance, tally);
     ga::RunOptions options;

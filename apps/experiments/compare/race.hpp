@@ -83,23 +83,21 @@ class Tally {
     Reached reached_;
 };
 
-/// Runs a pipeline on an instance until its targets are reached or its budget is spent. A pipeline that ends
-/// earlier restarts, as in COCO. In its text `1/n` is one gene's share, `18n` is 18 times the number of
-/// genes, and `objectives` stands for the names of all objectives.
+/// Runs a variant on an instance until its targets are reached or its budget is spent. A variant is a
+/// pipeline or the name of an algorithm of libpagmo. If it ends earlier it restarts, as in COCO. In a
+/// pipeline's text `1/n` is one gene's share, `18n` is 18 times the number of genes, and `objectives` stands
+/// for the names of all objectives.
 template <class G>
-Reached raced(const Instance<G>& instance, const std::string& pipeline, const std::vector<double>& targets,
+Reached raced(const Instance<G>& instance, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt);
 
-/// Throws ga::UsageError on a pipeline that cannot be run on such an instance.
+/// Throws ga::UsageError on a variant that cannot be run on such an instance.
 template <class G>
-void expect_fits(const Instance<G>& instance, const std::string& pipeline);
+void expect_fits(const Instance<G>& instance, const std::string& variant);
 
 /// Algorithms of libpagmo: pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga. Empty if
 /// rugosa was built without it.
 const std::vector<std::string>& pagmo_variants();
-
-/// Whether a variant's text names an algorithm of libpagmo.
-bool is_pagmos(const std::string& variant);
 
 /// Throws ga::UsageError on a name that is not in pagmo_variants, and on several objectives.
 void expect_pagmos(const RealInstance& instance, const std::string& variant);
