@@ -45,8 +45,7 @@ void make_folder(const std::filesystem::path& folder) {
         rough::refuse(folder.string(), ": it is a file or symbolic link; remove it or choose another folder");
 }
 
-} // namespace
-
+/// Writes result.json and the other files of an experiment to its folder.
 void write(Findings& found, const Origin& origin, const std::filesystem::path& folder) {
     for (const auto& [name, table] : found.tables)
         found.files[name] = table.text();
@@ -58,6 +57,8 @@ void write(Findings& found, const Origin& origin, const std::filesystem::path& f
     found.result.update(origin_json(origin));
     write_json(folder / "result.json", found.result);
 }
+
+} // namespace
 
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;

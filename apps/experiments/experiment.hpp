@@ -69,9 +69,6 @@ struct Request {
     bool pictures = true, force = false, resume = false;
 };
 
-/// Writes result.json and the other files of an experiment to its folder.
-void write(Findings& found, const Origin& origin, const std::filesystem::path& folder);
-
 /// Runs an experiment and writes its results; returns the program's exit code.
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request);
 

@@ -97,9 +97,9 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
             targets.push_back(std::move(target));
         }
     // Names of targets are those of folders and of rows.
-    std::set<std::string> names{
-        "",           ".", "..", "result.json", "variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv",
-        "report.html"};
+    const std::vector<std::string>& files = experiment_named("variants").files;
+    std::set<std::string> names(files.begin(), files.end());
+    names.insert({"", ".", "..", "result.json", "report.html"});
     for (const RaceTarget& target : targets)
         if (!names.insert(target.name()).second)
             settings.refuse("targets.files", "'", target.name(),
