@@ -62,13 +62,6 @@ struct PaperRun {
     std::map<std::string, std::string> other_readings; ///< claims under other readings, in words, by id
 };
 
-/// The keys that experiments/paper.ini may set.
-std::vector<Setting> paper_settings();
-
-/// The requested models, targets, database and seed; nothing is run. Reads targets and scans. Relative paths
-/// in the .ini file are relative to its folder. Throws rough::InputError.
-PaperRun paper_from(const Settings& settings, const Origin& origin);
-
 /// A database's genomes with their responses, rescaled to a pressure by Eq. 11.
 std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const rough::Model& model,
                                double max_pressure, int threads);
