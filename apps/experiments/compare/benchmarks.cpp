@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <regex>
+#include <set>
 
 namespace app {
 
@@ -148,10 +149,10 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
                           ga::suggestion(name, known));
         }
     }
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (all[i].name == all[j].name)
-                rough::refuse("\"", all[i].name, "\" is given twice; give it once");
+    std::set<std::string> given;
+    for (const Benchmark& each : all)
+        if (!given.insert(each.name).second)
+            rough::refuse("\"", each.name, "\" is given twice; give it once");
     return all;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <set>
 
 namespace app {
 
@@ -152,15 +151,16 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
         std::size_t bout, variant, seed;
     };
     std::vector<Place> places;
+    std::vector<long> unfinished; // runs of each problem
     json names = json::array();
     for (const Bout& bout : contest.bouts) {
         for (std::size_t v = 0; v < bout.runs.size(); ++v)
             for (std::size_t s = 0; s < bout.runs[v].size(); ++s)
                 places.push_back({names.size(), v, s});
+        unfinished.push_back(contest.seeds * static_cast<long>(bout.runs.size()));
         names.push_back(bout.problem.name);
     }
-    std::vector<char> done(places.size(), 0);
-    std::mutex telling;
+    std::mutex guard;
     long ended = 0;
     const auto roughness = roughness_from(settings);
     const cluster::Job job{
@@ -180,8 +180,8 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
                 const auto [b, variant, seed] = places[i];
                 Bout& bout = contest.bouts[b];
                 bout.runs[variant][seed] = reached.get<Reached>();
-                done[i] = !conditions.stop;
-                const std::lock_guard lock(telling);
+                const std::lock_guard lock(guard);
+                unfinished[b] -= !conditions.stop;
                 conditions.progress.show(bout.problem.name + ": " + bout.variants[variant].first + ", run " +
                                          std::to_string(++ended) + " of " + std::to_string(places.size()));
             },
@@ -195,12 +195,8 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
     } else {
         cluster::hand_out(job);
     }
-    std::set<std::size_t> unfinished;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (!done[i])
-            unfinished.insert(places[i].bout);
-    std::size_t place = 0;
-    std::erase_if(contest.bouts, [&](const Bout&) { return unfinished.contains(place++); });
+    std::size_t b = 0;
+    std::erase_if(contest.bouts, [&](const Bout&) { return unfinished[b++] > 0; });
 }
 
 Findings run_compare(const Settings& settings, const Conditions& conditions) {

@@ -1,12 +1,11 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "apps/external/problem.hpp"
 #include "domain/errors.hpp"
+#include "domain/text/words.hpp"
 #include "ga/base/number.hpp"
 #include "ga/ga.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/text/arguments.hpp"
-
-#include <boost/algorithm/string.hpp>
 
 namespace app {
 
@@ -41,16 +40,11 @@ struct HardScenes : OutsideProblem<std::vector<double>> {
         if (stop)
             throw ga::Stopped{"stop requested"};
         verify(scene, trial);
-        switch (trial.outcome) {
-        case app::Outcome::wrong:
+        if (trial.outcome == app::Outcome::wrong)
             return {{wrong}};
-        case app::Outcome::not_converged:
+        if (trial.outcome == app::Outcome::not_converged)
             return {{failed}};
-        case app::Outcome::refused:
-            return {{0}};
-        default:
-            return {{static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())}};
-        }
+        return {{static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())}};
     }
 };
 
@@ -66,11 +60,8 @@ std::string bred_name(const std::vector<double>& genome) {
 bool is_bred(const std::string& name) { return name.starts_with(mark); }
 
 ContactScene bred_scene(const std::string& name) {
-    std::vector<std::string> words;
-    const std::string numbers = name.substr(mark.size());
-    boost::split(words, numbers, boost::is_any_of(","));
     std::vector<double> gene;
-    for (const std::string& word : words) {
+    for (const std::string& word : rough::listed(name.substr(mark.size()))) {
         const auto number = ga::Arguments::parsed(word);
         if (!number || *number < 0 || *number > 1)
             throw rough::InputError("'" + word + "' is not a gene; give numbers from 0 to 1", "scene");

@@ -91,7 +91,6 @@ TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and 
     CHECK_FALSE(data.left_out.empty());
     for (const LeftOut& each : data.left_out)
         CHECK(each.why == "one curve takes more than 0 s");
-    CHECK(findings_of(data).result["left_out"].size() > 0);
 }
 
 TEST_CASE("a chart's facts name the fastest method, and the best runs err less as they take longer") {
