@@ -19,13 +19,6 @@ namespace {
 using rough::DesignProblem;
 using rough::DominanceRule;
 
-/// Throws rough::InputError if the two keys that end in from and to are in the wrong order.
-void expect_order(const Settings& settings, const std::string& name) {
-    if (settings.number(name + "from") > settings.number(name + "to"))
-        settings.refuse(name + "to", settings.text(name + "to"),
-                        " is below the start of the range; give at least ", settings.text(name + "from"));
-}
-
 /// The keys whose values a run keeps as they are.
 Fields fields_of(PaperRun& run) {
     rough::DatabaseLayout& layout = run.layout;
@@ -148,8 +141,11 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     run.layout.lambda = run.model.grid.length;
     run.layout.shortest = run.model.grid.spacing();
     take(settings, fields_of(run));
-    for (const char* range : {"database.hurst-", "database.gamma-", "paper.sweep-"})
-        expect_order(settings, range);
+    for (const std::string range : {"database.hurst-", "database.gamma-", "paper.sweep-"})
+        if (settings.number(range + "from") > settings.number(range + "to"))
+            settings.refuse(range + "to", settings.text(range + "to"),
+                            " is below the start of the range; give at least ",
+                            settings.text(range + "from"));
     if (settings.has("target.profile"))
         run.max_pressure = run.targets[0].target.last();
     run.p_bar = settings.number("paper.threshold") * run.max_pressure;

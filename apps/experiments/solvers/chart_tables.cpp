@@ -34,20 +34,10 @@ constexpr std::array<ErrorKind, 3> error_kinds{{{"pressure", &ChartRun::error_pr
 
 const std::string& method_of(const ChartRun& run) { return rough::name_of(run.setting.method); }
 
-/// The run at a setting, or null if it was not solved.
-const ChartRun* solved(const ChartData& data, const ChartSetting& setting) {
-    for (const ChartRun& run : data.runs)
-        if (run.setting == setting && run.outcome == Outcome::solved)
-            return &run;
-    return nullptr;
-}
-
-/// The grids of the runs, increasing.
-std::set<Index> grids_of(const ChartData& data) {
-    std::set<Index> grids;
-    for (const ChartRun& run : data.runs)
-        grids.insert(run.setting.nodes);
-    return grids;
+/// Whether a setting with the usual steps and tolerance was solved.
+bool is_usual(const ChartRun& run) {
+    const ChartSetting& of = run.setting;
+    return run.outcome == Outcome::solved && of == usual_setting(of.scene, of.method, of.nodes);
 }
 
 /// Sorts runs by time, and puts nested first if it is about as fast as the fastest: it needs no tolerance.
@@ -92,17 +82,17 @@ json fastest(const ChartData& data, const Columns& columns, Counts counts) {
 
 /// The fastest method for a curve of 20 steps by scene and grid.
 json fastest_by_grid(const ChartData& data) {
+    std::set<Index> all;
+    for (const ChartRun& run : data.runs)
+        all.insert(run.setting.nodes);
     std::vector<Index> grids;
-    const std::set<Index> all = grids_of(data);
     for (const Index nodes : all)
         if (nodes >= 512 && (grids.empty() || nodes >= 4 * grids.back()))
             grids.push_back(nodes);
         else if (grids.size() > 1 && nodes == *all.rbegin())
             grids.back() = nodes;
     return {{"grids", grids}, {"rows", fastest(data, grids, [](const ChartRun& run, Index nodes) {
-                                   return run.outcome == Outcome::solved &&
-                                          run.setting ==
-                                              usual_setting(run.setting.scene, run.setting.method, nodes);
+                                   return run.setting.nodes == nodes && is_usual(run);
                                })}};
 }
 
@@ -172,17 +162,14 @@ json line_rows(const std::vector<ModelScene>& scenes) {
 
 /// How much longer auto took than the faster of the two solvers that it chooses from.
 json losses_of_auto(const ChartData& data) {
+    std::map<std::pair<std::size_t, Index>, std::map<Solver, double>> seconds; // by scene and grid
+    for (const ChartRun& run : data.runs)
+        if (is_usual(run))
+            seconds[{run.setting.scene, run.setting.nodes}][run.setting.method] = run.seconds;
     std::vector<double> losses;
-    for (std::size_t scene = 0; scene < data.scenes.size(); ++scene)
-        for (const Index nodes : grids_of(data)) {
-            const auto usual = [&](Solver method) {
-                return solved(data, usual_setting(scene, method, nodes));
-            };
-            const ChartRun *taken = usual(Solver::automatic), *nested = usual(Solver::nested),
-                           *active = usual(Solver::active_set);
-            if (taken && nested && active)
-                losses.push_back(taken->seconds / std::min(nested->seconds, active->seconds));
-        }
+    for (auto& [place, of] : seconds)
+        if (of.contains(Solver::automatic) && of.contains(Solver::nested) && of.contains(Solver::active_set))
+            losses.push_back(of[Solver::automatic] / std::min(of[Solver::nested], of[Solver::active_set]));
     return losses.empty() ? json()
                           : json{{"median", rough::median(losses)}, {"largest", std::ranges::max(losses)}};
 }
