@@ -250,10 +250,9 @@ class Paper {
     Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
         : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
           variants_(variants_from(settings, words_by(run.dominance), run.reduces_children)),
-          other_reading_(paper_three(words_by(other(run.dominance)), run.reduces_children)) {}
-
-    void answer_database() {
-        run_.database = answered(genomes_, run_.model, run_.max_pressure, run_.origin.threads);
+          other_reading_(paper_three(words_by(other(run.dominance)), run.reduces_children)) {
+        conditions.progress.show("database");
+        run.database = answered(genomes_, run.model, run.max_pressure, run.origin.threads);
     }
 
     void design(TargetRun& target) {
@@ -264,17 +263,18 @@ class Paper {
             if (conditions_.stop)
                 return;
             conditions_.progress.show(target.title + ": " + variant.name);
-            if (auto run = read_at(settings_, "variants." + variant.name,
-                                   [&] { return run_kept(variant, problem, target.title); })) {
-                const auto verified = rough::Verifier(as_reported(setup)).of(run->answer.genome);
-                run->similarity_refined = verified.refined;
-                run->similarity_worst = verified.worst();
-                target.variants.push_back(std::move(*run));
-            }
+            VariantRun run;
+            if (!read_at(settings_, "variants." + variant.name,
+                         [&] { return run_with_files(run, variant, problem, target.title); }))
+                continue;
+            const auto verified = rough::Verifier(as_reported(setup)).of(run.answer.genome);
+            run.similarity_refined = verified.refined;
+            run.similarity_worst = verified.worst();
+            target.variants.push_back(std::move(run));
         }
         for (const Variant& variant : other_reading_)
-            if (auto run = run_variant(variant, problem))
-                target.other_reading.push_back(std::move(*run));
+            if (VariantRun run; run_into(run, variant, problem))
+                target.other_reading.push_back(std::move(run));
     }
 
     void sweep(TargetRun& target) {
@@ -289,9 +289,8 @@ class Paper {
                     return;
                 conditions_.progress.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
                                           std::to_string(count));
-                const auto row = run_variant(variants_[cross_over], problem);
-                if (row)
-                    target.thresholds.push_back(threshold_row(*row, fraction * run_.max_pressure));
+                if (VariantRun run; run_into(run, variants_[cross_over], problem))
+                    target.thresholds.push_back(threshold_row(run, fraction * run_.max_pressure));
             }
         }
     }
@@ -305,25 +304,21 @@ class Paper {
         return {std::make_shared<DominanceRule>(run_.searched, reading, run_.dominant_above), run_.reach};
     }
 
-    /// Runs a variant and records its stages; its answer is solved exactly. Empty if the run was stopped
-    /// before a genome was scored.
-    std::optional<VariantRun> run_into(std::vector<StageRecord>& stages, const Variant& variant,
-                                       const DesignProblem& problem,
-                                       std::vector<ga::Observer<rough::Genome>> observers = {},
-                                       ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
+    /// Runs a variant and records its stages; its answer is solved exactly. Returns false if the run was
+    /// stopped before a genome was scored.
+    bool run_into(VariantRun& run, const Variant& variant, const DesignProblem& problem,
+                  std::vector<ga::Observer<rough::Genome>> observers = {},
+                  ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
         ga::RunOptions options;
-        options.variant = variant.name;
+        options.variant = run.name = variant.name;
         options.seed = run_.origin.seed;
         options.threads = run_.origin.threads;
         options.budget.stop = &conditions_.stop;
-        observers.insert(observers.begin(), recorder(stages));
+        observers.insert(observers.begin(), recorder(run.stages));
         const auto result = ga::run_by(*evaluator_, variant.pipeline, problem, ga::population(genomes_),
                                        options, observers, keeper);
         if (result.population.empty())
-            return std::nullopt;
-        VariantRun run;
-        run.name = variant.name;
-        run.stages = std::move(stages);
+            return false;
         run.seconds = result.seconds;
         run.notes = result.notes;
         run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
@@ -331,37 +326,29 @@ class Paper {
         run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
         run.curves = result.counters.evaluations;
         run.gradients = result.counters.gradients;
-        return run;
+        return true;
     }
 
-    std::optional<VariantRun> run_variant(const Variant& variant, const DesignProblem& problem) const {
-        std::vector<StageRecord> stages;
-        return run_into(stages, variant, problem);
-    }
-
-    /// Runs a variant and writes a checkpoint and a log of every stage to the run's folder.
-    std::optional<VariantRun> run_kept(const Variant& variant, const DesignProblem& problem,
-                                       const std::string& title) const {
+    /// Like run_into(), with a checkpoint and a log of every stage in the run's folder.
+    bool run_with_files(VariantRun& run, const Variant& variant, const DesignProblem& problem,
+                        const std::string& title) const {
         const std::string name = title + "-" + variant.name;
         std::error_code none; // without these folders the run continues
         for (const char* folder : {"checkpoints", "log"})
             std::filesystem::create_directories(ga::held(conditions_.folder / folder), none);
-        std::vector<StageRecord> stages;
         ga::Log log(conditions_.folder / "log" / (name + ".csv"));
         ga::Checkpoints<DesignProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
                                                    RUGOSA_VERSION + key_of(run_.origin.inputs) +
                                                        rough::json_text(description(problem.setup()), true),
                                                    conditions_.resume, checkpoint_interval());
-        checkpoints.keep("stages", stages);
+        checkpoints.keep("stages", run.stages);
         checkpoints.keep("log", log.position);
-        std::optional<VariantRun> run =
-            run_into(stages, variant, problem, {log.observer(problem)}, &checkpoints);
+        const bool is_scored = run_into(run, variant, problem, {log.observer(problem)}, &checkpoints);
         log.close();
-        if (run)
-            tell_notes(run->notes);
+        tell_notes(run.notes);
         if (!log.trouble.empty())
             tell_notes({log.trouble});
-        return run;
+        return is_scored;
     }
 
     const Settings& settings_;
@@ -379,8 +366,6 @@ Findings run_paper(const Settings& settings, const Conditions& conditions) {
     const ga::Stopwatch clock;
     PaperRun run = paper_from(settings, conditions.origin);
     Paper paper(settings, run, conditions);
-    conditions.progress.show("database");
-    paper.answer_database();
     for (TargetRun& target : run.targets) {
         paper.design(target);
         paper.sweep(target);

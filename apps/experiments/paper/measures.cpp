@@ -346,10 +346,10 @@ const std::map<std::string, Measure>& measures() {
          [](Run, Target target) {
              const Numbers gco = over_thresholds(target, "gco", children),
                            cco = over_thresholds(target, "cco", children);
-             double equal = 0;
-             for (std::size_t i = 0; i < std::min(gco.size(), cco.size()); ++i)
-                 equal += gco[i] == cco[i];
-             return gco.size() == cco.size() ? equal / static_cast<double>(gco.size()) : unknown;
+             Numbers equal;
+             for (std::size_t i = 0; gco.size() == cco.size() && i < gco.size(); ++i)
+                 equal.push_back(gco[i] == cco[i]);
+             return rough::mean(equal);
          }},
         {"efficient",
          [](Run, Target target) {

@@ -150,14 +150,12 @@ json target_page(const TargetRun& target, const std::string& folder) {
                                                 {"on", target.title},
                                                 {"figure", variant.name + " " + folder}});
         }
+        const Candidate& answer = variant.stages.back().candidates.front();
         std::string descent;
-        if (!variant.stages.empty() && !variant.stages.back().candidates.empty()) {
-            const Candidate& answer = variant.stages.back().candidates.front();
-            for (const std::uint64_t parent : answer.parents)
-                descent += (descent.empty() ? "" : " + ") + std::to_string(parent);
-            if (descent.empty())
-                descent = std::to_string(answer.id);
-        }
+        for (const std::uint64_t parent : answer.parents)
+            descent += (descent.empty() ? "" : " + ") + std::to_string(parent);
+        if (descent.empty())
+            descent = std::to_string(answer.id);
         const auto candidates = refinements(variant);
         json row = numbers_json(variant);
         row.update({{"name", shown_name(variant.name)},
