@@ -85,8 +85,8 @@ class Tally {
 
 /// Runs a variant on an instance until its targets are reached or its budget is spent. A variant is a
 /// pipeline or the name of an algorithm of libpagmo. If it ends earlier it restarts, as in COCO. In a
-/// pipeline's text `1/n` is one gene's share, `18n` is 18 times the number of genes, and `objectives` stands
-/// for the names of all objectives.
+/// pipeline `1/n` is one gene's share, and `18n` is 18 times the number of genes. `objectives` stands for the
+/// names of all objectives.
 template <class G>
 Reached raced(const Instance<G>& instance, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt);

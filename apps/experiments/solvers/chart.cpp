@@ -66,12 +66,12 @@ ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const Stop& 
 }
 
 /// The reason to leave a setting out, or "". The time of a curve grows at least like the number of nodes.
-/// @param coarser  the run on the next coarser grid, or null
-std::string reason_to_leave_out(const ChartSetting& setting, const ChartRun* coarser, double limit) {
-    if (coarser && coarser->outcome != Outcome::solved && !coarser->late)
+/// @param coarser  the run on the next coarser grid, or one of 0 s on 0 nodes
+std::string reason_to_leave_out(const ChartSetting& setting, const ChartRun& coarser, double limit) {
+    if (coarser.outcome != Outcome::solved && !coarser.late)
         return "refused or not converged on a coarser grid";
-    if (coarser && coarser->seconds * static_cast<double>(setting.nodes) >
-                       limit * static_cast<double>(coarser->setting.nodes))
+    if (coarser.seconds * static_cast<double>(setting.nodes) >
+        limit * static_cast<double>(coarser.setting.nodes))
         return "one curve takes more than " + brief(limit, 3) + " s";
     return "";
 }
@@ -251,9 +251,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
         for (setting.scene = 0; setting.scene < scenes.size(); ++setting.scene) {
             ChartSetting key = setting;
             key.nodes = 0;
-            const auto coarser = last.find(key);
-            std::string why = reason_to_leave_out(setting, coarser == last.end() ? nullptr : &coarser->second,
-                                                  extent.limit);
+            std::string why = reason_to_leave_out(setting, last[key], extent.limit);
             if (why.empty() && is_late)
                 why = time_over;
             ChartRun run;

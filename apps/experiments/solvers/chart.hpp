@@ -125,7 +125,7 @@ std::vector<ModelScene> charted_models(rough::Index finest, const Stop& stop = n
 /// Root mean square of the known errors; NaN if all are unknown.
 double root_mean_square(const Eigen::VectorXd& errors);
 
-/// A setting of the plan without a run, and the reason in words.
+/// A setting that was left out, and the reason in words.
 struct LeftOut {
     ChartSetting setting;
     std::string why;
@@ -158,8 +158,7 @@ ChartData charted(
 
 /// chart.csv: one row per run of solvers and of models.
 Csv chart_table(const ChartData& data);
-/// All tables and everything else on the page: scenes, fastest settings, failures, settings that were left
-/// out, and the ranges in which theories, a line and a map hold.
+/// All tables, and everything else on the page.
 ///
 /// points.csv has each run with an error, by kind. Its `best` is 1 if no run of its method is faster and more
 /// accurate, and 2 if no run of any method is. Errors that differ by less than a twentieth count as equal.

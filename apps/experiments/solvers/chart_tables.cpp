@@ -162,7 +162,7 @@ json line_rows(const std::vector<ModelScene>& scenes) {
 
 /// How much longer auto took than the faster of the two solvers that it chooses from.
 json losses_of_auto(const ChartData& data) {
-    std::map<std::pair<std::size_t, Index>, std::map<Solver, double>> seconds; // by scene and grid
+    std::map<std::pair<std::size_t, Index>, std::map<Solver, double>> seconds; // for each scene and grid
     for (const ChartRun& run : data.runs)
         if (is_usual(run))
             seconds[{run.setting.scene, run.setting.nodes}][run.setting.method] = run.seconds;

@@ -42,17 +42,6 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
         found.table("curves.csv", "curve,pressure_MPa," + std::string(columns_of(target.quantity).y));
     curves.points(target.x, target.y, "target");
     curves.points(target.x, answer.predicted, theory);
-    std::vector<double> similarities; // one per drawn surface
-    const long count = settings.whole("statistical.realisations");
-    for (long k = 1; k <= count && !conditions.stop; ++k) {
-        const std::string name = "surface-" + std::to_string(k);
-        conditions.progress.show(name + " of " + std::to_string(count));
-        const rough::RealisedAnswer drawn =
-            realised_answer(task, answer.parameters, conditions.origin.seed + static_cast<std::uint64_t>(k));
-        curves.points(target.x, drawn.exact, name);
-        similarities.push_back(drawn.similarity);
-        found.files[name + ".x3p"] = x3p(drawn.surface);
-    }
     const rough::SelfAffine& of = answer.parameters;
     found.result = {
         {"theory", theory},
@@ -64,11 +53,20 @@ Findings run_statistical(const Settings& settings, const Conditions& conditions)
           {"rms_slope", of.rms_slope}}},
         {"similarity", answer.similarity},
         {"evaluations", answer.evaluations},
-        {"similarity_realised", similarities},
-        {"surfaces", nlohmann::json::array()},
-        {"curves", curves.rows()}};
-    for (const double similarity : similarities)
-        found.result["surfaces"].push_back({{"similarity", similarity}});
+        {"similarity_realised", nlohmann::json::array()},
+        {"surfaces", nlohmann::json::array()}};
+    const long count = settings.whole("statistical.realisations");
+    for (long k = 1; k <= count && !conditions.stop; ++k) {
+        const std::string name = "surface-" + std::to_string(k);
+        conditions.progress.show(name + " of " + std::to_string(count));
+        const rough::RealisedAnswer drawn =
+            realised_answer(task, answer.parameters, conditions.origin.seed + static_cast<std::uint64_t>(k));
+        curves.points(target.x, drawn.exact, name);
+        found.result["similarity_realised"].push_back(drawn.similarity);
+        found.result["surfaces"].push_back({{"similarity", drawn.similarity}});
+        found.files[name + ".x3p"] = x3p(drawn.surface);
+    }
+    found.result["curves"] = curves.rows();
     found.summary = "similarity " + readable(answer.similarity, 4) + " by " + theory + "'s theory";
     return found;
 }

@@ -20,14 +20,14 @@ struct FrontProblem {
     double reach = 0; ///< genes after the first lie in [-reach, reach]; 0: in [0, 1]
 };
 
-double sum_behind_first(const Genes& x, double (*term)(double)) {
+double sum_from(std::size_t first, const Genes& x, double (*term)(double)) {
     double sum = 0;
-    for (std::size_t i = 1; i < x.size(); ++i)
+    for (std::size_t i = first; i < x.size(); ++i)
         sum += term(x[i]);
     return sum;
 }
 double linear_g(const Genes& x) {
-    return 1 + 9 * sum_behind_first(x, [](double xi) { return xi; }) / static_cast<double>(x.size() - 1);
+    return 1 + 9 * sum_from(1, x, [](double xi) { return xi; }) / static_cast<double>(x.size() - 1);
 }
 
 double convex(double f1, double g) { return g * (1 - std::sqrt(f1 / g)); }
@@ -39,7 +39,7 @@ Answer zdt2(const Genes& x) { return {{x[0], concave(x[0], linear_g(x))}}; }
 Answer zdt3(const Genes& x) { return {{x[0], broken(x[0], linear_g(x))}}; }
 Answer zdt4(const Genes& x) {
     const double g = 1 + 10 * static_cast<double>(x.size() - 1) +
-                     sum_behind_first(x, [](double xi) { return xi * xi - 10 * std::cos(4 * pi * xi); });
+                     sum_from(1, x, [](double xi) { return xi * xi - 10 * std::cos(4 * pi * xi); });
     return {{x[0], convex(x[0], g)}};
 }
 Answer zdt6(const Genes& x) {
@@ -49,16 +49,13 @@ Answer zdt6(const Genes& x) {
 }
 
 Answer dtlz1(const Genes& x) {
-    double g = 0;
-    for (std::size_t i = 2; i < x.size(); ++i)
-        g += 100 * (1 + (x[i] - 0.5) * (x[i] - 0.5) - std::cos(20 * pi * (x[i] - 0.5)));
+    const double g = sum_from(
+        2, x, [](double xi) { return 100 * (1 + (xi - 0.5) * (xi - 0.5) - std::cos(20 * pi * (xi - 0.5))); });
     const double size = 0.5 * (1 + g);
     return {{size * x[0] * x[1], size * x[0] * (1 - x[1]), size * (1 - x[0])}};
 }
 Answer dtlz2(const Genes& x) {
-    double g = 0;
-    for (std::size_t i = 2; i < x.size(); ++i)
-        g += (x[i] - 0.5) * (x[i] - 0.5);
+    const double g = sum_from(2, x, [](double xi) { return (xi - 0.5) * (xi - 0.5); });
     const double a = x[0] * pi / 2, b = x[1] * pi / 2;
     return {
         {(1 + g) * std::cos(a) * std::cos(b), (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)}};
