@@ -2,7 +2,7 @@
 file(GLOB TEMPLATE_FILES CONFIGURE_DEPENDS apps/report/templates/*.mustache apps/report/figures/*.gp experiments/*.py
      apps/experiments/*/*.csv)
 set(RUGOSA_TEMPLATES_SOURCE ${PROJECT_BINARY_DIR}/builtin.cpp)
-set(content "#include \"apps/report/builtin.hpp\"\n\nnamespace app {\nconst std::map<std::string, std::string>& builtin_files() {\n    static const std::map<std::string, std::string> files{\n")
+set(content "#include \"apps/report/render.hpp\"\n\nnamespace app {\nconst std::map<std::string, std::string>& builtin_files() {\n    static const std::map<std::string, std::string> files{\n")
 foreach(file ${TEMPLATE_FILES})
     get_filename_component(name ${file} NAME)
     file(READ ${file} text)

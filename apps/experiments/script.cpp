@@ -3,7 +3,7 @@
 #include "apps/external/process.hpp"
 #include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/builtin.hpp"
+#include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/base/held_folder.hpp"

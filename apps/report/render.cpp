@@ -1,7 +1,6 @@
 #include "apps/report/render.hpp"
 
 #include "apps/prompt/units.hpp"
-#include "apps/report/builtin.hpp"
 #include "apps/report/csv.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"

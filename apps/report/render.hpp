@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace app {
@@ -46,6 +47,9 @@ PageSource page_source(const std::filesystem::path& place);
 /// The file of the page: CURVE.html for CURVE.json, else chart.html, stability.html or report.html in the
 /// folder, by the kind.
 std::filesystem::path page_of(const PageSource& source);
+
+/// The files of apps/report/templates and apps/report/figures, by name; .cmake/templates.cmake writes them.
+const std::map<std::string, std::string>& builtin_files();
 
 /// A picture to draw: a gnuplot script and its variables.
 struct FigureScript {

@@ -1,6 +1,6 @@
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/experiments/compare/problems/problems.hpp"
-#include "apps/report/builtin.hpp"
+#include "apps/report/render.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <cmath>

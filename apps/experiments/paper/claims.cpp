@@ -1,5 +1,5 @@
 #include "apps/experiments/paper/paper.hpp"
-#include "apps/report/builtin.hpp"
+#include "apps/report/render.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,3 @@
-#include "apps/report/builtin.hpp"
 #include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
