@@ -1,7 +1,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/compare/contest.hpp"
-#include "ga/text/nearest.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -36,28 +35,18 @@ void print_help() {
 
 int dispatch(app::Words words) {
     app::parse_verbosity(words);
-    std::vector<std::string> names;
-    for (const auto& command : app::commands())
-        names.push_back(command.name);
-    if (words.empty())
-        rough::refuse("no subcommand given", ga::suggestion("", names), " ('rugosa --help' lists more)");
-    if (words[0] == "help" && words.size() > 1)
-        words = {words[1], "--help"};
-    if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+    const std::string first = words.empty() ? "" : words[0];
+    if (first == "help" && words.size() > 1)
+        return run_part(app::commands(), {words[1], "--help"});
+    if (first == "--help" || first == "-h" || first == "help") {
         print_help();
         return 0;
     }
-    if (words[0] == "--version") {
+    if (first == "--version") {
         std::cout << "rugosa " RUGOSA_VERSION "\n";
         return 0;
     }
-    for (const auto& command : app::commands())
-        if (words[0] == command.name)
-            return run_with(command, {words.begin() + 1, words.end()});
-    if (words[0].starts_with("-"))
-        rough::refuse("'", words[0], "' given; put a subcommand before its flags",
-                      ga::suggestion(words[0], {"--help", "--version"}));
-    rough::refuse("'", words[0], "' is not a subcommand", ga::suggestion(words[0], names));
+    return run_part(app::commands(), words);
 }
 
 void complain(const std::string& message) {

@@ -62,20 +62,6 @@ void print_help(const Command& command, const std::string& name) {
         std::cout << "  rugosa " << example << "\n";
 }
 
-/// Runs the part that the first word names.
-int run_part(const Command& command, const Words& words) {
-    Words names;
-    for (const Command& part : command.parts)
-        if (names.push_back(part.name); !words.empty() && words[0] == part.name)
-            return run_with(part, {words.begin() + 1, words.end()}, command.name + " ");
-    if (words.empty())
-        rough::refuse(command.name, ": nothing given", ga::suggestion("", names), " ('rugosa ", command.name,
-                      " --help' lists more)");
-    rough::refuse(command.name, ": '", words[0], "' given", ga::suggestion(words[0], names));
-}
-
-} // namespace
-
 int run_with(const Command& command, const Words& words, const std::string& before) {
     const std::string name = before + command.name;
     const bool is_for_part = !command.parts.empty() && (words.empty() || !words[0].starts_with("-"));
@@ -85,11 +71,25 @@ int run_with(const Command& command, const Words& words, const std::string& befo
         return 0;
     }
     if (!command.parts.empty())
-        return run_part(command, words);
+        return run_part(command.parts, words, name + " ");
     std::string line = "rugosa " + name;
     for (const std::string& word : words)
         line += " " + word;
     return command.run(read_command_line(words, command.settings, command.positional), line);
+}
+
+} // namespace
+
+int run_part(const std::vector<Command>& commands, const Words& words, const std::string& before) {
+    Words names;
+    for (const Command& command : commands)
+        if (names.push_back(command.name); !words.empty() && words[0] == command.name)
+            return run_with(command, {words.begin() + 1, words.end()}, before);
+    if (words.empty())
+        rough::refuse("no subcommand given", ga::suggestion("", names), " ('rugosa ", before,
+                      "--help' lists more)");
+    names.emplace_back("--help");
+    rough::refuse("'", words[0], "' is not a subcommand", ga::suggestion(words[0], names));
 }
 
 } // namespace app

@@ -36,9 +36,9 @@ Command optimise_command();
 /// All subcommands, in the order of the help page.
 const std::vector<Command>& commands();
 
-/// Runs a command with the words that follow its name, or prints its help page if --help or -h is among them.
+/// Runs the command that the first word names, or prints its help page if --help or -h is among the words.
 /// `before` precedes its name: "database " for a part. Returns the program's exit code.
-int run_with(const Command& command, const Words& words, const std::string& before = "");
+int run_part(const std::vector<Command>& commands, const Words& words, const std::string& before = "");
 
 /// The lines of a help page that list commands, with their names in a column of this width.
 std::string listed(const std::vector<Command>& commands, std::size_t width);

@@ -151,11 +151,7 @@ void forge_search(const std::string& genes, const std::string& pipeline, bool se
 }
 
 /// Runs a command of the program in this process.
-void command(const app::Words& words) {
-    for (const app::Command& one : app::commands())
-        if (one.name == words[0])
-            run_with(one, {words.begin() + 1, words.end()});
-}
+void command(const app::Words& words) { run_part(app::commands(), words); }
 
 /// Numbers as a database stores them.
 std::string packed(const std::vector<double>& values) {
