@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace app {
@@ -19,21 +18,14 @@ enum class Verbosity { quiet, plain, verbose };
 Verbosity verbosity = Verbosity::plain;
 
 constexpr const char* clear_line = "\r\033[K";
+/// A line longer than the terminal's width is cut. If it wrapped, its first part would stay.
+constexpr const char *no_wrap = "\033[?7l", *wrap = "\033[?7h";
 std::atomic<bool> stands = false;
 
-/// A text cut to the width of the terminal. A longer one would wrap, and its first part would stay.
-std::string cut(std::string text) {
-    winsize size{};
-    constexpr std::size_t usual = 80;
-    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
-    std::size_t left = (known ? size.ws_col : usual) - 1, at = 0;
-    for (; at < text.size(); ++at) {
-        const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0) != 0x80; // a letter of UTF-8
-        if (begins && left-- == 0)
-            break;
-    }
-    text.resize(at);
-    return text;
+/// Removes the line of progress, if there is one, before other output.
+void clear_progress() {
+    if (stands.exchange(false))
+        std::cerr << clear_line << std::flush;
 }
 
 std::atomic<bool> asked_to_stop = false; // lock-free, so that a signal handler may set it
@@ -97,18 +89,13 @@ Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verb
 
 Progress::~Progress() { clear_progress(); }
 
-void clear_progress() {
-    if (stands.exchange(false))
-        std::cerr << clear_line << std::flush;
-}
-
 void Progress::show(const std::string& text) {
     const auto now = Clock::now();
     using namespace std::chrono_literals;
     if (!terminal_ || now - start_ < 1s || (stands && now - last_ < 100ms))
         return;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - start_).count();
-    std::cerr << clear_line << cut(std::to_string(seconds) + " s  " + printable(text)) << std::flush;
+    std::cerr << clear_line << no_wrap << seconds << " s  " << printable(text) << wrap << std::flush;
     stands = true;
     last_ = now;
 }

@@ -38,9 +38,6 @@ class Progress {
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-/// Removes the line of progress, if there is one, before other output.
-void clear_progress();
-
 /// "45 s", or "12 min 5 s" from two minutes on.
 std::string duration_words(double seconds);
 
