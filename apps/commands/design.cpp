@@ -7,6 +7,7 @@
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
+#include "ga/observers/progress.hpp"
 
 #include <algorithm>
 
@@ -78,8 +79,10 @@ int design(const Settings& settings, const std::string& line) {
         if (run.from)
             morph_into(run);
         else
-            run.found = rough::search(run.searched, run.options,
-                                      {recorder(run.stages), shown_by<rough::Genome>(progress)});
+            run.found = rough::search(
+                run.searched, run.options,
+                {recorder(run.stages),
+                 ga::progress<rough::Genome>([&](const std::string& text) { progress.show(text); })});
         run.setup = exactly(run.found.setup);
         run.searched = run.found.setup;
         run.interrupted = interrupt.asked();

@@ -4,6 +4,7 @@
 #include "apps/report/surface.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
+#include "ga/observers/progress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -259,8 +260,10 @@ int design_asperities(const Settings& settings, const std::string& line) {
     CapRun run = cap_run_from(settings);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
         Progress progress;
-        run.found = search(run.setup, run.options,
-                           {recorder<rough::CapGenome>(run.stages), shown_by<rough::CapGenome>(progress)});
+        run.found =
+            search(run.setup, run.options,
+                   {recorder<rough::CapGenome>(run.stages),
+                    ga::progress<rough::CapGenome>([&](const std::string& text) { progress.show(text); })});
         run.interrupted = interrupt.asked();
         if (!run.interrupted) {
             progress.show("tolerance");

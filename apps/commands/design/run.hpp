@@ -97,18 +97,6 @@ Fields fields_of(rough::SearchOptionsOf<P>& options) {
 std::string pipeline_from(const Settings& settings, const std::map<std::string, std::string>& variants,
                           const std::string& usual);
 
-/// An observer that shows the path of each stage, the evaluations and the best similarity so far.
-template <class G>
-ga::Observer<G> shown_by(Progress& progress) {
-    return [&progress, best = -HUGE_VAL](const ga::Event<G>& event) mutable {
-        for (const auto& individual : event.population)
-            if (const ga::Fitness& f = individual.fitness; f.known() && !f.has_failed() && !f.several())
-                best = std::max(best, individual.value());
-        progress.show(event.path + ": " + std::to_string(event.counters.asked) + " curves, best " +
-                      readable(best, 5));
-    };
-}
-
 /// The targets of --target with their --weights.
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model);
 /// The keys of result.json for the record, and for each target its points, file, quantity, and the argument
