@@ -187,7 +187,7 @@ int optimise(const Settings& settings, const std::string& line) {
         search.stopped = children.trouble();
     const BestKnown& record = children.record;
     if (record.best() || interrupt.asked()) {
-        json result = origin_json({"optimise", RUGOSA_VERSION, line, search.seed, threads, search.inputs});
+        json result = origin_json({"optimise", line, search.seed, threads, search.inputs});
         result.update(outside_json(search, record, settings));
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);

@@ -71,10 +71,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     const OutputFolder output(request.out, request.name,
                               {names, request.inputs, request.force, request.resume});
     const std::filesystem::path& folder = output.path();
-    const Origin origin{experiment.kind,
-                        RUGOSA_VERSION,
-                        request.command,
-                        settings.whole<std::uint64_t>("experiment.seed"),
+    const Origin origin{experiment.kind, request.command, settings.whole<std::uint64_t>("experiment.seed"),
                         ga::thread_count(settings.whole<int>("experiment.threads")),
                         inputs_json(settings.files())};
     if (request.resume && says_finished(folder, "checkpoints", origin.inputs))

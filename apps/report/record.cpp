@@ -9,6 +9,9 @@
 
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChromosomePlace, series, n, wave_length_mm, amplitude_mm)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Account, resolved_nodes, grids, tolerance, seconds, estimated_error,
+                                   grid_error, step_error, solver_error, area_error, tangent_error, by_line,
+                                   line_error, aspect_ratio)
 } // namespace rough
 
 namespace app {
@@ -16,34 +19,23 @@ namespace app {
 using nlohmann::json;
 
 json account_json(const rough::Account& account) {
-    return {{"accuracy", account.accuracy > 0 ? json(account.accuracy) : json()},
-            {"nodes", account.grids.back()},
-            {"resolved_nodes", account.resolved_nodes},
-            {"grids", account.grids},
-            {"extrapolated", account.extrapolated()},
-            {"steps", account.rows},
-            {"solved_steps", account.solved_rows},
-            {"resolved_steps", account.resolved_rows},
-            {"light_steps", account.light_rows},
-            {"chromosomes",
-             {{"used", account.used},
-              {"dropped", account.dropped},
-              {"window_mm", {account.window.lowest, account.window.highest}},
-              {"bound", account.dropped_error}}},
-            {"solver", name_of(account.solver)},
-            {"tolerance", account.tolerance},
-            {"seconds", account.seconds},
-            {"estimated_error", account.estimated_error},
-            {"grid_error", account.grid_error},
-            {"step_error", account.step_error},
-            {"solver_error", account.solver_error},
-            {"area_error", account.area_error},
-            {"tangent_error", account.tangent_error},
-            {"by_line", account.by_line},
-            {"line_error", account.line_error},
-            {"aspect_ratio", account.aspect_ratio},
-            {"nodes_at_hardness", account.held_nodes},
-            {"words", in_words(account)}};
+    json result = account;
+    result.update({{"accuracy", account.accuracy > 0 ? json(account.accuracy) : json()},
+                   {"nodes", account.grids.back()},
+                   {"extrapolated", account.extrapolated()},
+                   {"steps", account.rows},
+                   {"solved_steps", account.solved_rows},
+                   {"resolved_steps", account.resolved_rows},
+                   {"light_steps", account.light_rows},
+                   {"chromosomes",
+                    {{"used", account.used},
+                     {"dropped", account.dropped},
+                     {"window_mm", {account.window.lowest, account.window.highest}},
+                     {"bound", account.dropped_error}}},
+                   {"solver", name_of(account.solver)},
+                   {"nodes_at_hardness", account.held_nodes},
+                   {"words", in_words(account)}});
+    return result;
 }
 
 namespace {
@@ -64,7 +56,7 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
     json stages = variant.stages;
     for (json& stage : stages)
         stage.erase("spent");
-    json result = numbers_json(variant);
+    json result = variant;
     result.update({{"genome", genome_to_json(variant.answer.genome)},
                    {"stages", std::move(stages)},
                    {"notes", variant.notes}});
@@ -86,19 +78,17 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
 
 VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
                        std::vector<StageRecord> stages, double seconds) {
-    VariantRun run;
-    run.name = name;
-    run.pipeline = found.pipeline;
-    run.stages = std::move(stages);
-    run.notes = found.notes;
-    run.answer.genome = found.best.genome;
-    run.similarity = found.best.similarity;
-    run.similarity_refined = found.best.refined;
-    run.similarity_worst = found.best.worst();
-    run.seconds = seconds;
-    run.curves = found.counters.evaluations;
-    run.gradients = found.counters.gradients;
-    return run;
+    return {.name = name,
+            .pipeline = found.pipeline,
+            .stages = std::move(stages),
+            .notes = found.notes,
+            .answer = {found.best.genome, {}},
+            .similarity = found.best.similarity,
+            .similarity_refined = found.best.refined,
+            .similarity_worst = found.best.worst(),
+            .seconds = seconds,
+            .curves = found.counters.evaluations,
+            .gradients = found.counters.gradients};
 }
 
 json model_json(const rough::Model& model) {
@@ -144,22 +134,10 @@ json target_json(const rough::Target& target) {
 
 json origin_json(const Origin& origin) {
     const rough::Build build = rough::build();
-    return {{"kind", origin.kind},
-            {"version", origin.version},
-            {"build", {{"compiler", build.compiler}, {"flags", build.flags}, {"vectors", build.vectors}}},
-            {"command", origin.command},
-            {"seed", origin.seed},
-            {"threads", origin.threads},
-            {"inputs", origin.inputs}};
-}
-
-json numbers_json(const VariantRun& variant) {
-    return {{"similarity", variant.similarity},
-            {"similarity_refined", variant.similarity_refined},
-            {"similarity_worst", variant.similarity_worst},
-            {"seconds", variant.seconds},
-            {"curves", variant.curves},
-            {"gradients", variant.gradients}};
+    json result = origin;
+    result["version"] = RUGOSA_VERSION;
+    result["build"] = {{"compiler", build.compiler}, {"flags", build.flags}, {"vectors", build.vectors}};
+    return result;
 }
 
 json result_json(const Origin& origin, const rough::DesignSetup& setup,

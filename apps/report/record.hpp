@@ -15,8 +15,8 @@ namespace app {
 
 /// The data needed to repeat it.
 struct Origin {
-    std::string kind;             ///< kind of the result, which names the template of its page
-    std::string version, command; ///< version of the program; the command as it was typed
+    std::string kind;    ///< kind of the result, which names the template of its page
+    std::string command; ///< as it was typed
     std::uint64_t seed = 1;
     int threads = 1;
     nlohmann::json inputs = nlohmann::json::array(); ///< files that it reads, by inputs_json()
@@ -91,6 +91,11 @@ ga::Observer<G> recorder(std::vector<StageRecord>& stages) {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate, id, parents, similarity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent)
 ///@}
+/// The similarities and the cost of a run, as in result.json.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRun, similarity, similarity_refined, similarity_worst, seconds,
+                                   curves, gradients)
+/// The keys of origin_json() that a run knows.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Origin, kind, command, seed, threads, inputs)
 
 /// The record of a search under a name, without the response of its answer.
 VariantRun variant_run(const std::string& name, const rough::SearchResult& found,
@@ -102,11 +107,8 @@ nlohmann::json model_json(const rough::Model& model);
 /// Name and points of a target, with the columns of its file as keys.
 nlohmann::json target_json(const rough::Target& target);
 
-/// The keys of every result.json: version, command, seed and threads.
+/// The keys of every result.json: version of the program, command, seed and threads.
 nlohmann::json origin_json(const Origin& origin);
-
-/// The similarities and the cost of a run.
-nlohmann::json numbers_json(const VariantRun& variant);
 
 /// result.json of the runs of one or several variants, to which a kind of run adds keys. The set-up is that
 /// of the searches. Each variant has its stages, its answer, and an account of the answer's model per kind of

@@ -117,11 +117,7 @@ void write_page(const std::filesystem::path& folder, double seconds_left);
 /// verdict.
 template <class Run, class Work>
 int run_in_folder(const char* kind, const std::string& line, const Settings& settings, Run& run, Work work) {
-    run.origin = {kind,
-                  RUGOSA_VERSION,
-                  line,
-                  run.options.seed,
-                  ga::thread_count(run.options.threads),
+    run.origin = {kind, line, run.options.seed, ga::thread_count(run.options.threads),
                   inputs_json(settings.files())};
     const bool resume = resumes(settings);
     const OutputFolder output = design_folder(settings, resume);

@@ -157,7 +157,7 @@ json target_page(const TargetRun& target, const std::string& folder) {
         if (descent.empty())
             descent = std::to_string(answer.id);
         const auto candidates = refinements(variant);
-        json row = numbers_json(variant);
+        json row = variant;
         row.update({{"name", shown_name(variant.name)},
                     {"before", candidates.empty() ? json() : json(candidates[0].similarity[0])},
                     {"genomes", descent}});

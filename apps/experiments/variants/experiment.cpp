@@ -152,7 +152,7 @@ json result_of(const RaceTarget& target, const Origin& origin, long budget) {
         json& one = result["variants"][variant.name];
         one["median_lowest"] = variant.median_lowest();
         for (const RaceRun& race_run : variant.runs) {
-            one["runs"].push_back(numbers_json(race_run.run));
+            one["runs"].push_back(race_run.run);
             one["runs"].back().update({{"seed", race_run.seed},
                                        {"crossed", race_run.crossed},
                                        {"better_than_parents", race_run.better}});
