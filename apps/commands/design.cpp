@@ -13,13 +13,6 @@
 
 namespace app {
 
-bool resumes(const Settings& settings) {
-    const bool resume = settings.is_on("resume");
-    if (resume && !settings.has("out"))
-        rough::refuse("--resume: given without --out; name the folder of the interrupted design");
-    return resume;
-}
-
 OutputFolder design_folder(const Settings& settings, bool resume) {
     const std::string names = "result.json,genome.json,answer.csv,report.html,checkpoint.cbor,"
                               "checkpoint.cbor.before,surface.stl,surface.3mf,surface.png,surface-scale.json,"

@@ -155,9 +155,7 @@ SearchByChildren search_from(const Settings& settings) {
     search.description = json({RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"),
                                settings.text("evaluate"), search.minimise})
                              .dump();
-    search.resume = settings.is_on("resume");
-    if (search.resume && !settings.has("out"))
-        rough::refuse("--resume: given without --out; name the folder of the interrupted run");
+    search.resume = resumes(settings);
     return search;
 }
 

@@ -1,6 +1,7 @@
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/report/output.hpp"
 
 #include <algorithm>
 
@@ -103,7 +104,7 @@ int run(const Settings& flags, const std::string& line) {
                       .page = "report.html",
                       .pictures = flags.choice("pictures") == 0,
                       .force = flags.is_on("force"),
-                      .resume = flags.is_on("resume")});
+                      .resume = resumes(flags)});
 }
 
 } // namespace

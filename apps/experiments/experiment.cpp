@@ -62,8 +62,6 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     if (request.resume && !experiment.resumes)
         rough::refuse("--resume: experiments of kind ", experiment.kind,
                       " do not write checkpoints; omit it");
-    if (request.resume && request.out.empty())
-        rough::refuse("--resume: no --out; give the folder of the interrupted run");
     std::vector<std::string> names = experiment.files;
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)

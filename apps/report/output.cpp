@@ -3,6 +3,7 @@
 #include "apps/prompt/terminal.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "domain/text/words.hpp"
 #include "ga/base/held_folder.hpp"
 #include "ga/problem/fingerprint.hpp"
 
@@ -177,6 +178,13 @@ std::string key_of(const nlohmann::json& inputs) {
     return key;
 }
 
+bool resumes(const Settings& settings) {
+    const bool resume = settings.is_on("resume");
+    if (resume && !settings.has("out"))
+        refuse("--resume: given without --out; name the folder of the interrupted run");
+    return resume;
+}
+
 bool says_finished(const fs::path& folder, const std::string& checkpoint, const nlohmann::json& inputs) {
     const fs::path file = folder / "result.json";
     if (!fs::exists(file) || fs::exists(folder / checkpoint))
@@ -191,13 +199,7 @@ bool says_finished(const fs::path& folder, const std::string& checkpoint, const 
 
 double checkpoint_interval() {
     const char* const given = std::getenv("RUGOSA_CHECKPOINTS");
-    if (!given)
-        return 1;
-    char* end = nullptr;
-    const double seconds = std::strtod(given, &end);
-    if (end == given || *end || !(seconds >= 0))
-        refuse("RUGOSA_CHECKPOINTS: '", given, "' in the environment is not a number of seconds; correct it");
-    return seconds;
+    return given ? rough::number_from(given, "RUGOSA_CHECKPOINTS") : 1;
 }
 
 void tell_notes(const std::vector<std::string>& notes) {

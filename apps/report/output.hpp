@@ -45,6 +45,9 @@ nlohmann::json inputs_json(const std::vector<std::filesystem::path>& files);
 /// The fingerprints, which a resumed run must share.
 std::string key_of(const nlohmann::json& inputs);
 
+/// Whether a run is resumed. Throws rough::InputError if its folder is not named.
+bool resumes(const Settings& settings);
+
 /// Whether a folder holds a finished result, with no checkpoint to resume from. Prints a line if it does.
 /// Throws rough::InputError if the result was made from other inputs.
 bool says_finished(const std::filesystem::path& folder, const std::string& checkpoint,

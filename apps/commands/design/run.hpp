@@ -103,8 +103,6 @@ std::vector<rough::Target> goals_from(const Settings& settings, const rough::Mod
 /// of its figure with further `curves`.
 nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,
                            const std::string& curves);
-/// Whether a design is resumed. Throws rough::InputError if its folder is not named.
-bool resumes(const Settings& settings);
 /// The folder of a design, for any genome.
 OutputFolder design_folder(const Settings& settings, bool resume);
 /// Prints the verdict of a design that was finished before, and returns its exit code.
