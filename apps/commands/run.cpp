@@ -40,15 +40,10 @@ std::vector<Setting> run_settings() {
 const Experiment& experiment_of(const std::filesystem::path& file,
                                 const std::vector<std::string>& overrides) {
     std::vector<std::string> kinds;
-    std::vector<Setting> any;
-    for (const Experiment& experiment : experiments()) {
+    for (const Experiment& experiment : experiments())
         kinds.push_back(experiment.kind);
-        for (const Setting& setting : experiment.all_settings()) {
-            any.push_back({setting.name, setting.fallback, ""}); // one name may take other values elsewhere
-            any.push_back({setting.name.substr(0, setting.name.find('.')) + ".*", "", ""});
-        }
-    }
-    return experiments()[read_ini(file, any, overrides).one_of("experiment.kind", kinds)];
+    const Setting kind{"experiment.kind", experiments().front().kind, ""};
+    return experiments()[read_ini(file, {kind, {"*", "", ""}}, overrides).one_of(kind.name, kinds)];
 }
 
 /// Runs an experiment under its short name: the keys of the section with that name are flags.

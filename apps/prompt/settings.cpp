@@ -93,21 +93,17 @@ Ini parsed_ini(const std::filesystem::path& file) {
 
 /// The suggestion for an unknown key: the nearest name, else the keys of its section, else the sections.
 std::string key_suggestion(const std::string& name, const std::vector<std::string>& names) {
-    const std::set<std::string> keys(names.begin(), names.end());
-    std::set<std::string> sections;
-    std::vector<std::string> beside;
-    for (const std::string& key : keys) {
-        const std::string section = key.substr(0, key.find('.') + 1);
-        sections.insert(section + "*");
-        if (name.starts_with(section))
-            beside.push_back(key);
-    }
-    const std::string near = ga::suggestion(name, {keys.begin(), keys.end()});
+    const std::string near = ga::suggestion(name, names), section = name.substr(0, name.find('.')) + ".";
     if (near.find("did you mean") != std::string::npos)
         return near;
-    return ga::suggestion(beside.empty() ? "" : name,
-                          beside.empty() ? std::vector<std::string>(sections.begin(), sections.end())
-                                         : beside);
+    std::set<std::string> keys, sections;
+    for (const std::string& key : names) {
+        sections.insert(key.substr(0, key.find('.') + 1) + "*");
+        if (key.starts_with(section))
+            keys.insert(key);
+    }
+    const auto& listed = keys.empty() ? sections : keys;
+    return ga::suggestion("", {listed.begin(), listed.end()});
 }
 
 } // namespace
@@ -358,8 +354,8 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
     const auto names = names_of(known);
     const Settings settings(file.string(), known, values, lines);
     for (const auto& [name, value] : values) {
-        const std::string any = name.substr(0, name.find('.')) + ".*";
-        if (std::ranges::find(names, name) == names.end() && std::ranges::find(names, any) == names.end()) {
+        const auto is_known = [&](const std::string& key) { return std::ranges::count(names, key) > 0; };
+        if (!is_known(name) && !is_known(name.substr(0, name.find('.')) + ".*") && !is_known("*")) {
             const std::string place = settings.place(name);
             rough::refuse(place.substr(0, place.size() - name.size()), "unknown key '", name, "'",
                           key_suggestion(name, names));

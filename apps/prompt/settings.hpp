@@ -152,8 +152,8 @@ Settings read_command_line(const std::vector<std::string>& words, const std::vec
                            const std::vector<std::string>& positional = {});
 
 /// Reads an .ini file, then `overrides` ("section.key=value"). A known key that ends in ".*" admits any key
-/// of that section. An empty value counts as not given. Throws rough::InputError on an unknown section or key
-/// (with the nearest name).
+/// of that section, and "*" any key. An empty value counts as not given. Throws rough::InputError on an
+/// unknown section or key (with the nearest name).
 Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
                   const std::vector<std::string>& overrides = {});
 

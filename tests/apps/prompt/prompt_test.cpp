@@ -94,7 +94,7 @@ const std::vector<Wrong> wrong_uses{
     {"run kind.ini", {"kind.ini:2: experiment.kind:", "\"foo\"", "paper, variants, accuracy"}},
     {"run value.ini", {"value.ini:4: paper.max-pressure:", "\"some\"", "number"}},
     {"run variant.ini", {"variant.ini:6: variants.mine:", "'scor'", "'score'"}},
-    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "; use one of accuracy.*, "}},
+    {"run key.ini --set paper.x= --set foo.bar=3", {"'foo.bar'", "; use one of database.*, "}},
     {paper + "more", {"'more'", "one experiment"}},
     {paper + "--set paper.threshhold=1", {"'paper.threshhold'", "did you mean 'paper.threshold'"}},
     {paper + "--set model.datum=0.1", {"model.datum: 0.1 mm", "0.2127"}},
