@@ -186,22 +186,6 @@ nlohmann::json resolution_json(const Pressed& pressed) {
     return values;
 }
 
-/// The curve, with the band of a scan or map. Its cells are empty if it was not computed.
-std::string curve_csv(const Pressed& pressed) {
-    const rough::Response& response = pressed.result.response;
-    if (!pressed.is_measured)
-        return csv(response);
-    const auto& band = pressed.band;
-    std::vector<Eigen::VectorXd> columns{band.contact_fraction_low, band.contact_fraction_high,
-                                         band.tangent_stiffness_low, band.tangent_stiffness_high};
-    if (!band.is_computed())
-        columns.assign(4, Eigen::VectorXd::Constant(response.steps(), NAN));
-    return csv(response,
-               {"contact_fraction_low", "contact_fraction_high", "tangent_stiffness_low_MPa_per_mm",
-                "tangent_stiffness_high_MPa_per_mm"},
-               columns);
-}
-
 /// The numbers of nodes of the contact spots of a map at the last load step, the largest first. Those of a
 /// line that answered for the map are as wide as the map.
 Eigen::VectorXd spots_of(const Pressed& pressed) {
@@ -292,7 +276,7 @@ CurveFiles files_from(const Settings& settings, bool is_2d) {
 void write_files(const CurveFiles& files, const Pressed& found, const std::vector<std::string>& notes,
                  const Settings& settings) {
     const rough::Response& response = found.result.response;
-    rough::write_atomically(files.curve, curve_csv(found));
+    rough::write_atomically(files.curve, csv(response, found.is_measured ? &found.band : nullptr));
     if (files.account.empty())
         return;
     std::map<std::string, std::string> tables;

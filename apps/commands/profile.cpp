@@ -63,12 +63,11 @@ std::vector<Setting> profile_settings() {
 
 /// A text matrix as --surface reads it.
 std::string matrix(const rough::Profile& map) {
-    std::vector<Eigen::VectorXd> columns;
     const auto [nodes, rows] = map.shape();
-    for (rough::Index i = 0; i < nodes; ++i)
-        columns.emplace_back(map.heights(Eigen::seqN(i, rows, nodes)));
-    const std::string table = csv(std::vector<std::string>(columns.size()), columns);
-    return table.substr(table.find('\n') + 1);
+    rough::PlainStream out;
+    out << map.heights.reshaped(nodes, rows).transpose().format({17, Eigen::DontAlignCols, ",", "\n"})
+        << "\n";
+    return out.str();
 }
 
 /// A file's name and content, which is made when it is written, as those of maps are large.

@@ -5,6 +5,7 @@
 #include "domain/text/words.hpp"
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +13,8 @@
 #include <string_view>
 
 namespace app {
+
+using rough::Index;
 
 namespace {
 
@@ -42,15 +45,6 @@ std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::st
     return out.str();
 }
 
-/// The rows of columns that a picture can show; the first column is x.
-std::vector<Eigen::VectorXd> shown(const std::vector<Eigen::VectorXd>& columns, bool logarithmic) {
-    const auto rows = rows_to_draw(columns[0], {columns.begin() + 1, columns.end()}, logarithmic);
-    std::vector<Eigen::VectorXd> all;
-    for (const Eigen::VectorXd& column : columns)
-        all.emplace_back(column(rows));
-    return all;
-}
-
 } // namespace
 
 Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)) {
@@ -65,10 +59,7 @@ void Csv::put(const std::string& given) {
         text_ << word;
         return;
     }
-    text_ << '"';
-    for (const char c : word)
-        text_ << (c == '"' ? "\"\"" : std::string(1, c));
-    text_ << '"';
+    text_ << '"' << boost::replace_all_copy(word, "\"", "\"\"") << '"';
 }
 
 void Csv::add(const nlohmann::json& row) {
@@ -114,31 +105,35 @@ std::string csv(const std::vector<std::string>& header, const std::vector<Eigen:
     return boost::algorithm::join(header, ",") + "\n" + rows_text(columns);
 }
 
-std::string csv(const rough::Response& response, const std::vector<std::string>& further,
-                const std::vector<Eigen::VectorXd>& columns) {
+std::string csv(const rough::Response& response, const rough::ResolutionBand* band) {
     std::vector<std::string> header{"displacement_mm",  "pressure_MPa",
                                     "contact_fraction", "tangent_stiffness_MPa_per_mm",
                                     "kkt_residual",     "interface_stiffness_MPa_per_mm"};
     std::vector<Eigen::VectorXd> all{response.displacement,     response.pressure,
                                      response.contact_fraction, response.tangent_stiffness,
                                      response.kkt_residual,     interface_stiffness(response)};
-    header.insert(header.end(), further.begin(), further.end());
-    all.insert(all.end(), columns.begin(), columns.end());
+    if (band) {
+        header.insert(header.end(),
+                      {"contact_fraction_low", "contact_fraction_high", "tangent_stiffness_low_MPa_per_mm",
+                       "tangent_stiffness_high_MPa_per_mm"});
+        all.insert(all.end(), {band->contact_fraction_low, band->contact_fraction_high,
+                               band->tangent_stiffness_low, band->tangent_stiffness_high});
+        for (auto& column : all)
+            column.conservativeResizeLike(Eigen::VectorXd::Constant(response.steps(), NAN));
+    }
     return csv(header, all);
 }
 
-using rough::Index;
+namespace {
 
-std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eigen::VectorXd>& lines,
-                                bool logarithmic) {
+/// The columns of drawn_csv() in the rows that a picture can show.
+std::vector<Eigen::VectorXd> shown(std::vector<Eigen::VectorXd> columns, bool logarithmic) {
     constexpr Index max_rows = 4000;
+    const Eigen::VectorXd x = columns[0];
+    if (x.size() <= max_rows)
+        return columns;
     std::vector<Index> rows;
-    if (x.size() <= max_rows) {
-        for (Index i = 0; i < x.size(); ++i)
-            rows.push_back(i);
-        return rows;
-    }
-    const double intervals = 0.5 * max_rows / static_cast<double>(lines.size());
+    const double intervals = 0.5 * max_rows / static_cast<double>(columns.size() - 1);
     const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
     const double from = along(0), length = along(x.size() - 1) - from;
     const auto interval = [&](Index i) { return std::floor((along(i) - from) / length * (intervals - 1)); };
@@ -146,17 +141,21 @@ std::vector<Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eige
         for (end = begin + 1; end < x.size() && interval(end) == interval(begin);)
             ++end;
         std::vector<Index> extremes;
-        for (const Eigen::VectorXd& line : lines)
+        for (std::size_t line = 1; line < columns.size(); ++line)
             for (const double sign : {1, -1}) {
                 Index at = 0;
-                (sign * line.segment(begin, end - begin)).minCoeff(&at);
+                (sign * columns[line].segment(begin, end - begin)).minCoeff(&at);
                 extremes.push_back(begin + at);
             }
         std::ranges::sort(extremes);
         rows.insert(rows.end(), extremes.begin(), std::unique(extremes.begin(), extremes.end()));
     }
-    return rows;
+    for (Eigen::VectorXd& column : columns)
+        column = column(rows).eval();
+    return columns;
 }
+
+} // namespace
 
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/response/response.hpp"
+#include "domain/accuracy/resolution.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -61,17 +61,13 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text);
 /// Columns of equal length as CSV with 17 significant digits. NaN is an empty cell.
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns);
 
-/// A response as `rugosa contact` writes it, one row per load step, followed by further columns.
-std::string csv(const rough::Response& response, const std::vector<std::string>& further = {},
-                const std::vector<Eigen::VectorXd>& columns = {});
+/// A response as `rugosa contact` writes it, one row per load step. With a band, which a scan or map has, its
+/// columns follow, with empty cells if it was not computed.
+std::string csv(const rough::Response& response, const rough::ResolutionBand* band = nullptr);
 
-/// The rows that a picture of some lines over common x can show: all, if there are at most 4,000. Otherwise x
-/// is divided into equal intervals, in log x with `logarithmic`. The lowest and the highest point of each
-/// line in each interval are taken.
-std::vector<rough::Index> rows_to_draw(const Eigen::VectorXd& x, const std::vector<Eigen::VectorXd>& lines,
-                                       bool logarithmic = false);
-
-/// The rows of rows_to_draw() as CSV. The columns are x and the lines, of equal length.
+/// Columns of equal length, x and lines over it, as CSV with the rows that a picture can show: all, if there
+/// are at most 4,000. Otherwise x is divided into equal intervals, in log x with `logarithmic`. The lowest
+/// and the highest point of each line in each interval are taken.
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic = false);
 
