@@ -67,8 +67,6 @@ std::map<std::string, std::string> contact_tables(const rough::Profile& surface,
 
 std::vector<Setting> contact_settings() {
     const std::vector<Setting> settings{
-        {"genome", "", "genome file (JSON) of the profile"},
-        {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "curve file to write (CSV)"},
         {"report", "",
          "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
@@ -81,7 +79,7 @@ std::vector<Setting> contact_settings() {
         positive("friction", "",
                  "friction coefficient; writes partial slip under the last load to CURVE-slip.csv [none]"),
     };
-    return joined({area_settings(),
+    return joined({surface_settings(),
                    settings,
                    loading_settings(),
                    scan_settings(),
@@ -314,9 +312,7 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
                      {"contact_fraction", response.contact_fraction[last]},
                      {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
                    {"largest_kkt_residual", response.kkt_residual.maxCoeff()},
-                   {"name", settings.text(!found.is_measured ? "genome"
-                                          : surface.is_2d()  ? "surface"
-                                                             : "profile")},
+                   {"name", settings.text(the_given(settings, surface_names, "contact"))},
                    {"notes", notes},
                    {"curve", files.curve.filename().string().substr(files.account.stem().string().size())}});
     if (surface.is_2d())
@@ -332,9 +328,7 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
 }
 
 int contact(const Settings& settings, const std::string&) {
-    if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        rough::refuse(
-            "contact: not exactly one surface is given; give one of --genome, --profile and --surface");
+    the_given(settings, surface_names, "contact");
     if (settings.has("friction") && settings.has("hardness"))
         rough::refuse(
             "--friction: given with --hardness; give one of them, as partial slip rests on elastic contact");

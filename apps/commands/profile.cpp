@@ -34,8 +34,6 @@ Fields fields_of(rough::Extrusion& extrusion) {
 std::vector<Setting> profile_settings() {
     rough::Extrusion usual;
     const std::vector<Setting> settings{
-        {"genome", "", "genome file (JSON) of the profile (may be given without the flag)"},
-        {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
         Setting(ga::whole("nodes", "", 10,
@@ -58,7 +56,7 @@ std::vector<Setting> profile_settings() {
             .several(),
         pictures_setting(),
     };
-    return joined({area_settings(), settings, settings_of(fields_of(usual)), scan_settings()});
+    return joined({surface_settings(), settings, settings_of(fields_of(usual)), scan_settings()});
 }
 
 /// A text matrix as --surface reads it.
@@ -248,10 +246,8 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
 }
 
 /// Writes all files of a description; a picture that cannot be drawn is left out.
-void write_description(const Description& of, const Settings& settings, const rough::Extrusion& extrusion) {
-    const std::filesystem::path source = settings.text(settings.has("genome")    ? "genome"
-                                                       : settings.has("profile") ? "profile"
-                                                                                 : "surface");
+void write_description(const Description& of, const std::filesystem::path& source, const Settings& settings,
+                       const rough::Extrusion& extrusion) {
     std::vector<std::string> names{of.kind + ".json", of.kind + ".x3p",     of.kind + ".stl",
                                    of.kind + ".3mf",  of.kind + ".png",     of.kind + "-scale.json",
                                    of.kind + ".sur",  "bearing.csv",        "spectrum-drawn.csv",
@@ -299,16 +295,15 @@ void write_description(const Description& of, const Settings& settings, const ro
 }
 
 int profile(const Settings& settings, const std::string&) {
-    if (settings.has("genome") + settings.has("profile") + settings.has("surface") != 1)
-        rough::refuse(
-            "profile: not exactly one surface is given; give one of a genome file, --profile and --surface");
+    const std::string given = the_given(settings, surface_names, "profile");
     rough::Extrusion extrusion;
     take(settings, fields_of(extrusion));
-    const bool is_map = settings.has("surface") || (settings.has("genome") && asks_for_area(settings));
+    const bool is_map = given == "surface" || (given == "genome" && asks_for_area(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
         if (!is_map && settings.given(name))
             rough::refuse("--", name, ": given without a map; give --surface or --nodes NXxNY too");
-    write_description(is_map ? described_map(settings) : described_profile(settings), settings, extrusion);
+    write_description(is_map ? described_map(settings) : described_profile(settings), settings.text(given),
+                      settings, extrusion);
     return 0;
 }
 

@@ -111,14 +111,8 @@ void write_drawing_page(const std::filesystem::path& page, const Settings& setti
 }
 
 int target(const Settings& settings, const std::string&) {
-    int given = 0;
-    for (const char* source : {"formula", "genome", "like", "check", "draw"})
-        given += settings.has(source);
-    if (given != 1)
-        rough::refuse(
-            "target: not exactly one source is given; give one of --formula, --genome, --like, --check and "
-            "--draw");
-    if (settings.has("draw")) {
+    const std::string source = the_given(settings, {"formula", "genome", "like", "check", "draw"}, "target");
+    if (source == "draw") {
         if (settings.has("out"))
             rough::refuse("--out: given with --draw; omit it, as the page saves the target");
         write_drawing_page(expect_writable(settings.text("draw"), settings, "--draw"), settings);

@@ -127,17 +127,19 @@ Fields fields_of(rough::ScanOptions& options) {
 }
 
 Fields loading_fields(rough::Model& model) {
-    return {{ga::number("to-pressure", "", ga::above_zero, 1e100,
-                        "mean pressure of the last load step, MPa; replaces --reach"),
+    return {{pressure("to-pressure", "", "mean pressure of the last load step, MPa; replaces --reach"),
              model.loading.to_pressure},
-            {Setting(ga::number("pressures", "", ga::above_zero, 1e100,
-                                "mean pressures of the load steps, MPa, as P1,P2,…; replaces --reach and "
-                                "--steps"))
+            {pressure("pressures", "",
+                      "mean pressures of the load steps, MPa, as P1,P2,…; replaces --reach and --steps")
                  .several(),
              model.loading.pressures},
-            {ga::number("hardness", "", ga::above_zero, 1e100,
-                        "largest pressure that a node carries, MPa; nodes that reach it sink in [none]"),
+            {pressure("hardness", "",
+                      "largest pressure that a node carries, MPa; nodes that reach it sink in [none]"),
              model.body.hardness}};
+}
+
+bool is_periodic(const Settings& settings, const std::string& prefix = "") {
+    return settings.text(prefix + "kernel") == rough::name_of(rough::Kernel::periodic);
 }
 
 /// Throws if one of these keys, which only a profile has, or the kernel of a profile is given.
@@ -164,6 +166,18 @@ rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const 
         settings.refuse(prefix + "nodes", "'", settings.text(prefix + "nodes"),
                         "' has more than 2e7 nodes; give fewer");
     return grid;
+}
+
+/// The note by how much a genome's wave vectors were moved to fit a periodic map; "" if they were not.
+std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
+    double farthest = 0;
+    if (grid.periodic)
+        for (const rough::PlaneWave& wave : plane_waves(genome, grid))
+            farthest = std::max(farthest, wave.moved);
+    return farthest > 1e-12
+               ? "note: wave vectors were moved to the nearest that fit the periodic map, by up to " +
+                     percent(farthest) + " of their length"
+               : "";
 }
 
 /// The model of a map on a grid that --nodes and --length may change.
@@ -216,10 +230,6 @@ rough::Index nodes_from(const Settings& settings) {
     return settings.has("nodes") ? settings.whole<rough::Index>("nodes") : 0;
 }
 
-rough::Kernel kernel_from(const Settings& settings, const std::string& prefix) {
-    return static_cast<rough::Kernel>(settings.choice(prefix + "kernel"));
-}
-
 rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
     ModelParameters given;
     given.model.grid = grid;
@@ -243,7 +253,7 @@ rough::Model model_from(const Settings& settings, const std::string& prefix) {
 }
 
 rough::Model model_from(const Settings& settings, const rough::Source& source, const std::string& prefix) {
-    return model_on(source.grid(kernel_from(settings, prefix) == rough::Kernel::periodic), settings, prefix);
+    return model_on(source.grid(is_periodic(settings, prefix)), settings, prefix);
 }
 
 std::vector<Setting> loading_settings() {
@@ -304,10 +314,16 @@ rough::Source source_from(const Settings& settings, rough::Index nodes, const st
     return rough::open_genome(settings.text("genome"));
 }
 
-std::vector<Setting> area_settings() {
-    return {{"surface", "",
-             "measured map instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
-             "with --spacing DX or DXxDY; or columns x, y, height"}};
+Setting area_setting() {
+    return {"surface", "",
+            "measured map instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
+            "with --spacing DX or DXxDY; or columns x, y, height"};
+}
+
+std::vector<Setting> surface_settings() {
+    return {{"genome", "", "genome file (JSON) of the profile"},
+            {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
+            area_setting()};
 }
 
 rough::Map surface_from(const Settings& settings, const std::string& flag) {
@@ -349,7 +365,7 @@ bool asks_for_area(const Settings& settings, const std::string& prefix) {
 }
 
 rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
-    const bool periodic = kernel_from(settings) == rough::Kernel::periodic;
+    const bool periodic = is_periodic(settings);
     const auto length = [&](double spacing, rough::Index n) {
         return spacing * static_cast<double>(periodic ? n : n - 1);
     };
@@ -368,17 +384,6 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
         return model_from(settings, prefix);
     expect_of_areas(settings, prefix, {"datum", "strip-width", "accuracy"});
     return area_model_on({}, settings, prefix);
-}
-
-std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
-    double farthest = 0;
-    if (grid.is_2d() && grid.periodic)
-        for (const rough::PlaneWave& wave : plane_waves(genome, grid))
-            farthest = std::max(farthest, wave.moved);
-    return farthest > 1e-12
-               ? "note: wave vectors were moved to the nearest that fit the periodic map, by up to " +
-                     readable(100 * farthest) + " % of their length"
-               : "";
 }
 
 rough::Map sampled_from(const Settings& settings, bool periodic) {
@@ -405,7 +410,7 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
     } else {
         expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
         const rough::Source source = rough::open_genome(settings.text("genome"));
-        scene.model = area_model_on(source.grid(kernel_from(settings) == rough::Kernel::periodic), settings);
+        scene.model = area_model_on(source.grid(is_periodic(settings)), settings);
         scene.map = sample(*source.genome, scene.model.grid);
         if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
             scene.notes.push_back(note);

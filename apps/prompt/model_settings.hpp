@@ -34,8 +34,6 @@ double accuracy_from(const Settings& settings, const std::string& prefix = "");
 /// --nodes; 0 if it is not given.
 rough::Index nodes_from(const Settings& settings);
 
-rough::Kernel kernel_from(const Settings& settings, const std::string& prefix = "");
-
 ///@{
 /// The complete model that the settings describe. Its grid is given, the default or that of a source;
 /// --nodes and --length may change it. Throws rough::InputError if the model has no solution.
@@ -66,7 +64,10 @@ rough::Source scan_from(const std::filesystem::path& file, const Settings& setti
 rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan = "profile");
 
 /// --surface: a measured map.
-std::vector<Setting> area_settings();
+Setting area_setting();
+/// The settings that name a surface, of which one is given: a genome, a measured profile or a map.
+inline const std::vector<std::string> surface_names{"genome", "profile", "surface"};
+std::vector<Setting> surface_settings();
 
 /// The note on a map on the free body.
 inline constexpr const char* no_datum_note =
@@ -81,9 +82,6 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings);
 /// The model that the settings describe, 2-D if --nodes or --length is a pair. Throws rough::InputError on
 /// settings that only a profile has.
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix = "");
-
-/// The note by how much a genome's wave vectors were moved to fit a periodic map; "" if they were not.
-std::string fit_note(const rough::Genome& genome, const rough::Grid& grid);
 
 /// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
 /// --lambda-s and --lambda-c remove.

@@ -398,6 +398,20 @@ void expect_none(const Settings& settings, const std::vector<std::string>& names
             settings.refuse(name, problem);
 }
 
+std::string the_given(const Settings& settings, const std::vector<std::string>& names,
+                      const std::string& what) {
+    std::string found, flags;
+    int count = 0;
+    for (const std::string& name : names) {
+        flags += (flags.empty() ? "" : ", ") + settings.place(name);
+        if (settings.has(name) && ++count == 1)
+            found = name;
+    }
+    if (count != 1)
+        rough::refuse(what, ": not exactly one of ", flags, " is given; give one of them");
+    return found;
+}
+
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error) {
     const std::string line = error.what();
     std::string name = prefix + error.about;

@@ -163,6 +163,10 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 std::vector<std::string> names_of(const std::vector<Setting>& settings);
 /// Throws rough::InputError on the first of these that was given: its place and `problem`.
 void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
+/// The one of these settings that is given. Throws rough::InputError that begins with `what` unless exactly
+/// one is.
+std::string the_given(const Settings& settings, const std::vector<std::string>& names,
+                      const std::string& what);
 /// The message of a rough::InputError, after the place of the setting whose value it is about, if there is
 /// one. "datum" is --datum, or model.datum of an experiment if `prefix` is "model.".
 std::string placed(const Settings& settings, const std::string& prefix, const rough::InputError& error);

@@ -96,8 +96,7 @@ std::optional<Production> production_from(const Settings& settings) {
 
 /// Sets targets and model by --target or --like.
 void take_targets(const Settings& settings, DesignRun& run) {
-    if (settings.has("target") == settings.has("like"))
-        rough::refuse("design: not exactly one target is given; give either --target or --like");
+    const bool is_like = the_given(settings, {"target", "like"}, "design") == "like";
     rough::DesignSetup& setup = run.setup;
     run.from = production_from(settings);
     if (run.from)
@@ -105,13 +104,13 @@ void take_targets(const Settings& settings, DesignRun& run) {
     const bool area = asks_for_area(settings);
     if (area && run.from)
         rough::refuse("--from: given with a map; omit it, as it is for profiles only");
-    if (settings.has("like") && area) {
+    if (is_like && area) {
         const AreaScene scene = area_from(settings, "like");
         run.accounts = scene.notes;
         like_surface(scene.map, scene.model, settings.text("like"), settings, setup,
                      // The band of a map would take most of the time.
                      settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
-    } else if (settings.has("like")) {
+    } else if (is_like) {
         const rough::Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
         rough::Model model = model_from(settings, scan);

@@ -83,7 +83,7 @@ std::vector<app::Setting> map_options() {
 
 Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
     Keywords keywords(options, "read");
-    app::Settings settings = keywords.settings(app::joined({app::area_settings(), map_options()}));
+    app::Settings settings = keywords.settings(app::joined({{app::area_setting()}, map_options()}));
     keywords.expect_none_left();
     if (!settings.given("detrend"))
         settings = settings.with({{"detrend", "none"}});

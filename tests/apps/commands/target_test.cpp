@@ -91,6 +91,6 @@ TEST_CASE("target writes an offline page to draw on, with the model's limits, an
     CHECK_THAT(rough::read_whole(folder / "periodic.html"), Catch::Contains("\"full_contact\":null"));
     check_refused(rugosa("target --draw periodic.html", folder.path()), "--draw: periodic.html exists");
     done(folder, "target --draw periodic.html --force");
-    check_refused(rugosa("target --draw a.html --check b.csv", folder.path()), "not exactly one source");
+    check_refused(rugosa("target --draw a.html --check b.csv", folder.path()), "not exactly one of");
     check_refused(rugosa("target --draw a.html --out b.csv", folder.path()), "--out: given with --draw");
 }
