@@ -338,8 +338,8 @@ int contact(const Settings& settings, const std::string&) {
     add_doubts(found, settings);
     std::vector<std::string> notes = found.notes;
     if (found.is_measured)
-        notes.insert(notes.begin(), resolution_note(found));
-    for (const std::string& note : without_effect(settings))
+        notes.insert(notes.begin(), resolution_json(found)["words"]);
+    for (const std::string& note : notes_on(settings, found.model))
         notes.push_back(note);
     notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
     std::erase(notes, "");

@@ -10,6 +10,8 @@
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 namespace app {
 
 namespace {
@@ -104,8 +106,7 @@ void write_drawing_page(const std::filesystem::path& page, const Settings& setti
         data["quantities"].push_back({{"name", name}, {"x", columns.x}, {"y", columns.y}});
     }
     std::string text = rough::json_text(data, true);
-    for (std::size_t at; (at = text.find('<')) != std::string::npos;)
-        text.replace(at, 1, "\\u003c"); // no tag within the page's script
+    boost::replace_all(text, "<", "\\u003c"); // no tag within the page's script
     rough::write_atomically(page, render({.values = {{"kind", "draw"}, {"data", text}}, .folder = {}}));
     say("open " + page.string() + " in a browser; it saves " + data["file"].get<std::string>());
 }
@@ -118,12 +119,10 @@ int target(const Settings& settings, const std::string&) {
         write_drawing_page(expect_writable(settings.text("draw"), settings, "--draw"), settings);
         return 0;
     }
-    if (settings.has("check")) {
+    if (source == "check") {
         const rough::Model model = model_from(settings);
         const rough::Target goal = goal_from(settings, settings.text("check"), model);
-        for (const auto& note : without_effect(settings, {settings.text("check")}))
-            say(note);
-        for (const auto& note : carried_notes({goal}, model))
+        for (const auto& note : notes_on(settings, model, {goal}))
             say(note);
         return report(goal, model, settings);
     }
@@ -137,7 +136,7 @@ int target(const Settings& settings, const std::string&) {
     }
     validate(goal);
     rough::write_atomically(out, to_csv(goal));
-    for (const auto& note : without_effect(settings))
+    for (const auto& note : notes_on(settings, model))
         say(note);
     return report(goal, model, settings);
 }

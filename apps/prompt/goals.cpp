@@ -45,9 +45,9 @@ Setting resistivity_setting() {
 }
 
 Setting max_pressure_setting() {
-    return ga::number("max-pressure", "", ga::above_zero, 1e100,
-                      "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa "
-                      "[amplitude is a gene]");
+    return pressure("max-pressure", "",
+                    "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa "
+                    "[amplitude is a gene]");
 }
 
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
@@ -61,21 +61,8 @@ rough::Target goal_from(const Settings& settings, const std::string& file, const
     return goal;
 }
 
-std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, const rough::Model& model) {
-    std::vector<std::string> notes;
-    for (const rough::Target& goal : goals) {
-        const auto carried = carried_over(goal, model);
-        if (carried.empty())
-            continue;
-        const bool by_length = carried.front().key == "length_mm";
-        notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
-                        ": an interface's stiffness does not depend on the datum" +
-                        (by_length ? ", and on the length only weakly, at light loads" : ""));
-    }
-    return notes;
-}
-
-std::vector<std::string> without_effect(const Settings& settings, const std::vector<std::string>& targets) {
+std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
+                                  const std::vector<rough::Target>& goals) {
     std::vector<std::string> notes;
     const auto note = [&](const char* flag, const std::string& why) {
         if (settings.given(flag))
@@ -86,11 +73,18 @@ std::vector<std::string> without_effect(const Settings& settings, const std::vec
         note("strip-width", "the kernel is " + kernel);
     if (kernel != rough::name_of(rough::Kernel::free))
         note("datum", "the kernel is " + kernel);
-    const auto conducts = [](const std::string& file) {
-        return rough::read_target_table(file).place_of("conductance") >= 0;
+    const auto conducts = [](const rough::Target& goal) {
+        return rough::read_target_table(goal.name).place_of("conductance") >= 0;
     };
-    if (std::ranges::none_of(targets, conducts))
+    if (std::ranges::none_of(goals, conducts))
         note("resistivity", "no target is a conductance");
+    for (const rough::Target& goal : goals)
+        if (const auto carried = carried_over(goal, model); !carried.empty())
+            notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
+                            ": an interface's stiffness does not depend on the datum" +
+                            (carried.front().key == "length_mm"
+                                 ? ", and on the length only weakly, at light loads"
+                                 : ""));
     return notes;
 }
 

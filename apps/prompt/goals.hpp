@@ -16,13 +16,10 @@ Setting max_pressure_setting();
 /// cannot be read, or if the model that it records differs.
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model);
 
-/// One line for each target that holds for another datum or length than it records (rough::carried_over).
-std::vector<std::string> carried_notes(const std::vector<rough::Target>& goals, const rough::Model& model);
-
-/// One line for each given flag without effect: for another kernel, or for other targets than the files of
-/// `targets`.
-std::vector<std::string> without_effect(const Settings& settings,
-                                        const std::vector<std::string>& targets = {});
+/// Notes, one line each: on a given flag that has no effect with the kernel or with these targets from files,
+/// and on a target that holds for another datum or length than it records (rough::carried_over).
+std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
+                                  const std::vector<rough::Target>& goals = {});
 
 /// The target files of a setting, with commas between; those in an .ini file are relative to it. Throws
 /// rough::InputError if none is given.

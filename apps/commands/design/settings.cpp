@@ -126,9 +126,8 @@ void take_targets(const Settings& settings, DesignRun& run) {
         if (area && setup.model.body.kernel == rough::Kernel::free)
             run.accounts.emplace_back(no_datum_note);
     }
-    for (const auto& note : without_effect(settings, rough::listed(settings.text("target"))))
-        run.accounts.push_back(note);
-    for (const auto& note : carried_notes(setup.targets, setup.model))
+    for (const auto& note :
+         notes_on(settings, setup.model, is_like ? std::vector<rough::Target>() : setup.targets))
         run.accounts.push_back(note);
 }
 
