@@ -12,11 +12,13 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/interface.hpp"
 #include "domain/contact/solve.hpp"
+#include "domain/mwm/waves.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/response/response.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace app {
 
@@ -150,37 +152,25 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
             " MPa at the last load; use --hardness to limit pressures");
 }
 
-/// Usual width of the contact spots at the last load of a scan or map, nodes.
-Index last_spot_width(const Pressed& pressed) {
-    return static_cast<Index>(pressed.result.response.spot_width.tail<1>()[0]);
-}
-
-/// The contact of a scan or map at the last load in words, and whether its spots are resolved.
-std::string resolution_note(const Pressed& pressed) {
-    const auto& [low_area, high_area, low, high, omitted] = pressed.band;
-    const Index last = pressed.result.response.steps() - 1;
-    const Index nodes = last_spot_width(pressed);
-    const std::string width = "half of the contact nodes are in spots at most " + std::to_string(nodes) +
-                              (nodes == 1 ? " node" : " nodes") + " wide; spots of this width are " +
-                              (nodes < rough::resolved_spot_nodes ? "not " : "") + "resolved";
-    if (!pressed.band.is_computed())
-        return "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")") + "; " + width;
-    return "at the last load the contact fraction is " + readable(100 * low_area[last]) + " to " +
-           percent(high_area[last]) + " and K is " + readable(low[last]) + " to " + readable(high[last]) +
-           " MPa/mm (limits of the band over measured and interpolated heights); " + width;
-}
-
+/// The contact of a scan or map at the last load, with `words` on it, and whether its spots are resolved.
 nlohmann::json resolution_json(const Pressed& pressed) {
-    nlohmann::json values{{"spot_width_nodes", last_spot_width(pressed)},
-                          {"is_resolved", pressed.unresolved.empty()},
-                          {"words", resolution_note(pressed)}};
     const auto& [low_area, high_area, low, high, omitted] = pressed.band;
     const Index last = pressed.result.response.steps() - 1;
-    if (pressed.band.is_computed())
+    const auto nodes = static_cast<Index>(pressed.result.response.spot_width[last]);
+    nlohmann::json values{{"spot_width_nodes", nodes}, {"is_resolved", pressed.unresolved.empty()}};
+    std::string words = "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")");
+    if (pressed.band.is_computed()) {
         values["band"] = {{"contact_fraction_low", low_area[last]},
                           {"contact_fraction_high", high_area[last]},
                           {"stiffness_low_MPa_per_mm", low[last]},
                           {"stiffness_high_MPa_per_mm", high[last]}};
+        words = "at the last load the contact fraction is " + readable(100 * low_area[last]) + " to " +
+                percent(high_area[last]) + " and K is " + readable(low[last]) + " to " +
+                readable(high[last]) + " MPa/mm (limits of the band over measured and interpolated heights)";
+    }
+    values["words"] = words + "; half of the contact nodes are in spots at most " + std::to_string(nodes) +
+                      (nodes == 1 ? " node" : " nodes") + " wide; spots of this width are " +
+                      (nodes < rough::resolved_spot_nodes ? "not " : "") + "resolved";
     return values;
 }
 
@@ -204,6 +194,17 @@ Pressed pressed_area(const Settings& settings) {
     if (is_measured && model.grid.periodic)
         scene.notes.push_back(jump_note(scene.map));
     return {std::move(scene.map), std::move(model), std::move(result), std::move(scene.notes), is_measured};
+}
+
+/// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
+std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
+    constexpr double min_nodes = 8 * (1 - 1e-9);
+    const auto lines = discrete_spectrum(genome);
+    const double nodes =
+        lines.empty() ? min_nodes : 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
+    return nodes < min_nodes ? "note: the shortest wavelength is " + readable(nodes) +
+                                   " nodes long, under 8: light contact depends on the grid"
+                             : "";
 }
 
 Pressed pressed(const Settings& settings) {

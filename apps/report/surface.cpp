@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace app {
 
@@ -22,8 +21,7 @@ namespace {
 
 constexpr rough::Index max_stl_nodes = 1'000'000, max_3mf_nodes = 100'000;
 constexpr double rounding = 1e-9;
-constexpr double min_nodes = 8; ///< nodes per wavelength
-constexpr double max_step = 3;  ///< step at the ends of a periodic surface, over that from node to node
+constexpr double max_step = 3; ///< step at the ends of a periodic surface, over that from node to node
 
 std::string nodes_in_words(rough::Index nodes) {
     return std::to_string(nodes) + (nodes == 1 ? " node" : " nodes");
@@ -92,17 +90,6 @@ std::string resolution_warning(const rough::Profile& surface, bool periodic) {
            "at most " +
            nodes_in_words(width) +
            " wide, so their contact area depends on the node spacing; measure with a finer node spacing";
-}
-
-std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
-    const auto lines = discrete_spectrum(genome);
-    if (lines.empty())
-        return "";
-    const double nodes = 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
-    if (!(nodes < min_nodes * (1 - rounding)))
-        return "";
-    return "note: the shortest wavelength is " + readable(nodes) +
-           " nodes long, under 8: light contact depends on the grid";
 }
 
 std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion) {

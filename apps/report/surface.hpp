@@ -25,9 +25,6 @@ std::string resolution_warning(const rough::Response& response);
 /// This warning for a surface that is not pressed, from the highest 1 % of its nodes.
 std::string resolution_warning(const rough::Profile& surface, bool periodic);
 
-/// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
-std::string wave_note(const rough::Genome& genome, const rough::Grid& grid);
-
 /// The size of a solid, the layer steps of its relief, and the effect of its magnification on stiffness.
 std::string print_note(const rough::Profile& surface, const rough::Extrusion& extrusion);
 
