@@ -33,15 +33,12 @@ Fields fields_of(rough::DesignSetup& setup) {
         {positive("max-slope", "", "largest slope that can be made"), limits.max_slope},
         {positive("max-height", "", "largest height range, mm"), limits.max_height},
         {positive("min-radius", "", "smallest radius of curvature, mm"), limits.min_radius},
-        {ga::number("hurst-from", "", ga::above_zero, 10,
-                    "lower bound of H [" + brief(usual.H_from, 15) + "]"),
+        {ga::number("hurst-from", ga::number(usual.H_from), ga::above_zero, 10, "lower bound of H"),
          bounds.H_from},
-        {ga::number("hurst-to", "", ga::above_zero, 10, "upper bound of H [" + brief(usual.H_to, 15) + "]"),
-         bounds.H_to},
-        {ga::number("gamma-from", "", 1.001, 100,
-                    "lower bound of gamma [" + brief(usual.gamma_from, 15) + "]"),
+        {ga::number("hurst-to", ga::number(usual.H_to), ga::above_zero, 10, "upper bound of H"), bounds.H_to},
+        {ga::number("gamma-from", ga::number(usual.gamma_from), 1.001, 100, "lower bound of gamma"),
          bounds.gamma_from},
-        {ga::number("gamma-to", "", 1.001, 100, "upper bound of gamma [" + brief(usual.gamma_to, 15) + "]"),
+        {ga::number("gamma-to", ga::number(usual.gamma_to), 1.001, 100, "upper bound of gamma"),
          bounds.gamma_to},
         {ga::number("lambda-from", "", 1e-12, 1e12,
                     "lower bound of the longest wavelength of a series, mm [L/4]"),
@@ -64,16 +61,12 @@ Fields fields_of(rough::DesignSetup& setup) {
 
 /// Throws if a gene's lower bound is above its upper bound.
 void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) {
-    const auto shown = [&](const std::string& flag, double value) {
-        return settings.has(flag) ? settings.text(flag) + " given" : readable(value, 6) + " by itself";
-    };
     for (const auto& [gene, from, to] : {std::tuple(std::string("hurst"), bounds.H_from, bounds.H_to),
                                          {"gamma", bounds.gamma_from, bounds.gamma_to},
                                          {"lambda", bounds.lambda_from, bounds.lambda_to}})
         if (from > to)
-            settings.refuse(gene + "-from", shown(gene + "-from", from), ", ", settings.place(gene + "-to"),
-                            ": ", shown(gene + "-to", to),
-                            "; give a lower bound that is not above the upper one");
+            settings.refuse(gene + "-from", brief(from, 6), " is above ", settings.place(gene + "-to"), ": ",
+                            brief(to, 6), "; give a lower bound that is not above the upper one");
 }
 
 /// The surface in production of --from, --control and --largest-change; nothing without --from.
@@ -203,13 +196,10 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
                       settings.place("pipeline"));
     if (!settings.has("variant"))
         return settings.has("pipeline") ? settings.text("pipeline") : usual;
-    const std::string name = settings.text("variant");
     std::vector<std::string> names;
-    for (const auto& [each, text] : variants)
-        names.push_back(each);
-    if (!variants.count(name))
-        settings.refuse("variant", "unknown variant '", name, "'", ga::suggestion(name, names));
-    return name;
+    for (const auto& [name, text] : variants)
+        names.push_back(name);
+    return names[settings.one_of("variant", names)];
 }
 
 void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,

@@ -67,7 +67,7 @@ TEST_CASE("wrong settings of caps are refused in one line") {
                                        {"--heights 1:0", "is not a range"},
                                        {"--radii 0.1:0.2", "--radii"},
                                        {"--noise 1e-6", "--noise: given with --asperities"},
-                                       {"--variant sog", "unknown variant 'sog'"},
+                                       {"--variant sog", "--variant: \"sog\" given"},
                                        {"--pitch 0", "--pitch"},
                                        {"--pipeline 'reduce dominant'", "reduce"}}) {
         const std::string given = flags;
