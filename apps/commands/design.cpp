@@ -83,9 +83,12 @@ int design(const Settings& settings, const std::string& line) {
         if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
             run.not_asked = off_unasked(run);
         run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
-        run.summary = summary_of(run);
-        run.seconds = run.clock.seconds();
-        write_design_result(run, output.restored());
+        const auto record = [&](const std::filesystem::path& to) {
+            run.summary = summary_of(run);
+            run.seconds = run.clock.seconds();
+            write_design_result(run, to);
+        };
+        record(output.restored());
         write_design_tables(run, folder);
         if (!run.interrupted) {
             progress.show("tolerance");
@@ -98,9 +101,7 @@ int design(const Settings& settings, const std::string& line) {
             run.trust =
                 trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
             run.interrupted = interrupt.asked();
-            run.summary = summary_of(run);
-            run.seconds = run.clock.seconds();
-            write_design_result(run, folder);
+            record(folder);
         }
         if (!run.interrupted && settings.choice("pictures") == 0)
             try {

@@ -100,9 +100,8 @@ json design_json(const DesignRun& run) {
     result["verified"] = run.found.best.is_verified();
     result["accounts"] = run.accounts;
     result["like"] = run.setup.like ? json(run.setup.like->nodes()) : json();
-    result["summary"].update({{"lowest", run.summary.verified}, {"not_asked", json::object()}});
-    for (const auto& [name, share] : run.not_asked.value_or(Shares()))
-        result["summary"]["not_asked"][name] = share;
+    result["summary"].update(
+        {{"lowest", run.summary.verified}, {"not_asked", run.not_asked.value_or(Shares())}});
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;

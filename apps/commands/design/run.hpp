@@ -21,7 +21,7 @@ struct Fact {
 };
 
 /// Names of quantities, and the share by which each is off at most.
-using Shares = std::vector<std::pair<std::string, double>>;
+using Shares = std::map<std::string, double>;
 
 /// A surface in production that is to be brought back to its target.
 struct Production {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace app {
 
@@ -20,15 +18,9 @@ std::string in_words(Quantity quantity) {
     return words[static_cast<std::size_t>(quantity)];
 }
 
-/// A number with at least 4 digits, and as many as show that it is below another.
+/// A similarity with at least 4 digits, and as many as show that it is below another.
 std::string below(double value, double other) {
-    int digits = 4;
-    for (char text[40]; digits < 17; ++digits) {
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
-        if (std::strtod(text, nullptr) < other)
-            break;
-    }
-    return readable(value, digits);
+    return readable(value, std::max(4, static_cast<int>(std::ceil(-std::log10(other - value)))));
 }
 
 void join(std::string& all, const std::string& more, const char* between = "; ") {
@@ -154,11 +146,8 @@ std::string worst_case(const DesignRun& run) {
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)
-        if (check.name.find("datum") != std::string::npos)
-            join(all, "similarity " + readable(check.similarity, 4) + " with the datum 4 times farther");
-        else if (check.name.find("noise") != std::string::npos ||
-                 check.name.find("tilt") != std::string::npos)
-            join(all, "similarity " + readable(check.similarity, 4) + " under " + check.name);
+        if (check.decides || check.name.find("datum") != std::string::npos)
+            join(all, "similarity " + readable(check.similarity, 4) + " with " + check.name);
     if (!run.trust->left_out.empty())
         join(all, "no time was left for " + std::to_string(run.trust->left_out.size()) + " checks");
     return all;
@@ -200,13 +189,8 @@ std::string yielding(const DesignRun& run) {
                                 " of E*)";
     if (hardness <= 0)
         return "assumed to be elastic; " + highest + "; give --hardness to verify this";
-    if (peak <= hardness)
-        return "elastic: " + highest + ", at most the hardness";
-    std::string all = "yields: " + highest + ", above the hardness";
-    for (const rough::Check& check : run.trust->checks)
-        if (check.name.find("hardness") != std::string::npos)
-            join(all, "similarity " + readable(check.similarity, 4) + " with " + check.name);
-    return all;
+    return peak <= hardness ? "elastic: " + highest + ", at most the hardness"
+                            : "yields: " + highest + ", above the hardness";
 }
 
 /// A quantity with its limit, e.g. "shortest wave 0.0146 mm (limit 0.0133 mm)".
@@ -283,17 +267,6 @@ std::string at(const rough::Target& target, double x) {
 /// Reasons why no answer was found: the largest misfit, then its possible causes.
 std::string in_the_way(const DesignRun& run) {
     const auto& targets = run.setup.targets;
-    if (run.morphed) {
-        const auto& missed = run.morphed->off;
-        if (missed.empty())
-            return "";
-        const auto largest =
-            std::ranges::max(missed, {}, [](const rough::PointOff& off) { return std::abs(off.misfit); });
-        const rough::Target& target = targets[largest.target];
-        return "these chromosomes cannot match " + std::to_string(missed.size()) +
-               " points within the largest permitted change; the largest misfit is " +
-               percent(largest.misfit / target.weight) + at(target, largest.x);
-    }
     std::size_t worst = 0;
     const auto weighted = [&](std::size_t t) {
         return targets[t].weight * std::abs(largest_misfit(run, t).misfit);
@@ -308,6 +281,13 @@ std::string in_the_way(const DesignRun& run) {
     if (weighted(worst) > allowed)
         join(all, "the largest misfit is " + percent(largest.misfit) + " of the " +
                       in_words(target.quantity) + at(target, target.x[largest.point]));
+    if (run.morphed) {
+        const std::size_t missed = run.morphed->off.size();
+        join(all, missed == 0 ? ""
+                              : "these chromosomes cannot match " + std::to_string(missed) +
+                                    " points within the largest permitted change");
+        return all;
+    }
     if (run.bound < run.setup.required_similarity)
         join(all,
              line_of("no profile ",
@@ -354,7 +334,7 @@ Shares off_unasked(const DesignRun& run) {
     const std::vector<double> each = similarities(setup, respond(setup, run.found.best.genome, setup.model));
     for (std::size_t t = 0; t < each.size(); ++t)
         if (setup.targets[t].y.maxCoeff() < nearly_rigid * run.setup.model.body.effective_modulus)
-            all.emplace_back(in_words(setup.targets[t].quantity), 1 - each[t]);
+            all[in_words(setup.targets[t].quantity)] = 1 - each[t];
     return all;
 }
 
