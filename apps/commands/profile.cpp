@@ -234,13 +234,11 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
     const Unit height = length_unit(largest);
     for (const rough::SurfaceParameter& one : all) {
         const Unit unit = one.unit == "mm" ? height : Unit{one.unit, 1};
-        char line[160];
+        char value[32] = "none", line[160];
         if (std::isfinite(one.value))
-            std::snprintf(line, sizeof line, "  %-14s %12.6g %-5s %s", one.name.c_str(),
-                          one.value * unit.factor, unit.name.c_str(), one.meaning.c_str());
-        else
-            std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), "none", "",
-                          one.meaning.c_str());
+            std::snprintf(value, sizeof value, "%.6g", one.value * unit.factor);
+        std::snprintf(line, sizeof line, "  %-14s %12s %-5s %s", one.name.c_str(), value, unit.name.c_str(),
+                      one.meaning.c_str());
         say(line);
     }
 }

@@ -7,7 +7,6 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -214,17 +213,15 @@ bool Settings::is_on(const std::string& name) const {
     refuse(name, "\"", value, "\" given; give on or off");
 }
 
-double Settings::number_in(const std::string& name, const std::string& word,
-                           const ga::Parameter& range) const {
+double Settings::number_in(const std::string& name, const std::string& word) const {
+    const ga::Parameter& range = known_.at(name).takes;
     const double value = rough::number_from(word, place(name));
     if (!range.is_text() && !range.allows(value))
         refuse(name, word, " is out of range (", range.expected(true), ")");
     return value;
 }
 
-double Settings::number(const std::string& name) const {
-    return number_in(name, text(name), known_.at(name).takes);
-}
+double Settings::number(const std::string& name) const { return number_in(name, text(name)); }
 
 std::vector<double> Settings::numbers(const std::string& name) const {
     std::vector<double> all;
@@ -232,7 +229,7 @@ std::vector<double> Settings::numbers(const std::string& name) const {
     if (known_.at(name).between == 'x' && given.size() > 2)
         refuse(name, "'", text(name), "' given; give two numbers with an x between, as in 64x48");
     for (const std::string& word : given)
-        all.push_back(number_in(name, word, known_.at(name).takes));
+        all.push_back(number_in(name, word));
     return all;
 }
 
@@ -424,19 +421,18 @@ std::string placed(const Settings& settings, const std::string& prefix, const ro
 }
 
 std::string described(const std::vector<Setting>& known) {
-    std::vector<std::string> groups;
+    std::vector<std::string> groups; // in the order of their first settings
+    std::map<std::string, std::vector<Setting>> members;
     for (const Setting& setting : known)
-        if (std::ranges::find(groups, setting.group) == groups.end())
-            groups.push_back(setting.group);
+        if (!setting.meaning.empty()) {
+            if (!members.contains(setting.group))
+                groups.push_back(setting.group);
+            members[setting.group].push_back(setting);
+        }
     rough::PlainStream out;
-    for (const std::string& group : groups) {
-        std::vector<Setting> members;
-        std::ranges::copy_if(known, std::back_inserter(members), [&](const Setting& setting) {
-            return setting.group == group && !setting.meaning.empty();
-        });
-        const std::string heading = group.empty() ? "Flags" : group;
-        out << (group == groups.front() ? "" : "\n") << options_of(members, heading);
-    }
+    for (const std::string& group : groups)
+        out << (group == groups.front() ? "" : "\n")
+            << options_of(members[group], group.empty() ? "Flags" : group);
     return out.str();
 }
 

@@ -119,7 +119,7 @@ class Settings {
 
   private:
     std::filesystem::path beside(const std::string& name, const std::string& word) const;
-    double number_in(const std::string& name, const std::string& word, const ga::Parameter& range) const;
+    double number_in(const std::string& name, const std::string& word) const;
     void check(const std::string& name) const;
 
     std::string source_;
