@@ -47,21 +47,16 @@ class Reader {
         if (++depth_ > deepest)
             rough::refuse(where_, ": column ", at_ + 1, ": parentheses, signs or powers more than ", deepest,
                           " deep; nest fewer");
-        const Function result = signed_power();
-        --depth_;
-        return result;
-    }
-
-    Function signed_power() {
+        Function result;
         if (next() == '-' || next() == '+') {
             const double sign = text_[at_++] == '-' ? -1 : 1;
-            return [a = power(), sign](double x) { return sign * a(x); };
+            result = [a = power(), sign](double x) { return sign * a(x); };
+        } else if (result = atom(); next() == '^') {
+            ++at_;
+            result = [base = result, exponent = power()](double x) { return std::pow(base(x), exponent(x)); };
         }
-        const Function base = atom();
-        if (next() != '^')
-            return base;
-        ++at_;
-        return [base, exponent = power()](double x) { return std::pow(base(x), exponent(x)); };
+        --depth_;
+        return result;
     }
 
     Function atom() {

@@ -202,9 +202,9 @@ class Context : public kainjow::mustache::context<std::string> {
         const auto number = number_in(text);
         if (!number || (filter.empty() && text.front() != number_mark))
             return text;
+        const auto digits = [&](int usual) { return argument.empty() ? usual : std::stoi(argument); };
         const auto in_unit = [&](const Unit& unit) {
-            return readable(unit.factor * *number, argument.empty() ? 3 : std::stoi(argument)) + " " +
-                   unit.name;
+            return readable(unit.factor * *number, digits(3)) + " " + unit.name;
         };
         if (word == "above" || word == "below")
             return word == "above" ? *number > std::stod(argument) : *number < std::stod(argument);
@@ -213,8 +213,8 @@ class Context : public kainjow::mustache::context<std::string> {
         if (word == "pressure")
             return in_unit(pressure_unit(*number));
         if (word == "percent")
-            return percent(*number, argument.empty() ? 3 : std::stoi(argument));
-        return word == "brief" ? brief(*number, argument.empty() ? 2 : std::stoi(argument))
+            return percent(*number, digits(3));
+        return word == "brief" ? brief(*number, digits(2))
                                : readable(*number, word.empty() ? 3 : std::stoi(word));
     }
 

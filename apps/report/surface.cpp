@@ -6,7 +6,6 @@
 #include "domain/accuracy/resolution.hpp"
 #include "domain/contact/interface.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/text/atomic_file.hpp"
