@@ -16,8 +16,9 @@ Setting max_pressure_setting();
 /// cannot be read, or if the model that it records differs.
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model);
 
-/// Notes, one line each: on a given flag that has no effect with the kernel or with these targets from files,
-/// and on a target that holds for another datum or length than it records (rough::carried_over).
+/// One line for each given flag without effect: for another kernel, or for other targets than these from
+/// files. One line for each target that holds for another datum or length than it records
+/// (rough::carried_over).
 std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
                                   const std::vector<rough::Target>& goals = {});
 

@@ -176,7 +176,7 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
             farthest = std::max(farthest, wave.moved);
     return farthest > 1e-12
                ? "note: wave vectors were moved to the nearest that fit the periodic map, by up to " +
-                     percent(farthest) + " of their length"
+                     readable(100 * farthest) + " % of their length"
                : "";
 }
 

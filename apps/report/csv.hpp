@@ -65,9 +65,9 @@ std::string csv(const std::vector<std::string>& header, const std::vector<Eigen:
 /// columns follow, with empty cells if it was not computed.
 std::string csv(const rough::Response& response, const rough::ResolutionBand* band = nullptr);
 
-/// Columns of equal length, x and lines over it, as CSV with the rows that a picture can show: all, if there
-/// are at most 4,000. Otherwise x is divided into equal intervals, in log x with `logarithmic`. The lowest
-/// and the highest point of each line in each interval are taken.
+/// Columns of equal length, x and lines over it, as CSV. It has the rows that a picture can show: all, if
+/// there are at most 4,000. Otherwise x is divided into equal intervals, in log x with `logarithmic`. The
+/// lowest and the highest point of each line in each interval are taken.
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic = false);
 
