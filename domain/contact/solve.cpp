@@ -295,7 +295,12 @@ double known_sum(const Key& key, const ContactProblem& problem) {
 } // namespace
 
 const std::vector<std::string>& solver_names() {
-    static const std::vector<std::string> names{"auto", "nested", "nnls", "polonsky-keer", "active-set"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const ContactSolver& solver : contact_solvers)
+            all.emplace_back(solver.name);
+        return all;
+    }();
     return names;
 }
 

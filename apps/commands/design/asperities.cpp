@@ -105,10 +105,9 @@ Summary summary_of(const CapRun& run) {
         summary.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by " +
                           model + ", no time was left for boundary elements" + wanted;
     else
-        summary.verdict = std::string(summary.found ? "found" : "not found within the budget") +
-                          ": lowest similarity " + readable(lowest, 5) + ", by " + model +
-                          " and by boundary elements at " + std::to_string(verified.meshed.size()) +
-                          " points" + wanted;
+        summary.verdict = (summary.found ? "found" : missed_by(run.found)) + ": lowest similarity " +
+                          readable(lowest, 5) + ", by " + model + " and by boundary elements at " +
+                          std::to_string(verified.meshed.size()) + " points" + wanted;
     std::string errors = "not known, because boundary elements have not verified all loads", tolerated;
     if (!verified.meshed.empty() && !run.interrupted)
         errors = "independent caps differ from interacting ones by " + percent(run.other_model_error) + "; " +

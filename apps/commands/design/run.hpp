@@ -42,6 +42,11 @@ struct Summary {
     std::vector<Fact> facts;
 };
 
+/// The first words of the verdict on a search without success.
+inline std::string missed_by(const rough::SearchRun& run) {
+    return run.stopped.empty() ? "not found" : "not found within the budget";
+}
+
 /// The parts of a run that designs of every genome have.
 struct DesignRecord {
     ga::Stopwatch clock;

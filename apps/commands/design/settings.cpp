@@ -22,7 +22,7 @@ Fields fields_of(rough::DesignSetup& setup) {
         {max_pressure_setting(), setup.max_pressure},
         {ga::number("reach-similarity", "", -1, 1,
                     "similarity that an answer must have in all checks. The variants default and like "
-                    "restart until it is reached. Exit code 3 if no answer has it [0.99]"),
+                    "restart a few times if it is not reached. Exit code 3 if no answer has it [0.99]"),
          setup.required_similarity},
         {ga::whole("ridges", "", 1,
                    "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]")

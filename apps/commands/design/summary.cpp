@@ -81,7 +81,7 @@ std::string verdict_of(const DesignRun& run, double verified) {
             ", " + conditions +
             (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
-        line = "not found within the budget: the best design has " +
+        line = missed_by(run.found) + ": the best design has " +
                (std::isinf(verified) ? "no response in one of the checks"
                                      : "a lowest similarity of " + below(verified, required)) +
                ", " + conditions + "; " + wanted;
@@ -307,7 +307,7 @@ std::string in_the_way(const DesignRun& run) {
     if (!run.found.stopped.empty())
         join(all, "the search ended early: " + run.found.stopped);
     else if (run.out_of_reach.empty())
-        join(all, "the search ended without success: try another --seed, or more --seconds");
+        join(all, "the search ended without success: try another --seed or --variant");
     return all;
 }
 

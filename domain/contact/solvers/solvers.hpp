@@ -44,6 +44,7 @@ void refuse_factor(Index nodes, const ContactOptions& options);
 
 /// Properties of a contact solver.
 struct ContactSolver {
+    const char* name;                                                       ///< as flags and files have it
     void (*solve)(const ContactProblem&, const ContactOptions&, Solution&); ///< null: chooses a solver
     bool capped;                           ///< can hold a hardness, by solve_capped()
     bool direct;                           ///< solves by a factor, to rounding
@@ -52,11 +53,11 @@ struct ContactSolver {
 
 /// In the order of Solver.
 inline constexpr ContactSolver contact_solvers[] = {
-    {nullptr, true, false, ContactSolver::never},
-    {solve_nested, false, true, ContactSolver::always},
-    {solve_nnls, false, true, ContactSolver::never},
-    {solve_polonsky_keer, false, false, ContactSolver::always},
-    {solve_active_set, true, false, ContactSolver::on_maps},
+    {"auto", nullptr, true, false, ContactSolver::never},
+    {"nested", solve_nested, false, true, ContactSolver::always},
+    {"nnls", solve_nnls, false, true, ContactSolver::never},
+    {"polonsky-keer", solve_polonsky_keer, false, false, ContactSolver::always},
+    {"active-set", solve_active_set, true, false, ContactSolver::on_maps},
 };
 /// The row of a solver.
 inline const ContactSolver& row_of(Solver solver) {
