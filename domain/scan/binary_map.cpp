@@ -3,6 +3,7 @@
 #include "domain/text/bytes.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace rough {
@@ -195,6 +196,11 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
         numbers[i] = measured ? number : none;
     }
     return numbers;
+}
+
+bool is_binary_map(std::string_view head) {
+    return std::any_of(std::begin(formats), std::end(formats),
+                       [&](const Format& format) { return head.starts_with(format.begins); });
 }
 
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file) {

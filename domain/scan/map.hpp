@@ -70,14 +70,17 @@ double missing_mark(int type);
 Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int type, double missing,
                                const std::string& file);
 
+/// Whether a file that begins with these bytes is one that binary_map reads.
+bool is_binary_map(std::string_view head);
 /// Reads binary maps: surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO (not
 /// compressed), Gwyddion's simple field (GSF), and X3P (ISO 25178-72). Returns nothing if the bytes begin
-/// otherwise. Throws InputError with one line on a file that cannot be read.
+/// otherwise. Sizes are compared with the bytes before memory is allocated. Throws InputError with one line
+/// on a file that cannot be read.
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
 
-/// Reads text maps: ASCII surface data files (ISO 25178-71 SDF, BCR), softgauges (ISO 5436-2 SMD), Talysurf's
-/// PRF, PTB's PR, and SigmaSurf's data files. Returns nothing for other lines. Throws InputError with file
-/// and line on a file that is not a profile or a map.
+/// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
+/// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Returns
+/// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
 std::optional<HeightMap> text_map(const Lines& lines, const std::string& file);
 
 /// Reads an X3P file (ISO 25178-72, ISO 5436-2): a zip archive of main.xml and usually binary heights, x and

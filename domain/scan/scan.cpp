@@ -409,7 +409,10 @@ void check(const ScanOptions& options) {
 Source open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    std::string bytes = read_whole(path);
+    std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
+        if (!is_binary_map(head))
+            expect_text(head, file);
+    });
     Account account;
     Points points;
     if (const auto map = binary_map(bytes, file)) {

@@ -54,6 +54,8 @@ mode_t mode_for(const std::filesystem::path& target) {
     return static_cast<mode_t>(0666 & ~mask);
 }
 
+constexpr std::size_t first_bytes = 4096;
+
 [[noreturn]] void refuse_size(const std::filesystem::path& path, std::size_t most) {
     throw InputError(path.string() + ": has more than " + std::to_string(most) +
                      " bytes; give a smaller file");
@@ -103,7 +105,8 @@ void write_atomically(const std::filesystem::path& name, std::string_view conten
         fsync(opened.get());
 }
 
-std::string read_whole(const std::filesystem::path& path, std::size_t most) {
+std::string read_whole(const std::filesystem::path& path, std::size_t most,
+                       const std::function<void(std::string_view)>& expect) {
     const Descriptor file(open(ga::held(path).c_str(), O_RDONLY | O_CLOEXEC));
     struct stat there {};
     if (file.get() < 0 || fstat(file.get(), &there) != 0)
@@ -116,7 +119,7 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most) {
         refuse_size(path, most);
     std::string bytes;
     std::size_t held = 0;
-    for (std::size_t room = size + 1;; room = std::max(2 * held, std::size_t{65536})) {
+    for (std::size_t room = first_bytes;; room = std::max({size + 1, 2 * held, std::size_t{65536}})) {
         bytes.resize(std::min(room, most + 1));
         ssize_t got = 0;
         while (held < bytes.size() &&
@@ -127,6 +130,8 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most) {
             refuse(path, "read", errno);
         if (held > most)
             refuse_size(path, most);
+        if (expect && room == first_bytes)
+            expect(std::string_view(bytes).substr(0, held));
         if (held < bytes.size()) {
             bytes.resize(held);
             return bytes;

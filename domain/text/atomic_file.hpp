@@ -2,15 +2,16 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace rough {
 
-/// Writes a file completely or not at all: a temporary file in the same folder is renamed to `path`. A
-/// symbolic link there is replaced, not followed, and the mode of a replaced file is kept. Devices and pipes
-/// are written to directly. The folder must exist. Throws InputError with one line if the file cannot be
-/// written; no temporary file is left.
+/// Writes a file completely or not at all. A temporary file in the same folder is flushed to the disk and
+/// then renamed to `path`. So readers see the old or the new content. A symbolic link there is replaced, not
+/// followed, and the mode of a replaced file is kept. Devices and pipes are written to directly. The folder
+/// must exist. Throws InputError with one line if the file cannot be written; no temporary file is left.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The end of a chain of symbolic links, which need not exist. A file that the user named is written there.
@@ -21,6 +22,8 @@ std::filesystem::path without_links(std::filesystem::path path);
 constexpr std::size_t most_bytes = 400'000'000;
 
 /// The bytes of a file, at most `most`. Throws InputError with one line if it cannot be read or is larger.
-std::string read_whole(const std::filesystem::path& path, std::size_t most = most_bytes);
+/// `expect` is given the first 4096 bytes; it may throw before the remaining file is read.
+std::string read_whole(const std::filesystem::path& path, std::size_t most = most_bytes,
+                       const std::function<void(std::string_view)>& expect = {});
 
 } // namespace rough

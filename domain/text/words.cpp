@@ -217,13 +217,9 @@ std::string kind_of(std::string_view bytes) {
     return "";
 }
 
-/// Refuses a text with zero bytes, except a softgauge, which ends its fields with them.
-void expect_text(std::string& bytes, const std::string& file) {
-    if (bytes.starts_with("ISO 5436"))
-        std::replace(bytes.begin(), bytes.end(), '\0', ' ');
-    if (bytes.find('\0') != std::string::npos)
-        throw InputError(file + ": holds binary data" + kind_of(bytes) +
-                         "; give a text file of x and height (export as text or CSV)");
+[[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
+    throw InputError(file + ": holds binary data" + kind_of(bytes) +
+                     "; give a text file of x and height (export as text or CSV)");
 }
 
 } // namespace
@@ -232,11 +228,17 @@ std::string at(const std::string& file, int line) {
     return line > 0 ? file + ", line " + std::to_string(line) : file;
 }
 
+void expect_text(std::string_view head, const std::string& file) {
+    if (!is_utf16(head) && !head.starts_with("ISO 5436") && head.find('\0') != head.npos)
+        refuse_binary(head, file);
+}
+
 Lines text_lines(std::string& bytes, const std::string& file) {
-    if (!is_utf16(bytes))
-        expect_text(bytes, file);
     bytes = to_utf8(std::move(bytes));
-    expect_text(bytes, file);
+    if (bytes.starts_with("ISO 5436")) // softgauges end their fields with it
+        std::replace(bytes.begin(), bytes.end(), '\0', ' ');
+    if (bytes.find('\0') != std::string::npos)
+        refuse_binary(bytes, file);
     const std::string_view text = bytes;
     std::vector<std::uint32_t> starts;
     for (std::size_t start = 0; start < text.size();) {

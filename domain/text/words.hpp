@@ -74,6 +74,10 @@ class Lines {
 /// InputError on binary content and on more than 12 million lines.
 Lines text_lines(std::string& bytes, const std::string& file);
 
+/// Throws InputError if a file that begins with these bytes is binary, before a large file is read
+/// completely.
+void expect_text(std::string_view head, const std::string& file);
+
 /// The place in a message: "scan.txt, line 7", or only the file if `line` is 0.
 std::string at(const std::string& file, int line);
 
