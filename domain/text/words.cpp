@@ -194,7 +194,7 @@ std::string to_utf8(std::string bytes) {
         std::u16string units;
         for (std::size_t i = 2; i + 1 < bytes.size(); i += 2)
             units += static_cast<char16_t>(byte(bytes[i + high]) << 8 | byte(bytes[i + 1 - high]));
-        return transcoded(units, [](char16_t) { return 0xFFFD; }); // half of a surrogate pair
+        return transcoded(units, [](char16_t) { return 0xFFFDu; }); // half of a surrogate pair
     }
     if (std::all_of(bytes.begin(), bytes.end(), [&](char c) { return byte(c) < 0x80; }))
         return bytes;

@@ -88,7 +88,7 @@ std::vector<Benchmark> fixed_benchmarks() {
         all.push_back(benchmark(name, name.substr(0, name.size() - 1), "fronts", precisions(1e1, 1e-4),
                                 [name](int) { return front_instance(name); }));
     const auto seed = [](int number) { return static_cast<std::uint64_t>(number); };
-    for (const std::size_t things : {50, 200})
+    for (const std::size_t things : {50u, 200u})
         all.push_back(benchmark("knapsack" + std::to_string(things), "knapsack", "bits", precisions(1, 1e-4),
                                 [=](int number) { return knapsack_instance(things, seed(number)); }));
     all.push_back(benchmark("tsp14", "tsp", "tours", precisions(1e1, 1e-4),

@@ -284,7 +284,7 @@ class Paper {
             const double fraction =
                 from + (to - from) * static_cast<double>(i) / static_cast<double>(std::max(count - 1, 1L));
             const DesignProblem problem(setup_for(target, fraction * run_.max_pressure), memory_);
-            for (const std::size_t cross_over : {1, 2}) {
+            for (const std::size_t cross_over : {1u, 2u}) {
                 if (conditions_.stop)
                     return;
                 conditions_.progress.show(target.title + ": threshold " + std::to_string(i + 1) + " of " +
