@@ -13,6 +13,10 @@ namespace rough {
 
 namespace {
 
+void append_bits(std::string& key, const void* value, std::size_t size) {
+    key.append(static_cast<const char*>(value), size);
+}
+
 /// Visits every gene in the order of gene_places.
 template <class G, class Visit>
 void for_each_gene(G& genome, Visit visit) {
@@ -99,7 +103,18 @@ Genome sum(const Genome& left, const Genome& right) {
 
 std::string shape_key(const Genome& genome) {
     std::string key;
-    nlohmann::json::to_cbor(genome.series, key); // without loss
+    for (const auto& series : genome.series) {
+        for (double gene : {series.A, series.H, series.gamma, series.lambda})
+            append_bits(key, &gene, sizeof gene);
+        const auto count = series.chromosomes.size();
+        append_bits(key, &count, sizeof count);
+        for (const auto& chromosome : series.chromosomes) {
+            append_bits(key, &chromosome.n, sizeof chromosome.n);
+            const auto ridges = chromosome.phases.size();
+            append_bits(key, &ridges, sizeof ridges);
+            append_bits(key, chromosome.phases.data(), ridges * sizeof(double));
+        }
+    }
     return key;
 }
 
