@@ -199,7 +199,10 @@ bool says_finished(const fs::path& folder, const std::string& checkpoint, const 
 
 double checkpoint_interval() {
     const char* const given = std::getenv("RUGOSA_CHECKPOINTS");
-    return given ? rough::number_from(given, "RUGOSA_CHECKPOINTS") : 1;
+    const double seconds = given ? rough::number_from(given, "RUGOSA_CHECKPOINTS") : 1;
+    if (seconds < 0)
+        refuse("RUGOSA_CHECKPOINTS: '", given, "' given; give 0 seconds or more");
+    return seconds;
 }
 
 void tell_notes(const std::vector<std::string>& notes) {
