@@ -44,8 +44,8 @@ LineOfMap line_of_map(const Profile& map);
 /// A curve with a row for each requested displacement: solved, or interpolated between solved rows. Rows
 /// before the profile touches are zeros.
 struct LoadRows : ContactCurve {
-    double error =
-        0; ///< bound of the error of interpolated rows, relative to their exact pressure and secant
+    /// Bound of the error of interpolated rows, relative to their exact pressure and secant.
+    double error = 0;
     double area_error = 0;    ///< bound of the relative error of the contact fraction
     double tangent_error = 0; ///< bound of the relative error of the tangent stiffness
     int solved = 0;           ///< number of solved rows

@@ -4,8 +4,8 @@
 
 namespace rough {
 
-/// The named variants as texts. `default` and `like` restart until an answer has the similarity `required`.
-/// Variants that do not begin with `shape`, `own` or `sample` start from the Sobol database.
+/// The named variants as texts. `default` and `like` restart a few times, until an answer has the similarity
+/// `required`. Variants that do not begin with `shape`, `own` or `sample` start from the Sobol database.
 ga::Variants design_variants(double required = default_required_similarity);
 
 /// The name of the variant for a set-up if no pipeline is given; `stored`: with starts from a database.

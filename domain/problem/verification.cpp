@@ -162,12 +162,14 @@ Verification Verifier::of(const Genome& genome) const {
         if (!is_stopped(setup_.model.contact))
             throw;
     }
-    for (std::size_t which = 0;
-         double* const similarity : {&result.similarity, &result.refined, &result.stepped, &result.both}) {
-        const auto& misfits = result.misfits[which++];
-        *similarity = misfits.empty() ? std::numeric_limits<double>::quiet_NaN() : least_similarity(misfits);
-    }
-    result.both -= result.reading_error;
+    const auto likeness = [&](std::size_t which) {
+        return result.misfits[which].empty() ? std::numeric_limits<double>::quiet_NaN()
+                                             : least_similarity(result.misfits[which]);
+    };
+    result.similarity = likeness(0);
+    result.refined = likeness(1);
+    result.stepped = likeness(2);
+    result.both = likeness(3) - result.reading_error;
     result.seconds = clock.seconds();
     return result;
 }

@@ -89,7 +89,8 @@ std::optional<Production> production_from(const Settings& settings) {
 
 /// Sets targets and model by --target or --like.
 void take_targets(const Settings& settings, DesignRun& run) {
-    const bool is_like = the_given(settings, {"target", "like"}, "design") == "like";
+    the_given(settings, {"target", "like"}, "design");
+    const bool is_like = settings.has("like");
     rough::DesignSetup& setup = run.setup;
     run.from = production_from(settings);
     if (run.from)

@@ -225,10 +225,10 @@ class ActiveSet {
         }) / approach;
     }
 
-    /// Nodes leave and join in the same round, until that makes the set swing. From then on none joins in a
-    /// round in which any leaves. On an area many nodes are at the edge of touching, and which of them touch
-    /// is known no better than the residual. Steps are not projected while the set swings: a step that is cut
-    /// takes out the nodes that have just joined, without a gain for the others.
+    /// Nodes leave and join in the same round, until that makes the set swing. From then on no node joins in
+    /// a round in which any leaves. On an area many nodes are at the edge of touching, and which of them
+    /// touch is known no better than the residual. Steps are not projected while the set swings. A projected
+    /// step takes out the nodes that have just joined, and nothing is gained.
     void settle_area(double& approach, double tolerance) {
         double target = 1, lowest = std::numeric_limits<double>::infinity();
         int swings = 0;
