@@ -24,7 +24,8 @@ struct FftLibrary;
 /// A transform and its inverse.
 template <typename Real>
 struct PlanPair {
-    typename FftLibrary<Real>::Plan forward, backward;
+    typename FftLibrary<Real>::Plan forward;  ///< from numbers to waves
+    typename FftLibrary<Real>::Plan backward; ///< from waves to numbers
 };
 
 #ifndef RUGOSA_KISSFFT
@@ -66,8 +67,10 @@ struct PlanPair {
             prefix##_execute_dft_c2r(plan, as_fftw(in), out);                                                \
         }                                                                                                    \
     }
+/// @cond
 RUGOSA_FFTW(double, fftw);
 RUGOSA_FFTW(float, fftwf);
+/// @endcond
 #undef RUGOSA_FFTW
 
 #else
