@@ -267,7 +267,6 @@ struct CmaEs : Operator {
         bool ended = false;             ///< whether there is no further run
     };
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {"cma-es", "adaptation",
@@ -317,7 +316,6 @@ struct CmaEs : Operator {
             begin_again(state, random);
         return state.ended ? population : children(std::move(population), best.genome, context, state);
     }
-    ///@}
 
   private:
     void begin(const std::vector<double>& genes, std::vector<Variable> moving, State& state) const {

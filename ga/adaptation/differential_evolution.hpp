@@ -69,7 +69,6 @@ struct DifferentialEvolution : Operator {
     double CR = 0.9;              ///< cross-over rate, in [0, 1]
     std::string crossing = "bin"; ///< cross-over: bin (binomial) or exp (exponential)
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {"de", "adaptation",
@@ -118,7 +117,6 @@ struct DifferentialEvolution : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// The stage `de base F=f CR=cr crossing=crossing`.
@@ -130,7 +128,6 @@ inline DifferentialEvolution differential_evolution(std::string base = "rand", d
 /// One-to-one replacement (Storn and Price 1997): a child is replaced by its first parent, if the parent is
 /// in the generation's start and better. On a tie the child stays.
 struct Duel : Operator {
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }
@@ -149,7 +146,6 @@ struct Duel : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// The stage `duel`.

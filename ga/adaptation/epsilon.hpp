@@ -25,7 +25,6 @@ struct Epsilon : Operator {
         std::size_t generation = 0; ///< number of the next generation
     };
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = "constraints: violation(outcome)";
     static Words words() {
         return {"epsilon", "adaptation", "constraints hold up to a level that falls to 0"};
@@ -53,7 +52,6 @@ struct Epsilon : Operator {
                     individual.fitness = individual.fitness.relaxed(levels);
         return population;
     }
-    ///@}
 
   private:
     template <class G>

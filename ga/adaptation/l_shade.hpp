@@ -83,7 +83,6 @@ struct LShade : Operator {
         long spent = 0;                          ///< evaluations spent so far
     };
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {
@@ -156,7 +155,6 @@ struct LShade : Operator {
         state.spent += static_cast<long>(n);
         return population;
     }
-    ///@}
 
   private:
     static std::size_t rounded(double x) { return static_cast<std::size_t>(std::max(0.0, std::round(x))); }

@@ -20,7 +20,6 @@ struct SelfAdaptive : Operator {
         std::map<Identity, std::vector<double>> sizes; ///< one logarithm, or one per gene
     };
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {"self-adaptive", "adaptation",
@@ -75,7 +74,6 @@ struct SelfAdaptive : Operator {
         state = std::move(next);
         return population;
     }
-    ///@}
 
   private:
     /// The step sizes of the individual, or the mean of its parents'; `sigma` if they are unknown.

@@ -23,7 +23,6 @@ struct Islands : Operator {
     Migration migration; ///< exchange of individuals
     Body body;           ///< pipeline that runs on each island
 
-    ///@{ Members that every block has (Operator).
     static Words words() {
         return {
             "islands", "blocks",
@@ -55,7 +54,6 @@ struct Islands : Operator {
                     return evolve(std::move(population), *stages, n, migration, context);
                 }};
     }
-    ///@}
 
   private:
     template <Problem P, class G = typename P::Genome>

@@ -95,7 +95,6 @@ struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1
     Body body;         ///< pipeline that runs in each generation
 
-    ///@{ Members that every block has (Operator).
     static Words words() { return {"repeat", "blocks", "n generations of the pipeline in braces"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
@@ -104,7 +103,6 @@ struct Repeat : Operator {
         return generations_step<P>(text_of(*this), body,
                                    {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
     }
-    ///@}
 };
 /// The block `repeat n { body }`; n >= 1.
 template <class Body>
@@ -157,7 +155,6 @@ struct Restarts : Operator {
     std::size_t n = 1; ///< number of runs, >= 1
     Body body;         ///< pipeline that runs each time
 
-    ///@{ Members that every block has (Operator).
     static Words words() {
         return {"restarts", "blocks",
                 "runs the pipeline n times on the same population and joins the answers"};
@@ -174,7 +171,6 @@ struct Restarts : Operator {
                 },
                 stages->reads_of_start(), stages->begins()};
     }
-    ///@}
 
   private:
     template <Problem P, class G = typename P::Genome>

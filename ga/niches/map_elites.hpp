@@ -31,7 +31,6 @@ struct MapElites : Operator {
     std::vector<std::string> descriptors; ///< names of at least one of the problem's descriptors
     std::size_t cells = 10;               ///< number of cells per descriptor, >= 1
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = "features of its genomes: descriptors";
     static Words words() {
         return {"map-elites", "niches",
@@ -78,7 +77,6 @@ struct MapElites : Operator {
                               ": no individual has descriptors that are numbers; return finite descriptors");
         return archive;
     }
-    ///@}
 };
 
 /// The stage `map-elites descriptors cells=cells`.
@@ -100,7 +98,6 @@ struct Emit : Operator {
     std::vector<std::string> descriptors; ///< names of at least one of the problem's descriptors
     double sigma = 0.1;                   ///< length of a step, > 0
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = MapElites::needs;
     static Words words() {
         return {"emit", "niches", "n children of elites along the gradients of fitness and descriptors"};
@@ -173,7 +170,6 @@ struct Emit : Operator {
         }
         return fresh;
     }
-    ///@}
 
   private:
     /// The direction in which each chosen individual improves; empty if it is unknown.

@@ -49,7 +49,6 @@ struct Clearing : Operator {
     double radius = 0.1;      ///< niche radius, above 0
     std::size_t capacity = 1; ///< number of individuals per niche, >= 1
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = no_distance;
     static Words words() { return {"clear", "niches", "keeps the best of every niche, best first"}; }
     static void describe(auto& self, auto visit) {
@@ -71,7 +70,6 @@ struct Clearing : Operator {
         }
         return left;
     }
-    ///@}
 };
 
 /// Deterministic crowding (Mahfoud 1995, Niching methods for genetic algorithms, ch. 6). The result is the
@@ -80,7 +78,6 @@ struct Clearing : Operator {
 /// which it is matched if the child is better. A child that has one parent, or no sibling next to it, is
 /// matched with its nearest parent. Put `random | cross` before this stage to mate every individual once.
 struct Crowding : Operator {
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = no_distance;
     static Words words() {
         return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
@@ -128,7 +125,6 @@ struct Crowding : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// Fitness sharing (Goldberg and Richardson 1987) with stochastic universal sampling. The fitness of an

@@ -82,7 +82,6 @@ struct Pareto : Operator {
             if (std::find(objectives.begin(), each, *each) != each)
                 throw UsageError("pareto is given '" + *each + "' twice; give different objectives");
     }
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"pareto", "selection", "scores by several objectives: NSGA-II's rank and crowding"};
     }
@@ -127,7 +126,6 @@ struct Pareto : Operator {
         });
         return population;
     }
-    ///@}
 };
 
 /// The stage `pareto objective objective ...`.
@@ -137,7 +135,6 @@ inline Pareto pareto(std::vector<std::string> objectives) {
 
 /// Keeps the individuals that no other one dominates.
 struct Front : Operator {
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"front", "selection", "keeps the individuals that no other one dominates, after pareto"};
     }
@@ -154,7 +151,6 @@ struct Front : Operator {
                               " individuals failed; the first: " + population.front().fitness.reason());
         return front;
     }
-    ///@}
 };
 
 /// The stage `front`.

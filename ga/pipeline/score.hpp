@@ -9,7 +9,6 @@ namespace ga {
 struct Score : Operator {
     std::string objective; ///< name of the objective; empty: the problem's first
 
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"score", "selection", "evaluates the individuals without a fitness under the objective"};
     }
@@ -23,7 +22,6 @@ struct Score : Operator {
         context.score(population, objective);
         return population;
     }
-    ///@}
 };
 
 /// The stage `score objective`; by default the problem's first.
@@ -43,7 +41,6 @@ struct Average : Operator {
     std::string objective; ///< name of the objective; empty: the problem's first
     std::size_t limit = 0; ///< maximum number of replicates of one individual; 0 for n
 
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = "a noisy evaluation (evaluate(genome, replicate))";
     static Words words() {
         return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};
@@ -63,7 +60,6 @@ struct Average : Operator {
         context.average(population, objective, n, limit);
         return population;
     }
-    ///@}
 };
 
 /// The stage `average n objective limit=limit`.

@@ -12,7 +12,6 @@ struct Transform : Operator {
     std::string name;  ///< name of the stage
     Function function; ///< function from a genome to a genome; called from several threads
 
-    ///@{ Members that every operator has (Operator).
     std::string text() const { return name; }
     void check(CheckState& known) const { known.scored.reset(); }
 
@@ -35,7 +34,6 @@ struct Transform : Operator {
         });
         return population;
     }
-    ///@}
 };
 
 /// The stage that applies a function to every genome.

@@ -18,7 +18,6 @@ struct LevenbergMarquardt {
     /// it reduces max|r|.
     int sharpen = 0;
 
-    ///@{ Members that every method has (method_of).
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations, evaluations_parameter("30"));
@@ -75,7 +74,6 @@ struct LevenbergMarquardt {
         }
         return best.x;
     }
-    ///@}
 
   private:
     static constexpr int lawson_rounds = 20;

@@ -53,13 +53,11 @@ struct Mma {
 
     int evaluations = 1; ///< maximum number of evaluations after the start point, >= 1
 
-    ///@{ Members that every method has (method_of).
     static Words words() { return {"mma", "refinement", "GCMMA on the largest |r|, one row at a time"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
     Eigen::VectorXd improve(const Landscape& land) const {
         return maximised_by_mma(land, evaluations, least_worst);
     }
-    ///@}
 };
 
 /// The method `mma evaluations`.
@@ -73,7 +71,6 @@ struct Minimax {
 
     int evaluations = 1; ///< maximum number of evaluations after the start point, >= 1; inner ones count
 
-    ///@{ Members that every method has (method_of).
     static Words words() { return {"minimax", "refinement", "GCMMA on the smallest t with -t <= r <= t"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
 
@@ -129,7 +126,6 @@ struct Minimax {
         search.from(start);
         return best.x;
     }
-    ///@}
 };
 
 /// The method `minimax evaluations`.

@@ -116,7 +116,6 @@ struct Nlopt {
     std::string algorithm = "LN_COBYLA"; ///< NLopt's name; LD_ and GD_ algorithms need a gradient
     int evaluations = 1;                 ///< maximum number of evaluations after the start point, >= 1
 
-    ///@{ Members that every method has (method_of).
     static Words words() { return {"nlopt", "refinement", "any algorithm of NLopt on the fitness"}; }
     static void describe(auto& self, auto visit) {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
@@ -174,7 +173,6 @@ struct Nlopt {
         search.from(land.start);
         return best.x;
     }
-    ///@}
 };
 
 /// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.

@@ -172,7 +172,6 @@ struct Refine : Operator {
     M method;         ///< method that moves the genes
     Choice variables; ///< genes that may move: Variables<G>, or EveryGene
 
-    ///@{ Members that every operator has (Operator).
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
     void check(CheckState& known) const { known.need_one_objective(text()); }
 
@@ -245,7 +244,6 @@ struct Refine : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// The stage `refine method genes=NAME`.

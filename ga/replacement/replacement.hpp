@@ -9,7 +9,6 @@ namespace ga {
 /// worse one. Under several objectives both populations are first ranked together.
 struct Elite : Operator {
     std::size_t k = 1; ///< number of individuals that come back, >= 1
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
     }
@@ -36,7 +35,6 @@ struct Elite : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// (mu + lambda) replacement (Schwefel 1975). Returns the mu best individuals of the generation's start and
@@ -44,7 +42,6 @@ struct Elite : Operator {
 /// replacement (Deb et al. 2002).
 struct Plus : Operator {
     std::size_t mu = 0; ///< number of individuals that stay; 0 for the size of the generation's start
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"plus", "replacement", "the mu best of the generation's start and its children"};
     }
@@ -59,13 +56,11 @@ struct Plus : Operator {
         const auto& start = context.generation_start();
         return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
     }
-    ///@}
 };
 
 /// Adds the individuals of the generation's start to the population, so that the next stages choose among the
 /// individuals of both populations.
 struct JoinParents : Operator {
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"parents", "replacement",
                 "adds the generation's start, so that the next stages choose among all"};
@@ -83,14 +78,12 @@ struct JoinParents : Operator {
         context.need_room(population.size() + start.size(), population);
         return joined_with(start, std::move(population));
     }
-    ///@}
 };
 
 /// Steady-state replacement (Whitley 1989): the generation's start, with its worst individuals replaced by
 /// the children, whatever the children's fitness. For two children per generation, put `tournament 2 size=2`
 /// before this stage.
 struct Steady : Operator {
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }
@@ -106,7 +99,6 @@ struct Steady : Operator {
             population[order[order.size() - 1 - i]] = std::move(children[i]);
         return population;
     }
-    ///@}
 };
 
 ///@{ The operators as stages.

@@ -7,7 +7,6 @@ namespace ga {
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
     std::size_t n = 1; ///< number of individuals that stay, >= 1
-    ///@{ Members that every operator has (Operator).
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(CheckState& known) const { known.need_score(text_of(*this)); }
@@ -16,13 +15,11 @@ struct Best : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {
         return best_of(population, n);
     }
-    ///@}
 };
 
 /// Keeps n different individuals at random, in random order. If there are fewer, all stay, in random order.
 struct Random : Operator {
     std::size_t n = 0; ///< number of individuals that stay; 0 for all
-    ///@{ Members that every operator has (Operator).
     static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
@@ -38,7 +35,6 @@ struct Random : Operator {
             population.resize(n);
         return population;
     }
-    ///@}
 };
 
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
@@ -47,7 +43,6 @@ struct Random : Operator {
 struct Tournament : Operator {
     std::size_t k = 2;    ///< number of individuals drawn for each place, >= 1
     std::size_t size = 0; ///< number of places; 0 for the population's size
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         return {"tournament", "selection", "each place goes to the best of k drawn at random"};
     }
@@ -76,7 +71,6 @@ struct Tournament : Operator {
         }
         return context.gather(std::move(population), winners);
     }
-    ///@}
 };
 
 /// The minimum number of individuals that a threshold keeps.
@@ -132,7 +126,6 @@ template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< fitness; an individual with exactly this fitness does not pass
     AtLeast least;        ///< minimum number of individuals that stay
-    ///@{ Members that every operator has (Operator).
     static Words words() {
         if (upwards)
             return {"above", "selection", "keeps those whose fitness is above the threshold"};
@@ -151,7 +144,6 @@ struct Threshold : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         return passing(population, threshold, least, upwards, context);
     }
-    ///@}
 };
 
 /// Weights of individuals for Proportional (windowing). A weight is the distance of the fitness from the
@@ -241,7 +233,6 @@ struct ByRank {
 template <class Weights>
 struct Proportional : Operator {
     Weights weights; ///< weights: Roulette, Universal, ByRank or Sharing
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = Weights::needs;
     static Words words() { return Weights::words(); }
     static void describe(auto& self, auto visit) { Weights::describe(self.weights, visit); }
@@ -272,7 +263,6 @@ struct Proportional : Operator {
             std::swap(places[i - 1], places[spin.below(i)]);
         return context.gather(std::move(population), places);
     }
-    ///@}
 };
 
 ///@{ The operators as stages, and the argument `at_least` of `above` and `below`.

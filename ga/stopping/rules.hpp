@@ -109,7 +109,6 @@ inline Parameter value_of(const Words& rule, double lower) {
 struct AfterGenerations : StoppingRule {
     std::size_t n = 1; ///< number of generations, >= 1
 
-    ///@{ Members that every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() { return {"generations", "stopping", "this number of generations is completed"}; }
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
@@ -118,14 +117,12 @@ struct AfterGenerations : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return now.generation >= n;
     }
-    ///@}
 };
 
 /// Ends after n requested evaluations since the block began, including those answered from memory.
 struct AfterEvaluations : StoppingRule {
     long n = 1; ///< number of evaluations, >= 1
 
-    ///@{ Members that every rule has (StoppingRule).
     static Words words() { return {"evaluations", "stopping", "this number of evaluations was requested"}; }
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
 
@@ -133,14 +130,12 @@ struct AfterEvaluations : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return now.asked >= n;
     }
-    ///@}
 };
 
 /// Ends after a time since the block began. Such a run cannot be repeated bit for bit.
 struct AfterSeconds : StoppingRule {
     double limit = 0; ///< time, s
 
-    ///@{ Members that every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() {
         return {"seconds", "stopping", "this time has passed; such a run cannot be repeated bit for bit"};
@@ -151,14 +146,12 @@ struct AfterSeconds : StoppingRule {
     bool operator()(const Progress<G>& now, Numbers&) const {
         return now.seconds >= limit;
     }
-    ///@}
 };
 
 /// Ends when a feasible individual reaches a fitness, in the direction of its objective.
 struct AtFitness : StoppingRule {
     double value = 0; ///< fitness, in the objective's units
 
-    ///@{ Members that every rule has (StoppingRule).
     static Words words() { return {"fitness", "stopping", "the best fitness reaches this value"}; }
     static void describe(auto& self, auto visit) { visit(self.value, value_of(words(), -no_limit)); }
     void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
@@ -170,14 +163,12 @@ struct AtFitness : StoppingRule {
             return f.known() && f.feasible() && (f.minimises() ? f.value() <= value : f.value() >= value);
         });
     }
-    ///@}
 };
 
 /// Ends after n generations without an improvement (`improves`).
 struct AtStagnation : StoppingRule {
     std::size_t n = 1; ///< >= 1
 
-    ///@{ Members that every rule has (StoppingRule).
     static constexpr bool sure = true;
     static Words words() {
         return {"stagnation", "stopping", "this number of generations brought no improvement"};
@@ -190,7 +181,6 @@ struct AtStagnation : StoppingRule {
         improves(now, memory);
         return static_cast<double>(now.generation) - memory[2] >= static_cast<double>(n);
     }
-    ///@}
 };
 
 /// Ends when the population has converged: all individuals are feasible, and the values of every objective
@@ -198,7 +188,6 @@ struct AtStagnation : StoppingRule {
 struct AtConvergence : StoppingRule {
     double most = 0; ///< largest difference, in the objective's units, >= 0
 
-    ///@{ Members that every rule has (StoppingRule).
     static Words words() { return {"converged", "stopping", "best and worst differ by at most this"}; }
     static void describe(auto& self, auto visit) { visit(self.most, value_of(words(), 0)); }
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
@@ -222,7 +211,6 @@ struct AtConvergence : StoppingRule {
         }
         return true;
     }
-    ///@}
 };
 
 /// The end of a block of generations: the first of these rules that holds, checked before every generation.

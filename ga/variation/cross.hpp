@@ -20,7 +20,6 @@ template <class Way>
 struct Cross : Operator {
     Way way;         ///< method that crosses two genomes (Crosses)
     double rate = 1; ///< probability for each pair, in [0, 1]
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = Way::needs;
     static Words words() {
         const Words of_way = Way::words();
@@ -48,7 +47,6 @@ struct Cross : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// The stage `cross` with a method.
@@ -151,7 +149,6 @@ void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream)
 struct Points {
     std::size_t n = 2; ///< number of cuts, >= 1
 
-    ///@{ Members that every cross-over has (Crosses).
     static constexpr const char* needs = "genes at positions: a random-access range";
     static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
@@ -164,22 +161,18 @@ struct Points {
         else
             exchange_at_points(a, b, n, stream);
     }
-    ///@}
 };
 
 /// Cross-over with one cut.
 struct OnePoint : Points {
     OnePoint() : Points{1} {} ///< a cut at one place
-    ///@{ Members that every cross-over has (Crosses).
     static Words words() { return {"one_point", "cross-over", "exchanges what lies beyond one cut"}; }
     static void describe(auto&, auto) {}
-    ///@}
 };
 
 /// Exchanges the genes at each position with probability 1/2 (Syswerda 1989), up to the length of the shorter
 /// genome.
 struct Uniform : NoParameters {
-    ///@{ Members that every cross-over has (Crosses).
     static constexpr const char* needs = Points::needs;
     static Words words() { return {"uniform", "cross-over", "exchanges each position with probability 1/2"}; }
 
@@ -202,14 +195,12 @@ struct Uniform : NoParameters {
             }
         }
     }
-    ///@}
 };
 
 /// Order cross-over (Davis 1985). Each child keeps a piece of one parent at its position. The other numbers
 /// follow from the end of that piece, in the order of the other parent. Permutations of unequal length stay
 /// as they are.
 struct Order : NoParameters {
-    ///@{ Members that every cross-over has (Crosses).
     static constexpr const char* needs = "a permutation for a genome";
     static Words words() {
         return {"order", "cross-over",
@@ -229,7 +220,6 @@ struct Order : NoParameters {
         b = child(b, a, from, to + 1);
         a = first;
     }
-    ///@}
 
   private:
     static Permutation child(const Permutation& keeper, const Permutation& other, std::size_t from,
@@ -256,7 +246,6 @@ struct Order : NoParameters {
 struct Blend {
     double alpha = 0.5; ///< extension of the interval relative to the parents' distance, >= 0
 
-    ///@{ Members that every cross-over has (Crosses).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {"blend", "cross-over", "draws each gene uniformly around the parents' (BLX-alpha)"};
@@ -274,7 +263,6 @@ struct Blend {
                     std::clamp(stream.uniform(low - reach, high + reach), variable.lower, variable.upper);
         });
     }
-    ///@}
 };
 
 /// Simulated binary cross-over (Deb and Agrawal 1995, with bounds as in NSGA-II's code). Each gene is crossed
@@ -283,7 +271,6 @@ struct Blend {
 struct SimulatedBinary {
     double eta = 15; ///< distribution index, >= 0; greater values put children nearer to their parents
 
-    ///@{ Members that every cross-over has (Crosses).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
@@ -299,7 +286,6 @@ struct SimulatedBinary {
                 cross(x, y, variable, stream);
         });
     }
-    ///@}
 
   private:
     void cross(double& x, double& y, const Variable& variable, Stream& stream) const {

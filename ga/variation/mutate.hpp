@@ -22,7 +22,6 @@ template <class Way>
 struct Mutate : Operator {
     double rate = 0; ///< probability for each gene, in [0, 1]
     Way way;         ///< method that changes a genome (Mutates)
-    ///@{ Members that every operator has (Operator).
     static constexpr const char* needs = Way::needs;
     static Words words() {
         const Words of_way = Way::words();
@@ -56,7 +55,6 @@ struct Mutate : Operator {
         }
         return population;
     }
-    ///@}
 };
 
 /// Replaces the real genes that `chance` picks by change(gene, variable); true if one has changed.
@@ -98,7 +96,6 @@ inline double width(const Variable& variable) {
 template <bool normal>
 struct GeneStep {
     double size = 0.1; ///< size of a step as a fraction of the distance between the bounds, > 0
-    ///@{ Members that every mutation has (Mutates).
     static constexpr const char* needs = real_genes;
     static Words words() {
         return {normal ? "gaussian" : "uniform", "mutation",
@@ -118,7 +115,6 @@ struct GeneStep {
             return reflected(gene + size * width(variable) * draw, variable);
         });
     }
-    ///@}
 };
 using Gaussian = GeneStep<true>;     ///< the method of `mutate RATE gaussian`
 using UniformStep = GeneStep<false>; ///< the method of `mutate RATE uniform`
@@ -128,7 +124,6 @@ using UniformStep = GeneStep<false>; ///< the method of `mutate RATE uniform`
 /// is infinite, the width is 1. A finite bound is never passed.
 struct Polynomial {
     double eta = 20; ///< distribution index; a greater eta gives smaller steps
-    ///@{ Members that every mutation has (Mutates).
     static constexpr const char* needs = "real genes with bounds";
     static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
     static void describe(auto& self, auto visit) {
@@ -153,7 +148,6 @@ struct Polynomial {
             return std::clamp(gene + step * width, variable.lower, variable.upper);
         });
     }
-    ///@}
 };
 
 /// A genome whose genes are whole numbers or bits.
@@ -168,7 +162,6 @@ concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, b
 /// Replaces a gene at random: a real one uniformly between its bounds, a whole number by another value. A bit
 /// is flipped. A real gene with an infinite bound stays as it is.
 struct Reset : NoParameters {
-    ///@{ Members that every mutation has (Mutates).
     static constexpr const char* needs = "bits, or genes with bounds";
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
 
@@ -205,7 +198,6 @@ struct Reset : NoParameters {
         }
         return changed;
     }
-    ///@}
 };
 
 /// The genes of a genome that may exchange their positions.
@@ -223,7 +215,6 @@ concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G,
 /// reversed piece exchanges two edges.
 template <bool piece>
 struct Exchange : NoParameters {
-    ///@{ Members that every mutation has (Mutates).
     static constexpr const char* needs = "genes that may change places";
     static Words words() {
         if (piece)
@@ -249,7 +240,6 @@ struct Exchange : NoParameters {
         });
         return changed;
     }
-    ///@}
 };
 using Swap = Exchange<false>;   ///< the method of `mutate RATE swap`
 using Reverse = Exchange<true>; ///< the method of `mutate RATE reverse`
@@ -257,7 +247,6 @@ using Reverse = Exchange<true>; ///< the method of `mutate RATE reverse`
 /// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise it depends on the
 /// genome: `swap` for permutations, `gaussian 0.1` for real genes, `reset` for bits and whole numbers.
 struct Natural : NoParameters {
-    ///@{ Members that every mutation has (Mutates).
     static constexpr const char* needs = "a member mutate, or genes";
     static Words words() {
         return {"", "mutation", "the genome's natural mutation: the problem's, swap, reset or gaussian 0.1"};
@@ -275,7 +264,6 @@ struct Natural : NoParameters {
         else
             return Reset()(problem, genome, chance, stream);
     }
-    ///@}
 };
 
 ///@{ The methods for `mutate`.
@@ -297,7 +285,6 @@ Mutate<Way> mutate(double rate, Way way = {}) {
 /// Replaces the population by n new individuals, which the problem draws at random.
 struct Sample : Operator {
     std::size_t n = 1; ///< number of individuals, >= 1
-    ///@{ Members that every operator has (Operator).
     static constexpr bool begins = true;
     static constexpr const char* needs = "a problem that samples genomes";
     static Words words() {
@@ -319,7 +306,6 @@ struct Sample : Operator {
         }
         return fresh;
     }
-    ///@}
 };
 
 /// The stage `sample n`.
