@@ -9,8 +9,6 @@ using namespace ga;
 
 namespace {
 
-const std::string generation = "{ tournament 2 | cross blend | mutate 0.2 | score | elite 1 }";
-
 Vector values_of(const Population<Vector>& population) {
     Vector values;
     for (const auto& each : population)

@@ -17,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string evolving = "sample 8 | score | repeat 6 { tournament 2 | mutate 1 | score | elite 1 }";
-const std::string generation = "{ tournament 2 | cross blend | mutate 0.2 | score | elite 1 }";
 /// Every block there is, inside each other.
 const std::string nested = "sample 24 | score | islands 2 rounds=3 { repeat 2 " + generation +
                            " | until generations 3 stagnation 2 " + generation +
@@ -46,10 +45,6 @@ const std::function<void(Checkpoints<Reals>&)> keep_seen = [](Checkpoints<Reals>
     checkpoints.keep("seen", seen);
 };
 
-std::string contents(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 void write(const fs::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary) << content;
 }

@@ -14,13 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string pipeline =
+const std::string logged =
     "sample 20 | score | repeat 10 { tournament 2 | cross blend | mutate 0.1 | score | elite 2 }";
-
-std::string contents(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The table without its last column, the seconds.
 std::string timeless(const std::string& table) {
@@ -38,7 +33,7 @@ TEST_CASE("a log has one row per stage with the population's fitness") {
     const fs::path file = folder / "log.csv";
     const Reals problem;
     Log log(file);
-    const auto result = run(pipeline, problem, {}, {.variant = "v"}, {log.observer(problem)});
+    const auto result = run(logged, problem, {}, {.variant = "v"}, {log.observer(problem)});
     CHECK(!fs::exists(file));
     log.close();
     std::istringstream lines(contents(file));
@@ -58,11 +53,11 @@ TEST_CASE("a log that cannot be written does not stop the run and is reported") 
     const Reals problem;
     Log whole(folder / "whole.csv"), nowhere(folder / "gone" / "log.csv"), full(folder / "full.csv");
     fs::create_symlink("/dev/full", folder / "full.csv.part");
-    const auto result = run(pipeline, problem, {}, {},
+    const auto result = run(logged, problem, {}, {},
                             {whole.observer(problem), nowhere.observer(problem), full.observer(problem)});
     CHECK(result.stopped.empty());
     Log taken(folder / "taken.csv");
-    run(pipeline, problem, {}, {}, {taken.observer(problem)});
+    run(logged, problem, {}, {}, {taken.observer(problem)});
     fs::remove(folder / "taken.csv.part");
     taken.close();
     CHECK_FALSE(taken.trouble.empty());
@@ -79,10 +74,10 @@ TEST_CASE("a log and a hall of fame continue when the run is resumed") {
     const tests::Folder folder;
     const Reals problem;
     Log whole(folder / "whole.csv");
-    run(pipeline, problem, {}, {}, {whole.observer(problem)});
+    run(logged, problem, {}, {}, {whole.observer(problem)});
     whole.close();
     HallOfFame<Reals> all(problem, 5);
-    run(pipeline, problem, {}, {}, {all.observer()});
+    run(logged, problem, {}, {}, {all.observer()});
     std::string stopped = "not yet";
     for (long budget = 15; !stopped.empty(); budget += 40) {
         Log log(folder / "parts.csv");
@@ -90,7 +85,7 @@ TEST_CASE("a log and a hall of fame continue when the run is resumed") {
         Checkpoints<Reals> checkpoints(folder / "run", "", true);
         checkpoints.keep("log", log.position);
         checkpoints.keep("hall", hall.members);
-        stopped = run(pipeline, problem, {}, {.budget = {.evaluations = budget}},
+        stopped = run(logged, problem, {}, {.budget = {.evaluations = budget}},
                       {log.observer(problem), hall.observer()}, &checkpoints)
                       .stopped;
         if (budget % 3 == 0) // an interrupted run leaves a table, a killed one does not
@@ -106,7 +101,7 @@ TEST_CASE("a log and a hall of fame continue when the run is resumed") {
 
     Log lost(folder / "lost.csv");
     lost.position = 10;
-    CHECK_THROWS_AS(run(pipeline, problem, {}, {}, {lost.observer(problem)}), UsageError);
+    CHECK_THROWS_AS(run(logged, problem, {}, {}, {lost.observer(problem)}), UsageError);
 }
 
 TEST_CASE("a hall of fame keeps the best different genomes, best first") {
@@ -125,7 +120,7 @@ TEST_CASE("a hall of fame keeps the best different genomes, best first") {
 TEST_CASE("the status names place, generation, best and evaluations") {
     std::vector<std::string> lines;
     const Reals problem;
-    run(pipeline, problem, {}, {.variant = "v"},
+    run(logged, problem, {}, {.variant = "v"},
         {progress<Vector>([&](const std::string& line) { lines.push_back(line); }, 0)});
     CHECK(lines[0] == "v/sample.1, 0 evaluations");
     CHECK(lines[7].starts_with("v/repeat.1/tournament.1 generation 2: best -0."));

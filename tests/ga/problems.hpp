@@ -206,6 +206,14 @@ struct CurveFit {
     }
 };
 
+/// A usual generation of a genetic algorithm on real genes.
+inline const std::string generation = "{ tournament 2 | cross blend | mutate 0.2 | score | elite 1 }";
+
+inline std::string contents(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 GA_PIPELINES_ELSEWHERE(Reals)
 GA_PIPELINES_ELSEWHERE(CurveFit)
 extern template class ga::Checkpoints<Reals>;
