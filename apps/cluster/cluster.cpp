@@ -5,7 +5,6 @@
 #include "domain/numerics/vector_loops.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
-#include "ga/checkpoint/bounded_json.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +12,6 @@
 #include <cstdlib>
 #include <future>
 #include <limits>
-#include <mutex>
 #include <thread>
 #include <unistd.h>
 #ifdef RUGOSA_MPI
@@ -77,8 +75,9 @@ void send(int to, Tag tag, const json& content) {
     MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, tag, MPI_COMM_WORLD);
 }
 
-/// Waits for a message of any rank. Sleeps meanwhile: MPI_Mprobe would keep a processor busy.
-Message receive() {
+/// Waits for a message of another rank, or for the answers `here` of rank 0; then it returns no content.
+/// Sleeps meanwhile: MPI_Mprobe would keep a processor busy.
+Message receive(const std::future<json>* here = nullptr) {
     using std::chrono::microseconds;
     MPI_Message handle;
     MPI_Status status;
@@ -87,14 +86,15 @@ Message receive() {
         MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &arrived, &handle, &status);
         if (arrived)
             break;
-        std::this_thread::sleep_for(pause);
+        if (!here)
+            std::this_thread::sleep_for(pause);
+        else if (here->wait_for(pause) == std::future_status::ready)
+            return {.rank = 0, .tag = answers};
     }
     MPI_Get_count(&status, MPI_BYTE, &size);
     std::string bytes(static_cast<std::size_t>(size), '\0');
     MPI_Mrecv(bytes.data(), size, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
-    auto content = ga::bounded_json(bytes, json::input_format_t::cbor); // throws if it was cut short
-    expect_message(!content.is_discarded());
-    return {status.MPI_SOURCE, status.MPI_TAG, std::move(content)};
+    return {status.MPI_SOURCE, status.MPI_TAG, json::from_cbor(bytes)};
 }
 
 #else
@@ -102,7 +102,7 @@ Message receive() {
 void initialise() {}
 void finalise(int) {}
 void send(int, Tag, const json&) {}
-Message receive() { return {}; }
+Message receive(const std::future<json>* = nullptr) { return {}; }
 
 #endif
 
@@ -144,104 +144,6 @@ void serve() {
     }
 }
 
-/// Tasks that a rank answers together.
-struct Chunk {
-    std::size_t first = 0;
-    json tasks = json::array();
-    ga::Stopwatch clock = {};
-};
-
-/// The tasks of a job on rank 0, cut into chunks by two threads: one computes, the other sends and receives.
-class Queue {
-  public:
-    explicit Queue(const Job& job) : job_(job), threads_(ga::thread_count(job.threads)), end_(job.count) {}
-
-    /// The next chunk; empty after the last task and after the job was stopped.
-    Chunk next() {
-        Chunk chunk;
-        guarded([&] {
-            chunk.first = next_;
-            const std::size_t size = chunk_size();
-            while (chunk.tasks.size() < size && next_ < end_ && !job_.stopped())
-                if (auto task = job_.task(next_)) {
-                    chunk.tasks.push_back(std::move(*task));
-                    ++next_;
-                } else {
-                    end_ = next_;
-                }
-        });
-        return chunk;
-    }
-    void take(int rank, const Chunk& chunk, const json& answers) {
-        guarded([&] {
-            const auto count = static_cast<double>(chunk.tasks.size());
-            seconds_each_ = chunk.clock.seconds() * std::min<double>(threads_, count) / count;
-            expect_message(answers.is_array() && answers.size() == chunk.tasks.size());
-            session.answered[rank] += answers.size();
-            try {
-                for (std::size_t i = 0; i < chunk.tasks.size(); ++i)
-                    job_.take(chunk.first + i, answers[i]);
-            } catch (const json::exception&) {
-                expect_message(false);
-            }
-        });
-    }
-    /// Runs `act` while the other thread does not; its exception ends the job.
-    template <class Act>
-    void guarded(Act act) {
-        const std::lock_guard lock(guard_);
-        if (!error_)
-            try {
-                act();
-            } catch (...) {
-                error_ = std::current_exception();
-            }
-    }
-    const std::exception_ptr& error() const { return error_; }
-
-  private:
-    /// Number of tasks that take `chunk_seconds`; it falls towards the end.
-    std::size_t chunk_size() const {
-        const auto left = static_cast<double>(end_ - next_), ranks = static_cast<double>(rank_count);
-        const double min = std::min<double>(threads_, std::ceil(left / ranks));
-        return static_cast<std::size_t>(std::clamp(chunk_seconds * threads_ / seconds_each_, min,
-                                                   std::max(min, std::ceil(left / (2 * ranks)))));
-    }
-
-    static constexpr double chunk_seconds = 0.05; // much longer than a message takes, much shorter than a run
-    const Job& job_;
-    const int threads_;
-    std::mutex guard_;
-    std::size_t next_ = 0, end_;          ///< tasks
-    double seconds_each_ = chunk_seconds; ///< time of one thread for one task, as last measured
-    std::exception_ptr error_;
-};
-
-/// Keeps every worker at work until the queue is empty, and waits for all answers.
-void share(Queue& queue, const Job& of) {
-    std::map<int, Chunk> sent; // chunk of each rank
-    const auto give = [&](int rank) {
-        Chunk chunk = queue.next();
-        queue.guarded([&] {
-            if (chunk.tasks.empty())
-                return;
-            send(rank, tasks, {of.kind, of.threads, chunk.tasks});
-            sent[rank] = std::move(chunk);
-        });
-    };
-    for (int rank = 1; rank < rank_count; ++rank)
-        give(rank);
-    while (!sent.empty()) {
-        const Message message = receive();
-        if (message.tag == stopped)
-            ask_to_stop();
-        const auto chunk = sent.extract(message.rank);
-        expect_message(!chunk.empty());
-        queue.take(message.rank, chunk.mapped(), message.content);
-        give(message.rank);
-    }
-}
-
 } // namespace
 
 bool join(Kinds kinds) {
@@ -279,28 +181,76 @@ void leave(int code) {
     finalise(code);
 }
 
-void expect_message(bool good) {
-    if (!good)
-        rough::refuse("MPI: a message has another form; run one program on all ranks");
-}
-
 bool is_alone() { return rank_count == 1; }
 
 void hand_out(const Job& of) {
     if (session.prepare(of.kind, of.setting))
         for (int rank = 1; rank < rank_count; ++rank)
             send(rank, job, {of.kind, of.setting});
-    Queue queue(of);
-    auto sharing = std::async(std::launch::async, [&] { share(queue, of); });
-    try {
-        for (Chunk chunk = queue.next(); !chunk.tasks.empty(); chunk = queue.next())
-            queue.take(0, chunk, session.answers_to(chunk.tasks, of.kind, of.threads));
-    } catch (...) {
-        queue.guarded([] { throw; });
+    /// Tasks that a rank answers together.
+    struct Chunk {
+        std::size_t first = 0;
+        ga::Stopwatch clock = {};
+    };
+    constexpr double chunk_seconds = 0.05; // much longer than a message takes, much shorter than a run
+    const double threads = ga::thread_count(of.threads), ranks = rank_count;
+    double seconds_each = chunk_seconds; // time of one thread for one task, as last measured
+    std::size_t next = 0, end = of.count;
+    std::map<int, Chunk> given; // the unanswered chunk of each rank
+    std::future<json> here;     // the answers of rank 0
+    std::exception_ptr error;   // ends the job after all given chunks are answered
+    const auto guarded = [&](auto act) {
+        if (!error)
+            try {
+                act();
+            } catch (...) {
+                error = std::current_exception();
+            }
+    };
+    const auto give = [&](int rank) {
+        const Chunk chunk{next};
+        const auto left = static_cast<double>(end - next);
+        const double min = std::min(threads, std::ceil(left / ranks)),
+                     max = std::max(min, std::ceil(left / (2 * ranks)));
+        const auto size =
+            static_cast<std::size_t>(std::clamp(chunk_seconds * threads / seconds_each, min, max));
+        json given_tasks = json::array();
+        while (given_tasks.size() < size && next < end && !of.stopped())
+            if (auto task = of.task(next)) {
+                given_tasks.push_back(std::move(*task));
+                ++next;
+            } else {
+                end = next;
+            }
+        if (given_tasks.empty())
+            return;
+        if (rank > 0)
+            send(rank, tasks, {of.kind, of.threads, given_tasks});
+        else
+            here = std::async(std::launch::async, [&of, given_tasks] {
+                return session.answers_to(given_tasks, of.kind, of.threads);
+            });
+        given[rank] = chunk;
+    };
+    for (int rank = 0; rank < rank_count; ++rank)
+        guarded([&] { give(rank); });
+    while (!given.empty()) {
+        const Message message = receive(given.contains(0) ? &here : nullptr);
+        if (message.tag == stopped)
+            ask_to_stop();
+        const Chunk chunk = given.extract(message.rank).mapped();
+        guarded([&] {
+            const json answers = message.rank == 0 ? here.get() : message.content;
+            const auto count = static_cast<double>(answers.size());
+            seconds_each = chunk.clock.seconds() * std::min(threads, count) / count;
+            session.answered[message.rank] += answers.size();
+            for (std::size_t i = 0; i < answers.size(); ++i)
+                of.take(chunk.first + i, answers[i]);
+            give(message.rank);
+        });
     }
-    sharing.get();
-    if (queue.error())
-        std::rethrow_exception(queue.error());
+    if (error)
+        std::rethrow_exception(error);
 }
 
 } // namespace app::cluster

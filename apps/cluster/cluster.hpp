@@ -28,7 +28,7 @@ struct Job {
     std::size_t count = 0; ///< upper bound of the number of tasks
     /// Task i, for i = 0, 1, ...; none after the last.
     std::function<std::optional<json>(std::size_t i)> task;
-    /// Gets the answer to task i, in any order. Two threads call `task` and `take`, never at the same time.
+    /// Gets the answer to task i, in any order.
     std::function<void(std::size_t i, const json& answer)> take;
     std::function<bool()> stopped = [] { return false; }; ///< whether no further task may begin
 };
@@ -39,9 +39,6 @@ bool join(Kinds kinds);
 /// Ends the work of all ranks; must be called last. An exit code of a worker other than 0 aborts the whole
 /// job.
 void leave(int code);
-
-/// Throws rough::InputError unless a message has the form that this program sends.
-void expect_message(bool good);
 
 bool is_alone(); ///< Whether there is only one rank.
 /// Shares the tasks among all ranks, including this one. Returns when all tasks that have begun are answered.

@@ -2,6 +2,11 @@
 
 #include "domain/problem/stored.hpp"
 
+namespace rough {
+/// The part of a response that a database stores.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Response, range, pressure, contact_fraction, tangent_stiffness)
+} // namespace rough
+
 namespace app {
 
 using nlohmann::json;
@@ -11,24 +16,6 @@ namespace {
 using rough::DesignOutcome;
 using rough::DesignProblem;
 using rough::Genome;
-
-json json_of(const ga::Slope<DesignProblem>& slope) {
-    if (!slope.sensitivity)
-        return slope.failure ? json(*slope.failure) : json();
-    return json::array(
-        {slope.sensitivity->residuals, Eigen::VectorXd(slope.sensitivity->jacobian.reshaped())});
-}
-void take(const json& j, ga::Slope<DesignProblem>& slope) {
-    if (j.is_string()) {
-        slope.failure = ga::reason(j.get<std::string>());
-    } else if (!j.is_null()) {
-        const auto residuals = j.at(0).get<Eigen::VectorXd>(), jacobian = j.at(1).get<Eigen::VectorXd>();
-        const auto columns = static_cast<Eigen::Index>(genes(slope.genome).size());
-        cluster::expect_message(jacobian.size() == residuals.size() * columns);
-        slope.sensitivity = std::make_shared<const ga::Sensitivity>(
-            ga::Sensitivity{residuals, jacobian.reshaped(residuals.size(), columns)});
-    }
-}
 
 class OnRanks : public ga::OnThreads<DesignProblem> {
   public:
@@ -41,13 +28,10 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
         cluster::Job job = designs(problem, calls.size());
         job.task = [&](std::size_t i) { return json::array({*calls[i].genome}); };
         job.take = [&](std::size_t i, const json& j) {
-            if (j.is_string()) {
+            if (j.is_string())
                 *calls[i].answer = ga::reason(j.get<std::string>());
-                return;
-            }
-            auto outcome = j.get<DesignOutcome>();
-            cluster::expect_message(problem.valid_outcome(outcome));
-            *calls[i].answer = std::move(outcome);
+            else
+                *calls[i].answer = j.get<DesignOutcome>();
         };
         job.stopped = [&] { return watch.expired(); };
         cluster::hand_out(job);
@@ -61,7 +45,15 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
         job.task = [&](std::size_t i) {
             return json::array({slopes[i]->genome, slopes[i]->objective.text()});
         };
-        job.take = [&](std::size_t i, const json& j) { app::take(j, *slopes[i]); };
+        job.take = [&](std::size_t i, const json& j) {
+            if (j.is_string()) {
+                slopes[i]->failure = ga::reason(j.get<std::string>());
+                return;
+            }
+            const auto residuals = j.at(0).get<Eigen::VectorXd>(), jacobian = j.at(1).get<Eigen::VectorXd>();
+            slopes[i]->sensitivity = std::make_shared<const ga::Sensitivity>(
+                ga::Sensitivity{residuals, jacobian.reshaped(residuals.size(), Eigen::AutoSize)});
+        };
         cluster::hand_out(job);
     }
 
@@ -77,13 +69,16 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
 
 cluster::Work designs_under(const json& setup) {
     const auto problem = std::make_shared<const DesignProblem>(setup.get<rough::DesignSetup>());
-    return [problem](const json& task) {
+    return [problem](const json& task) -> json {
         if (task.size() > 1) {
             ga::Slope<DesignProblem> slope;
             slope.genome = task[0].get<Genome>();
             slope.objective = ga::Name(task[1].get<std::string>());
             ga::differentiate(*problem, slope);
-            return json_of(slope);
+            if (!slope.sensitivity)
+                return *slope.failure;
+            const auto& [residuals, jacobian] = *slope.sensitivity;
+            return {residuals, Eigen::VectorXd(jacobian.reshaped())};
         }
         const auto found = ga::evaluated(*problem, task.at(0).get<Genome>());
         const DesignOutcome* outcome = std::get_if<DesignOutcome>(&found);
@@ -97,12 +92,10 @@ std::unique_ptr<ga::Evaluator<DesignProblem>> design_evaluator(int threads) {
     return std::make_unique<OnRanks>(threads);
 }
 
-cluster::Work responses_under(const nlohmann::json& setting) {
+cluster::Work responses_under(const json& setting) {
     const rough::DatabaseSetup setup = rough::setup_from(setting.get<rough::Fields>(), "the genome database");
-    return [setup](const nlohmann::json& genome) {
-        const rough::Response response = rough::response_for(setup, genome.get<std::uint64_t>());
-        return json::array({genome, response.range, response.pressure, response.contact_fraction,
-                            response.tangent_stiffness});
+    return [setup](const json& genome) -> json {
+        return {genome, rough::response_for(setup, genome.get<std::uint64_t>())};
     };
 }
 
@@ -112,21 +105,10 @@ rough::Computing computing_on_ranks(int threads) {
                            .setting = rough::fields(setup),
                            .threads = threads,
                            .count = orders.count,
-                           .task = [&](std::size_t) -> std::optional<json> {
-                               const auto genome = orders.next();
-                               return genome ? std::optional<json>(*genome) : std::nullopt;
-                           },
+                           .task = [&](std::size_t) -> std::optional<json> { return orders.next(); },
                            .take =
                                [&](std::size_t, const json& answer) {
-                                   rough::Response response;
-                                   response.range = answer.at(1);
-                                   answer.at(2).get_to(response.pressure);
-                                   answer.at(3).get_to(response.contact_fraction);
-                                   answer.at(4).get_to(response.tangent_stiffness);
-                                   for (const auto* column : {&response.pressure, &response.contact_fraction,
-                                                              &response.tangent_stiffness})
-                                       cluster::expect_message(column->size() == setup.model.loading.steps);
-                                   orders.take(answer.at(0), std::move(response));
+                                   orders.take(answer.at(0), answer.at(1).get<rough::Response>());
                                },
                            .stopped = orders.ended});
     };
