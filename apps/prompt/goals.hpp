@@ -26,9 +26,9 @@ std::vector<std::string> notes_on(const Settings& settings, const rough::Model& 
 /// rough::InputError if none is given.
 std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name);
 
-/// The function that a formula describes. It has numbers, `x` (or `name`), + - * / ^, parentheses, pi, sqrt,
-/// exp, log, log10, sin, cos, tanh, abs, min(a,b) and max(a,b). Throws rough::InputError that begins with
-/// `where` and names the column that it cannot read.
+/// The function that a formula describes. It has numbers, `x` (or `name`), + - * / ^, parentheses and pi. The
+/// functions are those of muParser, such as sqrt, exp, log (natural), log10, sin, tanh, abs, min and max.
+/// Throws rough::InputError that begins with `where` and names the column that it cannot read.
 std::function<double(double)> formula(const std::string& text, const std::string& name,
                                       const std::string& where);
 

@@ -18,8 +18,11 @@ TEST_CASE("formulas follow the rules of arithmetic") {
     CHECK(value("8 / 4 / 2 - 1 - 1", 0) == -1);
     CHECK(value("max(p, 2) * sqrt(x) + 1e-1", 9) == Approx(27.1));
     CHECK(value("tanh(log(exp(p))) - cos(pi)", 0.5) == Approx(std::tanh(0.5) + 1));
-    for (const char* bad : {"", "1 +", "q", "sqrt p", "(1", "1 2", "min(1)"})
+    for (const std::string bad :
+         {"", "1 +", "q", "sqrt p", "(1", "1 2", "min()", "1,5", "p = 2", "p > 1 ? 1 : 2", "\"p\""})
         CHECK_THROWS_AS(value(bad, 1), rough::InputError);
+    CHECK(value(std::string(5000, '(') + "p" + std::string(5000, ')'), 3) == 3);
+    CHECK_THROWS_AS(value(std::string(100'000, '('), 1), rough::InputError);
 }
 
 TEST_CASE("a target from a formula, a genome or a scan is read back with its model") {

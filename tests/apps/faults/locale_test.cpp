@@ -32,6 +32,7 @@ std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
              {"contact", "--genome", in("genome.json"), "--out", in("curve.csv"), "--nodes", "1500"},
              {"profile", in("genome.json"), "--out", in("solid"), "--nodes", "1500", "--pictures", "off"},
              {"target", "--genome", in("genome.json"), "--out", in("target.csv")},
+             {"target", "--formula", "0.3 + p / 1.6e-4", "--to", "1.6e-4", "--out", in("line.csv")},
              {"contact", "--profile", in("solid/heights.csv"), "--out", in("again.csv")},
              {"design", "--target", in("target.csv"), "--nodes", "64", "--pictures", "off", "--out",
               in("design"), "--pipeline", "sample 3 | score | refine lm 2 | best 1"}}) {
