@@ -128,10 +128,11 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
     for (std::size_t k = 0; k < record.minimise.size(); ++k)
         if (record.minimise[k])
             result["minimise"].push_back(k + 1);
-    if (record.minimise.size() > 1)
+    if (record.minimise.size() > 1) {
         result["front"] = json::array();
-    for (const Solution& solution : record.front()) // empty for one objective
-        result["front"].push_back(solution_json(solution));
+        for (const Solution& solution : record.front())
+            result["front"].push_back(solution_json(solution));
+    }
     return result;
 }
 

@@ -54,10 +54,6 @@ bool BestKnown::dominates(const Answer& a, const Answer& b) const {
 }
 
 void BestKnown::take(const Solution& solution) {
-    if (!best() || is_better(solution, best_))
-        best_ = solution;
-    if (minimise.size() < 2)
-        return;
     for (Solution& other : front_) {
         if (dominates(other.answer, solution.answer))
             return;
@@ -69,11 +65,13 @@ void BestKnown::take(const Solution& solution) {
         }
     }
     std::erase_if(front_, [&](const Solution& other) { return dominates(solution.answer, other.answer); });
-    front_.push_back(solution);
+    const auto place =
+        std::ranges::find_if(front_, [&](const Solution& other) { return is_better(solution, other); });
+    front_.insert(place, solution);
 }
 
 bool BestKnown::is_valid() const {
-    const auto is_solution = [this](const Solution& solution) {
+    return std::ranges::all_of(front_, [this](const Solution& solution) {
         try {
             const json genes = rough::parsed_json(solution.genes, "genes");
             return genes.is_array() &&
@@ -83,15 +81,7 @@ bool BestKnown::is_valid() const {
         } catch (const rough::InputError&) {
             return false;
         }
-    };
-    return (!best() || is_solution(best_)) && std::ranges::all_of(front_, is_solution);
-}
-
-std::vector<Solution> BestKnown::front() const {
-    std::vector<Solution> sorted = front_;
-    std::sort(sorted.begin(), sorted.end(),
-              [this](const Solution& a, const Solution& b) { return is_better(a, b); });
-    return sorted;
+    });
 }
 
 } // namespace app

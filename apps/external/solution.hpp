@@ -33,8 +33,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Answer, objectives, violation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Solution, genes, answer)
 ///@}
 
-/// The best of all evaluated solutions. It does not depend on their order. Ties: the first in alphabetical
-/// order of the genes.
+/// The non-dominated ones of all evaluated solutions. They do not depend on their order. Ties: the first in
+/// alphabetical order of the genes.
 class BestKnown {
   public:
     /// Whether each objective is minimised.
@@ -43,20 +43,19 @@ class BestKnown {
     void take(const Solution& solution);
     /// The best by Deb's rules (less violation is better), then by the first objective; null before the
     /// first.
-    const Solution* best() const { return best_.genes.empty() ? nullptr : &best_; }
-    /// The non-dominated solutions, sorted by the first objective; empty for one objective.
-    std::vector<Solution> front() const;
+    const Solution* best() const { return front_.empty() ? nullptr : &front_.front(); }
+    /// The non-dominated solutions, sorted by the first objective; at most one for one objective.
+    const std::vector<Solution>& front() const { return front_; }
 
     /// Whether every solution has genes and an answer to each objective; false after reading another file.
     bool is_valid() const;
 
-    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, best_, front_)
+    NLOHMANN_DEFINE_TYPE_INTRUSIVE(BestKnown, front_)
 
   private:
     bool is_better(const Solution& a, const Solution& b) const;
     bool dominates(const Answer& a, const Answer& b) const;
 
-    Solution best_;
     std::vector<Solution> front_;
 };
 

@@ -105,8 +105,9 @@ void add_engine(py::module_& module) {
             "front",
             [](const Optimisation& o) {
                 py::list front;
-                for (const app::Solution& solution : o.record.front())
-                    front.append(py::make_tuple(array_of(solution.genes), solution.answer.objectives));
+                if (o.minimise.size() > 1)
+                    for (const app::Solution& solution : o.record.front())
+                        front.append(py::make_tuple(array_of(solution.genes), solution.answer.objectives));
                 return front;
             },
             "With several objectives: (genes, objectives) of all non-dominated genomes.")
