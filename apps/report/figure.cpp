@@ -1,4 +1,5 @@
 #include "apps/external/process.hpp"
+#include "apps/prompt/terminal.hpp"
 #include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -53,33 +54,19 @@ std::string content_of(const File& file) {
     return rough::read_whole("/proc/self/fd/" + std::to_string(fileno(file.get())));
 }
 
-/// A text as a literal of gnuplot. A character that could end it, be expanded or be run is escaped.
-std::string gnuplot_text(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text)
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
-            result += ' ';
-        else if (c == '"' || c == '\\')
-            result += std::string("\\") + c;
-        else if (c == '`')
-            result += "\\140\".\""; // a new literal, because a digit after the number would change it
-        else
-            result += c;
-    return result + "\"";
-}
-
 } // namespace
 
 std::string figure_document(const FigureScript& figure) {
     const auto failure = [](const std::string& why) {
         return rough::InputError("gnuplot did not draw it" + (why.empty() ? "" : ": " + why));
     };
-    const File in = memory_file(
-                   "tables = " + gnuplot_text(figure.tables) + "\narg = " + gnuplot_text(figure.argument) +
-                   "\nfigure = " + gnuplot_text(figure.name) + "\n" + figure.style + figure.script),
+    const File in = memory_file("tables = ARG1\narg = ARG2\nfigure = ARG3\n" + figure.style + figure.script),
                out = memory_file(), err = memory_file();
     pid_t child = 0;
-    if (start_process(child, {"gnuplot", "-d"}, fileno(in.get()), fileno(out.get()), fileno(err.get())) != 0)
+    if (start_process(
+            child,
+            {"gnuplot", "-d", "-c", "/dev/stdin", figure.tables, printable(figure.argument), figure.name},
+            fileno(in.get()), fileno(out.get()), fileno(err.get())) != 0)
         throw failure("it was not found; install the Debian package gnuplot-nox");
     int status = 0;
     if (!process_ended_within(figure.seconds, child, status)) {
