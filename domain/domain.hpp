@@ -13,7 +13,6 @@
 #include "domain/database/screen.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/starts.hpp"
-#include "domain/design/statistical.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/errors.hpp"
@@ -26,6 +25,7 @@
 #include "domain/profile/solid.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/target/target.hpp"
+#include "domain/theory/theory.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.
 namespace rough {}

@@ -10,9 +10,9 @@ namespace app {
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> all{
-        paper_experiment(),       variants_experiment(),      accuracy_experiment(), chart_experiment(),
-        stability_experiment(),   compare_experiment(),       readings_experiment(), features_experiment(),
-        statistical_experiment(), metainterfaces_experiment()};
+        paper_experiment(),    variants_experiment(),  accuracy_experiment(),
+        chart_experiment(),    stability_experiment(), compare_experiment(),
+        readings_experiment(), features_experiment(),  metainterfaces_experiment()};
     return all;
 }
 

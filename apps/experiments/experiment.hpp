@@ -54,7 +54,6 @@ Experiment compare_experiment();
 Experiment readings_experiment();
 Experiment features_experiment();
 Experiment metainterfaces_experiment();
-Experiment statistical_experiment();
 
 /// All kinds of experiments.
 const std::vector<Experiment>& experiments();

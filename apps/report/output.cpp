@@ -40,13 +40,8 @@ std::vector<fs::path> present(const fs::path& folder, const std::vector<std::str
     std::vector<fs::path> all;
     std::error_code error;
     for (const std::string& name : names)
-        if (name.starts_with('*')) {
-            for (const auto& entry : fs::directory_iterator(folder, error))
-                if (entry.path().extension() == name.substr(1))
-                    all.push_back(entry.path());
-        } else if (fs::exists(fs::symlink_status(folder / name, error))) { // also a link to nothing
+        if (fs::exists(fs::symlink_status(folder / name, error))) // also a link to nothing
             all.push_back(folder / name);
-        }
     return all;
 }
 

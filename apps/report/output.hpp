@@ -8,7 +8,7 @@ namespace app {
 
 /// Files that a run writes to its folder, and what it may overwrite.
 struct Writing {
-    std::vector<std::string> names;            ///< names in the folder; "*.x3p": every file of that kind
+    std::vector<std::string> names;            ///< names in the folder
     std::vector<std::filesystem::path> inputs; ///< files that the command reads, which are never overwritten
     bool force = false;                        ///< whether other files may be overwritten
     bool resume = false;                       ///< whether those of the resumed run may be
