@@ -3,7 +3,6 @@
 #include "apps/cluster/cluster.hpp"
 #include "apps/experiments/compare/race.hpp"
 #include "apps/experiments/experiment.hpp"
-#include "domain/numerics/statistics.hpp"
 
 /// Runs of a comparison of variants, and their statistics.
 namespace app {
@@ -58,43 +57,13 @@ inline int instance_of(std::uint64_t number) { return static_cast<int>(1 + (numb
 double expected_runtime(const std::vector<Reached>& runs, std::size_t target);
 long successes(const std::vector<Reached>& runs, std::size_t target);
 
-/// COCO's runtime ECDF: share of all pairs of run and target that are reached, against the evaluations per
-/// gene. The 95 % interval is by bootstrap over the seeds.
-struct RuntimeShare {
-    std::vector<double> share, lower, upper; ///< at each of a group's `evaluations`
-};
-
-/// Two variants against each other.
-struct Duel {
-    std::string problem; ///< "" over all problems of the group
-    std::size_t first, second;
-    double difference;   ///< mean area of the first less that of the second
-    double p, corrected; ///< two-sided, and after Holm's correction over the pairs
-};
-
-/// The problems of a group together.
-struct GroupResult {
-    std::string name;
-    std::vector<const Bout*> bouts;
-    std::vector<double> evaluations;  ///< per gene, evenly on a logarithmic scale
-    std::vector<RuntimeShare> shares; ///< one per variant
-    /// [problem][variant][seed]: mean share of targets that a run has reached, over `evaluations`. At 1 all
-    /// targets are reached at once, at 0 none ever. Ranks and tests compare these areas.
-    std::vector<std::vector<std::vector<double>>> areas;
-    rough::Friedman ranks;   ///< ranks of mean areas over the problems; for one problem over its seeds
-    std::vector<Duel> duels; ///< signed ranks over the problems, then rank sums over each problem's seeds
-};
-
-std::vector<GroupResult> analysed(const Contest& contest);
-
-/// Mean area of a variant over a group's problems.
-double mean_area(const GroupResult& group, std::size_t variant);
-
 /// Writes the runs on BBOB's functions in COCO's format (ga::write_coco), one folder per variant.
 void write_coco_runs(const Contest& contest, const std::filesystem::path& folder);
 
-/// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv.
-Findings findings_of(const Contest& contest, const std::vector<GroupResult>& groups);
+/// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv. In these the area of a run is its mean share of
+/// reached targets, over the evaluations on a logarithmic scale. At 1 all targets are reached at once, at 0
+/// none ever. Ranks and tests compare areas.
+Findings findings_of(const Contest& contest);
 
 /// The work of a rank for a comparison: runs a race and returns a Reached. `setting` has the names of the
 /// problems, and the setup of roughness or null.

@@ -206,12 +206,7 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
         return {};
     if (settings.is_on("compare.coco"))
         write_coco_runs(contest, conditions.folder / "coco");
-    const std::vector<GroupResult> groups = analysed(contest);
-    Findings found = findings_of(contest, groups);
-    for (const GroupResult& group : groups)
-        found.summary += (found.summary.empty() ? "best on " : ", on ") + group.name + " " +
-                         found.result["groups"][group.name]["standing"][0]["variant"].get<std::string>();
-    return found;
+    return findings_of(contest);
 }
 
 } // namespace

@@ -140,23 +140,29 @@ TEST_CASE("shares of targets, their means, ranks and duels of a comparison by ha
             bout.runs.push_back(std::vector<Reached>(6, reached({factor, factor > 2 ? NAN : 2000}, 2000)));
         contest.bouts.push_back(std::move(bout));
     }
-    const std::vector<GroupResult> groups = analysed(contest);
-    REQUIRE(groups.size() == 1);
-    const GroupResult& group = groups[0];
-    CHECK(group.evaluations.front() == 1);
-    CHECK(group.evaluations.back() == Approx(1000));
-    CHECK(group.shares[1].share.front() == Approx(0.5)); // 2 evaluations of 2 genes
-    CHECK(group.shares[1].share.back() == Approx(1));
-    CHECK(group.shares[0].share.front() == 0);
-    CHECK(group.shares[0].share.back() == Approx(0.5));
-    CHECK(group.shares[1].lower[30] == Approx(group.shares[1].share[30])); // all seeds alike
+    const Findings found = findings_of(contest);
+    const nlohmann::json &group = found.result["groups"]["g"], &slow = group["variants"]["slow"],
+                         &fast = group["variants"]["fast"];
+    const std::vector<double> evaluations = group["evaluations_per_gene"], slow_share = slow["share"],
+                              fast_share = fast["share"], fast_lower = fast["share_lower"];
+    CHECK(evaluations.front() == 1);
+    CHECK(evaluations.back() == Approx(1000));
+    CHECK(fast_share.front() == Approx(0.5)); // 2 evaluations of 2 genes
+    CHECK(fast_share.back() == Approx(1));
+    CHECK(slow_share.front() == 0);
+    CHECK(slow_share.back() == Approx(0.5));
+    CHECK(fast_lower[30] == Approx(fast_share[30])); // all seeds alike
     // From 50 evaluations per gene on, half of the targets; `fast` has all targets at the last moment.
-    CHECK(mean_area(group, 0) == Approx(0.5 * (1 - std::log(50) / std::log(1000))).margin(0.01));
-    CHECK(mean_area(group, 1) == Approx(0.5 + 0.5 / 61));
-    CHECK(group.ranks.mean_ranks == std::vector<double>{2, 1});
-    REQUIRE(group.duels.size() == 7);
-    CHECK(group.duels[0].problem.empty());
-    CHECK(group.duels[0].difference < 0);
-    CHECK(group.duels[0].p == Approx(2 / 64.0));  // six problems on one side
-    CHECK(group.duels[1].p == Approx(2 / 924.0)); // six seeds against six
+    CHECK(slow["area"].get<double>() == Approx(0.5 * (1 - std::log(50) / std::log(1000))).margin(0.01));
+    CHECK(fast["area"].get<double>() == Approx(0.5 + 0.5 / 61));
+    CHECK(slow["mean_rank"] == 2);
+    CHECK(group["standing"][0]["variant"] == "fast");
+    CHECK(group["standing"][0]["better_than"] == "slow");
+    CHECK(group["standing"][0]["wins"] == 6);
+    const nlohmann::json& tests = found.tables.at("tests.csv").rows();
+    REQUIRE(tests.size() == 7);
+    CHECK(tests[0]["problem"] == "");
+    CHECK(tests[0]["area_difference"] < 0);
+    CHECK(tests[0]["p"].get<double>() == Approx(2 / 64.0));  // six problems on one side
+    CHECK(tests[1]["p"].get<double>() == Approx(2 / 924.0)); // six seeds against six
 }
