@@ -212,7 +212,7 @@ const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::s
 }
 
 /// A run of gco or cco at one threshold (MPa).
-ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
+nlohmann::json threshold_row(const VariantRun& run, double p_bar) {
     const auto size = [&](const std::string& path) {
         const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
         return stage ? stage->candidates.size() : 0;
@@ -220,16 +220,16 @@ ThresholdRow threshold_row(const VariantRun& run, double p_bar) {
     const auto children =
         rough::column(stage_at(run.stages, run.name + "/score.1")->candidates, &Candidate::similarity);
     const auto is_above = [](double similarity) { return similarity > 0.95; };
-    return {.p_bar = p_bar,
-            .variant = run.name,
-            .u1 = size("pair.1/left/above.1"),
-            .u2 = size("pair.1/right/above.1"),
-            .at_least_used = !run.notes.empty(),
-            .children = children.size(),
-            .share_above = rough::mean(rough::column(children, is_above)),
-            .best_child = std::ranges::max(children),
-            .parents = run.stages.back().candidates.front().parents,
-            .similarity = run.similarity};
+    return {{"p_bar_MPa", p_bar},
+            {"variant", run.name},
+            {"U1", size("pair.1/left/above.1")},
+            {"U2", size("pair.1/right/above.1")},
+            {"at_least_used", !run.notes.empty()},
+            {"children", children.size()},
+            {"share_above", rough::mean(rough::column(children, is_above))},
+            {"best_child", std::ranges::max(children)},
+            {"parents", run.stages.back().candidates.front().parents},
+            {"similarity", run.similarity}};
 }
 
 /// Each genome's scores on a target whose low part ends at p_bar.

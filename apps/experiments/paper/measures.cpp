@@ -31,20 +31,20 @@ double lowest(const Numbers& numbers) {
 double highest(const Numbers& numbers) { return -lowest(column(numbers, std::negate<>())); }
 double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers); }
 
-template <class Value>
-Numbers over_thresholds(Target target, const std::string& variant, Value value) {
+/// A column of the variant's rows in thresholds.csv, or |U3|.
+Numbers over_thresholds(Target target, const std::string& variant, const char* name) {
     Numbers numbers;
-    for (const ThresholdRow& row : target.thresholds)
-        if (row.variant == variant)
-            numbers.push_back(std::invoke(value, row));
+    for (const nlohmann::json& row : target.thresholds)
+        if (row.at("variant") == variant)
+            numbers.push_back(name == std::string("U3")
+                                  ? row.at("U1").get<double>() * row.at("U2").get<double>()
+                                  : row.at(name).get<double>());
     return numbers;
 }
 
-double children(const ThresholdRow& row) { return static_cast<double>(row.u1 * row.u2); }
-
 Finding spread_of_best(Target target, const std::string& variant) {
-    const Numbers answers = over_thresholds(target, variant, &ThresholdRow::similarity);
-    return {spread(over_thresholds(target, variant, &ThresholdRow::best_child)),
+    const Numbers answers = over_thresholds(target, variant, "similarity");
+    return {spread(over_thresholds(target, variant, "best_child")),
             {{"of the answers after GCMMA", spread(answers)}}};
 }
 
@@ -327,25 +327,22 @@ const std::map<std::string, Measure>& measures() {
         {"cco-steady", [](Run, Target target) { return spread_of_best(target, "cco"); }},
         {"cco-parents",
          [](Run, Target target) {
-             std::set<std::vector<std::uint64_t>> pairs;
-             for (const ThresholdRow& row : target.thresholds) {
-                 auto parents = row.parents;
-                 std::ranges::sort(parents);
-                 if (row.variant == "cco")
-                     pairs.insert(parents);
-             }
+             std::set<std::set<std::uint64_t>> pairs;
+             for (const nlohmann::json& row : target.thresholds)
+                 if (row.at("variant") == "cco")
+                     pairs.insert(row.at("parents"));
              return pairs.empty() ? unknown : static_cast<double>(pairs.size());
          }},
         {"size-varies",
          [](Run, Target target) {
-             const Numbers sizes = over_thresholds(target, "gco", children);
+             const Numbers sizes = over_thresholds(target, "gco", "U3");
              return Finding(highest(sizes) / lowest(sizes),
                             {{"smallest", lowest(sizes)}, {"largest", highest(sizes)}});
          }},
         {"size-equal",
          [](Run, Target target) {
-             const Numbers gco = over_thresholds(target, "gco", children),
-                           cco = over_thresholds(target, "cco", children);
+             const Numbers gco = over_thresholds(target, "gco", "U3"),
+                           cco = over_thresholds(target, "cco", "U3");
              Numbers equal;
              for (std::size_t i = 0; gco.size() == cco.size() && i < gco.size(); ++i)
                  equal.push_back(gco[i] == cco[i]);
@@ -353,16 +350,14 @@ const std::map<std::string, Measure>& measures() {
          }},
         {"efficient",
          [](Run, Target target) {
-             const auto mean = [&](const char* variant, double ThresholdRow::*value) {
-                 return rough::mean(over_thresholds(target, variant, value));
+             const auto mean = [&](const char* variant, const char* name) {
+                 return rough::mean(over_thresholds(target, variant, name));
              };
-             const double gco = mean("gco", &ThresholdRow::similarity),
-                          cco = mean("cco", &ThresholdRow::similarity);
-             return Finding(gco - cco,
-                            {{"gco", gco},
-                             {"cco", cco},
-                             {"share of U₃ above 0.95, gco", mean("gco", &ThresholdRow::share_above)},
-                             {"cco", mean("cco", &ThresholdRow::share_above)}});
+             const double gco = mean("gco", "similarity"), cco = mean("cco", "similarity");
+             return Finding(gco - cco, {{"gco", gco},
+                                        {"cco", cco},
+                                        {"share of U₃ above 0.95, gco", mean("gco", "share_above")},
+                                        {"cco", mean("cco", "share_above")}});
          }},
         {"cco-proportional", proportion},
     };

@@ -21,26 +21,18 @@ struct Scores {
     double high; ///< on [p_bar, p_max]
 };
 
-/// One cross-over algorithm at one threshold p_bar.
-struct ThresholdRow {
-    double p_bar = 0;
-    std::string variant;                ///< gco or cco
-    std::size_t u1 = 0, u2 = 0;         ///< sizes of U1 and U2 when pairs are formed
-    bool at_least_used = false;         ///< U1 or U2 had fewer than "at least" genomes above 0.95
-    std::size_t children = 0;           ///< |U4|: the distinct children; |U3| = u1 u2 counts twins
-    double share_above = 0;             ///< share of the distinct children with s > 0.95, 0..1
-    double best_child = 0;              ///< best similarity among them, before any GCMMA
-    std::vector<std::uint64_t> parents; ///< the answer's parents
-    double similarity = 0;              ///< the answer's, after the last GCMMA
-};
-
 /// Everything that depends on one target.
 struct TargetRun {
     std::string title; ///< "drawn" or "held-out"
     rough::Target target;
-    std::vector<Scores> database = {};          ///< one per database genome, in the same order
-    std::vector<VariantRun> variants = {};      ///< the paper's three, then their minimax forms
-    std::vector<ThresholdRow> thresholds = {};  ///< p_bar ascending, gco and cco at each
+    std::vector<Scores> database = {};     ///< one per database genome, in the same order
+    std::vector<VariantRun> variants = {}; ///< the paper's three, then their minimax forms
+    /// Rows of thresholds.csv with the answer's `parents`: p_bar ascending, gco and cco at each. U1 and U2
+    /// are the sizes of the sets of parents when pairs are formed. `at_least_used`: one of them had fewer
+    /// than "at least" genomes above 0.95. `children` is |U4|, the number of distinct children; |U3| = U1 U2
+    /// counts twins. `share_above` is the share of the distinct children above 0.95, and `best_child` the
+    /// best similarity among them before any GCMMA. `similarity` is the answer's after the last GCMMA.
+    std::vector<nlohmann::json> thresholds = {};
     std::vector<VariantRun> other_reading = {}; ///< the paper's three under the other reading of Algorithm 1
 };
 

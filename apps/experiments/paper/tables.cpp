@@ -94,12 +94,11 @@ void add_search_tables(const TargetRun& target, const std::string& place, Findin
                 refined.row(variant.name, rank + 1, candidates[rank].id, stage,
                             candidates[rank].similarity[stage]);
     }
-    for (const ThresholdRow& row : target.thresholds)
+    for (const json& row : target.thresholds)
         found
             .table(place + "thresholds.csv",
                    "p_bar_MPa,variant,U1,U2,at_least_used,children,share_above,best_child,similarity")
-            .row(row.p_bar, row.variant, row.u1, row.u2, row.at_least_used, row.children, row.share_above,
-                 row.best_child, row.similarity);
+            .add(row);
 }
 
 /// Curves, heights and spectra of the answers.

@@ -173,12 +173,11 @@ TEST_CASE("claims on the search are decided by each algorithm, by similarities a
         TargetRun target;
         for (const double more : {0.0, spread})
             for (const char* name : {"gco", "cco"}) {
-                const bool is_gco = name[0] == 'g';
-                ThresholdRow row;
-                row.variant = name;
-                row.best_child = 0.8 + more;
-                row.similarity = is_gco ? gco : cco;
-                target.thresholds.push_back(row);
+                const double similarity = name[0] == 'g' ? gco : cco;
+                target.thresholds.push_back({{"variant", name},
+                                             {"share_above", 0},
+                                             {"best_child", 0.8 + more},
+                                             {"similarity", similarity}});
             }
         return target;
     };
