@@ -24,10 +24,9 @@ struct Spent {
     double similarity;
 };
 
-struct RaceRun {
-    std::uint64_t seed;
-    std::vector<Spent> history; ///< after each stage
-    VariantRun run;
+struct RaceRun : VariantRun {
+    std::uint64_t seed = 0;
+    std::vector<Spent> history;   ///< after each stage
     double last_displacement = 0; ///< mm, at the answer's last load step
     long crossed = 0, better = 0; ///< children of two scored parents; children better than both
 };
@@ -36,14 +35,11 @@ struct RaceVariant {
     std::string name;
     std::vector<RaceRun> runs; ///< one per seed
 
-    double median_lowest() const {
-        return rough::median(
-            rough::column(runs, [](const RaceRun& one) { return one.run.similarity_worst; }));
-    }
+    double median_lowest() const { return rough::median(rough::column(runs, &RaceRun::similarity_worst)); }
     /// The run whose verified similarity is the median, or the next below.
     const RaceRun& median_run() const {
         const auto order = ga::in_order(runs.size(), [&](std::size_t a, std::size_t b) {
-            return runs[a].run.similarity_worst < runs[b].run.similarity_worst;
+            return runs[a].similarity_worst < runs[b].similarity_worst;
         });
         return runs[order[(runs.size() - 1) / 2]];
     }
@@ -109,7 +105,7 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
 
 RaceRun run_once(const RaceTarget& target, const std::string& name, const rough::SearchOptions& options) {
     static const ga::Name similarity("similarity");
-    RaceRun run{options.seed, {}, {}, 0};
+    RaceRun run;
     std::vector<StageRecord> stages;
     double best = -HUGE_VAL;
     std::map<ga::Identity, double> known; // similarities so far
@@ -134,10 +130,11 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     };
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
-    run.run = variant_run(name, found, std::move(stages), clock.seconds());
+    static_cast<VariantRun&>(run) = variant_run(name, found, std::move(stages), clock.seconds());
+    run.seed = options.seed;
     run.last_displacement = scored(found.setup, found.best.on_own).responses.front().displacement.tail(1)[0];
     run.history.push_back(
-        {static_cast<double>(found.counters.asked), run.run.seconds, std::max(best, run.run.similarity)});
+        {static_cast<double>(found.counters.asked), run.seconds, std::max(best, run.similarity)});
     return run;
 }
 
@@ -145,14 +142,14 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
 json result_of(const RaceTarget& target, const Origin& origin, long budget) {
     std::vector<VariantRun> runs;
     for (const RaceVariant& variant : target.variants)
-        runs.push_back(variant.median_run().run);
+        runs.push_back(variant.median_run());
     json result = result_json(origin, target.setup, runs);
     result["budget"] = budget;
     for (const RaceVariant& variant : target.variants) {
         json& one = result["variants"][variant.name];
         one["median_lowest"] = variant.median_lowest();
         for (const RaceRun& race_run : variant.runs) {
-            one["runs"].push_back(race_run.run);
+            one["runs"].push_back(static_cast<const VariantRun&>(race_run));
             one["runs"].back().update({{"seed", race_run.seed},
                                        {"crossed", race_run.crossed},
                                        {"better_than_parents", race_run.better}});
@@ -209,7 +206,7 @@ std::vector<RaceTarget> raced(const Settings& settings, const Conditions& condit
                                          " of " + std::to_string(seeds));
                 options.seed = conditions.origin.seed + static_cast<std::uint64_t>(i);
                 RaceRun run = placed(name, [&, &name = name] { return run_once(target, name, options); });
-                if (!std::isnan(run.run.similarity_worst)) // a map's may be stopped before it is verified
+                if (!std::isnan(run.similarity_worst)) // a map's may be stopped before it is verified
                     variant.runs.push_back(std::move(run));
             }
             if (!variant.runs.empty())
@@ -220,68 +217,62 @@ std::vector<RaceTarget> raced(const Settings& settings, const Conditions& condit
 }
 
 /// 1 less the best similarity so far, median over the seeds, against evaluations and seconds.
-void add_shortfall(Findings& found, const std::vector<RaceTarget>& targets, long budget) {
+void add_shortfall(Findings& found, const RaceTarget& target, long budget) {
     constexpr int points = 60;
     Csv& table = found.table("shortfall.csv", "target,variant,axis,spent,shortfall", 6);
-    for (const RaceTarget& target : targets) {
-        double longest = 0.1;
-        for (const RaceVariant& variant : target.variants)
-            for (const RaceRun& run : variant.runs)
-                longest = std::max(longest, run.run.seconds);
-        for (const RaceVariant& variant : target.variants)
-            for (const auto& [name, axis, from, to] :
-                 {std::tuple("evaluations", &Spent::evaluations, 10.0, static_cast<double>(budget)),
-                  {"seconds", &Spent::seconds, 0.02, longest}})
-                for (int k = 0; k < points; ++k) {
-                    const double spent = from * std::pow(to / from, k / (points - 1.0));
-                    const double similarity =
-                        variant.median_at(axis, axis == &Spent::evaluations ? std::trunc(spent) : spent);
-                    if (similarity > -1)
-                        table.row(target.name(), variant.name, name, spent, std::max(1e-5, 1 - similarity));
-                }
-    }
+    double longest = 0.1;
+    for (const RaceVariant& variant : target.variants)
+        for (const RaceRun& run : variant.runs)
+            longest = std::max(longest, run.seconds);
+    for (const RaceVariant& variant : target.variants)
+        for (const auto& [name, axis, from, to] :
+             {std::tuple("evaluations", &Spent::evaluations, 10.0, static_cast<double>(budget)),
+              {"seconds", &Spent::seconds, 0.02, longest}})
+            for (int k = 0; k < points; ++k) {
+                const double spent = from * std::pow(to / from, k / (points - 1.0));
+                const double similarity =
+                    variant.median_at(axis, axis == &Spent::evaluations ? std::trunc(spent) : spent);
+                if (similarity > -1)
+                    table.row(target.name(), variant.name, name, spent, std::max(1e-5, 1 - similarity));
+            }
 }
 
 /// Medians at the end of each variant's runs.
-void add_ends(Findings& found, const std::vector<RaceTarget>& targets) {
+void add_ends(Findings& found, const RaceTarget& target) {
     Csv& table = found.table("ended.csv", "target,surface,variant,similarity,seconds,curves,gradients,"
                                           "children_of_two,better_than_both");
-    for (const RaceTarget& target : targets)
-        for (const RaceVariant* variant : target.ranked()) {
-            const VariantRun& run = variant->median_run().run;
-            long crossed = 0, better = 0;
-            for (const RaceRun& each : variant->runs)
-                crossed += each.crossed, better += each.better;
-            table.row(target.name(), target.is_2d() ? "map" : "profile", variant->name,
-                      variant->median_lowest(), run.seconds, run.curves, run.gradients, crossed,
-                      crossed > 0 ? std::optional(static_cast<double>(better) / static_cast<double>(crossed))
-                                  : std::nullopt);
-        }
+    for (const RaceVariant* variant : target.ranked()) {
+        const RaceRun& run = variant->median_run();
+        long crossed = 0, better = 0;
+        for (const RaceRun& each : variant->runs)
+            crossed += each.crossed, better += each.better;
+        table.row(target.name(), target.is_2d() ? "map" : "profile", variant->name, variant->median_lowest(),
+                  run.seconds, run.curves, run.gradients, crossed,
+                  crossed > 0 ? std::optional(static_cast<double>(better) / static_cast<double>(crossed))
+                              : std::nullopt);
+    }
 }
 
-/// Heights and last contact pressure of the best variant's median run on each map, on at most 128 x 128
-/// nodes.
-void add_surfaces(Findings& found, const std::vector<RaceTarget>& targets) {
+/// Heights and last contact pressure of the best variant's median run on a map, on at most 128 x 128 nodes.
+void add_surface(Findings& found, const RaceTarget& target) {
     Csv& table = found.table("surfaces.csv", "target,x_mm,y_mm,height_mm,pressure_MPa", 6);
-    for (const RaceTarget& target : targets) {
-        const rough::Model& model = target.setup.model;
-        const rough::Grid& grid = model.grid;
-        if (!grid.is_2d() || target.variants.empty())
-            continue;
-        const RaceRun& best = target.ranked().front()->median_run();
-        const rough::Profile surface = sample(best.run.answer.genome, grid);
-        rough::ContactOptions options = model.contact;
-        options.states = true;
-        const auto state = solve_contact(surface, model.body, {best.last_displacement}, options).states[0];
-        Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
-        pressure(state.nodes) = state.pressure;
-        const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
-        for (rough::Index j = 0; j < grid.rows; j += every)
-            for (rough::Index i = 0; i < grid.nodes; i += every)
-                table.row(target.name(), static_cast<double>(i) * grid.spacing(),
-                          static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
-                          pressure[j * grid.nodes + i]);
-    }
+    const rough::Model& model = target.setup.model;
+    const rough::Grid& grid = model.grid;
+    if (!grid.is_2d() || target.variants.empty())
+        return;
+    const RaceRun& best = target.ranked().front()->median_run();
+    const rough::Profile surface = sample(best.answer.genome, grid);
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    const auto state = solve_contact(surface, model.body, {best.last_displacement}, options).states[0];
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
+    pressure(state.nodes) = state.pressure;
+    const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
+    for (rough::Index j = 0; j < grid.rows; j += every)
+        for (rough::Index i = 0; i < grid.nodes; i += every)
+            table.row(target.name(), static_cast<double>(i) * grid.spacing(),
+                      static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
+                      pressure[j * grid.nodes + i]);
 }
 
 Findings run_variants(const Settings& settings, const Conditions& conditions) {
@@ -302,10 +293,10 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
                 for (const Spent& spent : run.history)
                     table.row(target.name(), variant.name, run.seed, spent.evaluations, spent.seconds,
                               spent.similarity);
+        add_shortfall(found, target, budget);
+        add_ends(found, target);
+        add_surface(found, target);
     }
-    add_shortfall(found, targets, budget);
-    add_ends(found, targets);
-    add_surfaces(found, targets);
     return found;
 }
 
