@@ -27,6 +27,14 @@ bool runs(const std::string& word) {
            !(parsed.ec == std::errc() && parsed.ptr == end);
 }
 
+/// A word as a cell, quoted if necessary.
+std::string cell_of(const std::string& given) {
+    const std::string word = (runs(given) ? "'" : "") + given;
+    if (word == given && word.find_first_of(",\"\r\n") == std::string::npos)
+        return word;
+    return '"' + boost::replace_all_copy(word, "\"", "\"\"") + '"';
+}
+
 void put_number(std::ostream& out, double number) {
     if (!std::isnan(number))
         out << number;
@@ -47,38 +55,34 @@ std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::st
 
 } // namespace
 
-Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)) {
-    text_.imbue(std::locale::classic());
-    text_.precision(digits);
-    text_ << header << "\n";
-}
-
-void Csv::put(const std::string& given) {
-    const std::string word = (runs(given) ? "'" : "") + given;
-    if (word == given && word.find_first_of(",\"\r\n") == std::string::npos) {
-        text_ << word;
-        return;
-    }
-    text_ << '"' << boost::replace_all_copy(word, "\"", "\"\"") << '"';
-}
+Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)), digits_(digits) {}
 
 void Csv::add(const nlohmann::json& row) {
-    nlohmann::json named = nlohmann::json::object();
-    for (std::size_t c = 0; c < names_.size(); ++c) {
-        const nlohmann::json value = row.value(names_[c], nlohmann::json());
-        text_ << (c ? "," : "");
-        if (value.is_string())
-            put(value.get<std::string>());
-        else if (value.is_boolean())
-            text_ << value.get<bool>();
-        else if (value.is_number_integer())
-            text_ << value.dump();
-        else if (value.is_number())
-            put_number(text_, value.get<double>());
-        named[names_[c]] = value;
+    nlohmann::json& named = rows_.emplace_back(nlohmann::json::object());
+    for (const std::string& name : names_)
+        named[name] = row.value(name, nlohmann::json());
+}
+
+std::string Csv::text() const {
+    rough::PlainStream out;
+    out.precision(digits_);
+    out << boost::join(names_, ",") << "\n";
+    for (const nlohmann::json& row : rows_) {
+        for (std::size_t c = 0; c < names_.size(); ++c) {
+            const nlohmann::json& value = row[names_[c]];
+            out << (c ? "," : "");
+            if (value.is_string())
+                out << cell_of(value.get<std::string>());
+            else if (value.is_boolean())
+                out << value.get<bool>();
+            else if (value.is_number_integer())
+                out << value.dump();
+            else if (value.is_number())
+                put_number(out, value.get<double>());
+        }
+        out << "\n";
     }
-    text_ << "\n";
-    rows_.push_back(std::move(named));
+    return out.str();
 }
 
 std::vector<std::vector<std::string>> csv_rows(const std::string& text) {

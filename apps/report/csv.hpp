@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
-#include <sstream>
 
 namespace app {
 
@@ -35,13 +34,11 @@ class Csv {
     /// Adds a row from an object of the header's names; a null or missing value is an empty cell.
     void add(const nlohmann::json& row);
 
-    std::string text() const { return text_.str(); }
+    std::string text() const;
     /// The rows, one object of the header's names each.
     const nlohmann::json& rows() const { return rows_; }
 
   private:
-    void put(const std::string& word);
-
     static nlohmann::json in_json(const std::optional<double>& number) {
         return number ? nlohmann::json(*number) : nlohmann::json();
     }
@@ -50,8 +47,8 @@ class Csv {
         return value;
     }
 
-    std::ostringstream text_;
     std::vector<std::string> names_;
+    int digits_;
     nlohmann::json rows_ = nlohmann::json::array();
 };
 
