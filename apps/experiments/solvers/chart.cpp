@@ -230,7 +230,7 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
     };
     if (extent.finest_map > 0) {
         tell("theories, profiles and maps");
-        data.models = charted_models(extent.finest_map, stop);
+        chart_models(data, extent.finest_map, stop);
     }
     std::vector<ChartTruth> truths;
     for (const ChartScene& scene : scenes) {

@@ -3,7 +3,6 @@
 #include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
 #include "domain/response/response.hpp"
-#include "domain/theory/theory.hpp"
 
 #include <cmath>
 #include <compare>
@@ -94,34 +93,6 @@ void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, C
 ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
                    double limit, const Stop& stop = never);
 
-/// The prediction of a model for a scene: a theory, one line instead of the map, or a coarser grid.
-struct ModelRun {
-    std::string family;            ///< theories, one line or solved
-    std::string model;             ///< name
-    rough::Index nodes = 0;        ///< 0 for a theory
-    double seconds = 0;            ///< time of the whole curve on one core, the lowest of a few
-    rough::TheoryCurve curve = {}; ///< at the loads; NaN without an answer
-    Eigen::VectorXd area_errors = {}, stiffness_errors = {}; ///< relative, at each load
-    double area_error = 0, stiffness_error = 0;              ///< root mean squares of these
-};
-
-/// A periodic random surface, its exact curve and the models that are measured against it.
-struct ModelScene {
-    std::string name, words;
-    std::string reference;         ///< origin of the exact curve
-    double rms_slope = 0;          ///< h'; for a map the rms gradient
-    double rms_height = 0;         ///< mm
-    double aspect_ratio = 0;       ///< Str; 0 for a line
-    rough::TheoryCurve exact = {}; ///< at the loads; E* is 1 MPa
-    std::vector<ModelRun> runs = {};
-};
-
-/// The scenes self-affine-line (a profile), self-affine-map (isotropic) and ground-map. The last one has
-/// ridges along y and a tenth of the isotropic roughness. H = 0.8; loads from 0.5 % to nearly full contact.
-/// The exact maps have `finest` x `finest` nodes; waves have at least 8 nodes on 128 x 128. If `stop` returns
-/// true, only the finished scenes and models are returned.
-std::vector<ModelScene> charted_models(rough::Index finest, const Stop& stop = never);
-
 /// Root mean square of the known errors; NaN if all are unknown.
 double root_mean_square(const Eigen::VectorXd& errors);
 
@@ -135,15 +106,24 @@ inline const std::string time_over = "the chart's time was over", interrupted = 
 
 /// All results of a chart.
 struct ChartData {
-    std::vector<ChartScene> scenes; ///< ChartSetting::scene is an index into these
-    std::vector<ChartRun> runs;     ///< in the order of the plan
-    std::vector<LeftOut> left_out;  ///< all other settings of the plan
-    double limit = 0;               ///< maximum time of one curve, s
-    std::vector<ModelScene> models; ///< theories, lines and maps
+    std::vector<ChartScene> scenes;                      ///< ChartSetting::scene is an index into these
+    std::vector<ChartRun> runs;                          ///< in the order of the plan
+    std::vector<LeftOut> left_out;                       ///< all other settings of the plan
+    double limit = 0;                                    ///< maximum time of one curve, s
+    Findings models;                                     ///< tables and facts of theories, lines and maps
+    nlohmann::json model_runs = nlohmann::json::array(); ///< their rows of chart.csv
 
     /// A scene's contact fraction at its last step on the finest solved grid; 0 without one.
     double contact(std::size_t scene) const;
 };
+
+/// Adds models of periodic random surfaces: theories, one line instead of the map, and coarser grids. The
+/// scenes are self-affine-line (a profile), self-affine-map (isotropic) and ground-map. The last one has
+/// ridges along y and a tenth of the isotropic roughness. H = 0.8; loads from 0.5 % to nearly full contact.
+/// The exact maps have `finest` x `finest` nodes; waves have at least 8 nodes on 128 x 128. models.csv has
+/// one row per load and model, model_errors.csv the errors of each model over the loads. If `stop` returns
+/// true, only the finished scenes and models are added.
+void chart_models(ChartData& data, rough::Index finest, const Stop& stop = never);
 
 /// Works through the plan, one setting on all scenes before the next. The references and the coarsest grid
 /// are always done; after `seconds` of wall time no setting starts. A setting is left out if the coarser grid

@@ -104,62 +104,6 @@ json fastest_by_error(const ChartData& data, const ErrorKind& kind) {
                                  })}};
 }
 
-constexpr double fair = 0.2; ///< a model holds up to this error
-
-/// The range of contact fractions around the lowest error in which errors stay fair; null if it is empty.
-json fair_range(const Eigen::VectorXd& errors, const Eigen::VectorXd& fractions) {
-    Index best = -1;
-    for (Index j = 0; j < errors.size(); ++j)
-        if (std::isfinite(errors[j]) && (best < 0 || std::abs(errors[j]) < std::abs(errors[best])))
-            best = j;
-    if (best < 0 || !(std::abs(errors[best]) <= fair))
-        return {};
-    Index from = best, to = best;
-    while (from > 0 && std::abs(errors[from - 1]) <= fair)
-        --from;
-    while (to + 1 < errors.size() && std::abs(errors[to + 1]) <= fair)
-        ++to;
-    return {{"from", fractions[from]}, {"to", fractions[to]}};
-}
-
-json theory_rows(const std::vector<ModelScene>& scenes) {
-    json rows = json::array();
-    for (const ModelScene& of : scenes)
-        for (const ModelRun& run : of.runs)
-            if (run.family == "theories")
-                rows.push_back({{"scene", of.name},
-                                {"theory", run.model},
-                                {"seconds", run.seconds},
-                                {"area", fair_range(run.area_errors, of.exact.contact_fraction)},
-                                {"stiffness", fair_range(run.stiffness_errors, of.exact.contact_fraction)}});
-    return rows;
-}
-
-/// For each map: the line along the lay, one section, and the coarsest grid within 3 %.
-json line_rows(const std::vector<ModelScene>& scenes) {
-    json rows = json::array();
-    for (const ModelScene& of : scenes) {
-        json row{{"scene", of.name}, {"aspect_ratio", of.aspect_ratio}};
-        double grid_error = HUGE_VAL;
-        for (const ModelRun& run : of.runs) {
-            const double error = std::max(run.area_error, run.stiffness_error);
-            const json errors{{"area", run.area_error},
-                              {"stiffness", run.stiffness_error},
-                              {"seconds", run.seconds},
-                              {"nodes", run.nodes}};
-            if (run.model == "section")
-                row["section"] = errors;
-            else if (run.model == "mean-line")
-                row.update({{"line", errors}, {"line_is_enough", error <= fair}});
-            else if (run.family == "solved" && grid_error >= 0.03)
-                row["map"] = errors, grid_error = error;
-        }
-        if (row.contains("line") && row.contains("section") && row.contains("map"))
-            rows.push_back(row);
-    }
-    return rows;
-}
-
 /// How much longer auto took than the faster of the two solvers that it chooses from.
 json losses_of_auto(const ChartData& data) {
     std::map<std::pair<std::size_t, Index>, std::map<Solver, double>> seconds; // for each scene and grid
@@ -196,26 +140,6 @@ void add_points(Findings& found, const ChartData& data) {
                 if (error < 0.95 * lowest_here)
                     lowest_here = error;
             }
-        }
-}
-
-/// models.csv, one row per load and run, and model_errors.csv, the errors of each model over the loads.
-void add_models(Findings& found, const std::vector<ModelScene>& scenes) {
-    Csv &loads = found.table("models.csv",
-                             "scene,model,nodes,seconds,pressure_MPa,contact_fraction,stiffness_MPa_per_mm,"
-                             "error_contact,error_stiffness",
-                             6),
-        &errors = found.table("model_errors.csv",
-                              "scene,family,model,nodes,answers,loads,area,stiffness,seconds", 6);
-    for (const ModelScene& scene : scenes)
-        for (const ModelRun& run : scene.runs) {
-            for (Index j = 0; j < run.area_errors.size(); ++j)
-                loads.row(scene.name, run.model, run.nodes, run.seconds, scene.exact.pressure[j],
-                          run.curve.contact_fraction[j], run.curve.stiffness[j], run.area_errors[j],
-                          run.stiffness_errors[j]);
-            errors.row(scene.name, run.family, run.model, run.nodes,
-                       run.curve.contact_fraction.array().isFinite().count(), run.area_errors.size(),
-                       run.area_error, run.stiffness_error, run.seconds);
         }
 }
 
@@ -258,34 +182,28 @@ Csv chart_table(const ChartData& data) {
                   run.setting.steps, run.setting.tolerance, run.seconds, run.error_pressure,
                   run.error_stiffness, run.error_contact, run.iterations, name_of(run.outcome));
     }
-    for (const ModelScene& scene : data.models)
-        for (const ModelRun& run : scene.runs) // errors of the fraction itself, as above
-            table.row(scene.name, name_of(rough::Kernel::periodic), run.model, run.nodes,
-                      scene.exact.pressure.size(), 0.0, run.seconds, std::optional<double>(),
-                      run.stiffness_error,
-                      root_mean_square(run.curve.contact_fraction - scene.exact.contact_fraction), 0,
-                      name_of(Outcome::solved));
+    for (const json& row : data.model_runs)
+        table.add(row);
     return table;
 }
 
 Findings findings_of(const ChartData& data) {
-    Findings found{.summary = std::to_string(data.runs.size()) + " settings charted"};
+    Findings found = data.models;
+    found.summary = std::to_string(data.runs.size()) + " settings charted";
     const Csv& runs = found.tables.emplace("chart.csv", chart_table(data)).first->second;
     add_points(found, data);
-    add_models(found, data.models);
-    json& facts = found.result = {{"fastest_by_grid", fastest_by_grid(data)},
-                                  {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
-                                  {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
-                                  {"left_out", json::array()},
-                                  {"tried", data.runs.size()},
-                                  {"not_tried", data.left_out.size()},
-                                  {"late", std::ranges::count(data.runs, true, &ChartRun::late)},
-                                  {"limit_seconds", data.limit},
-                                  {"auto_over_fastest", losses_of_auto(data)},
-                                  {"theories", theory_rows(data.models)},
-                                  {"lines", line_rows(data.models)},
-                                  {"failures", json::array()},
-                                  {"runs", runs.rows()}};
+    json& facts = found.result;
+    facts.update({{"fastest_by_grid", fastest_by_grid(data)},
+                  {"fastest_by_pressure_error", fastest_by_error(data, error_kinds[0])},
+                  {"fastest_by_stiffness_error", fastest_by_error(data, error_kinds[1])},
+                  {"left_out", json::array()},
+                  {"tried", data.runs.size()},
+                  {"not_tried", data.left_out.size()},
+                  {"late", std::ranges::count(data.runs, true, &ChartRun::late)},
+                  {"limit_seconds", data.limit},
+                  {"auto_over_fastest", losses_of_auto(data)},
+                  {"failures", json::array()},
+                  {"runs", runs.rows()}});
     add_left_out(found, data);
     for (const LeftOut& each : data.left_out)
         if (each.why == time_over || each.why == interrupted) {
@@ -305,12 +223,6 @@ Findings findings_of(const ChartData& data) {
                                           {"reference", of.reference},
                                           {"contact", data.contact(scene)}});
     }
-    for (const ModelScene& scene : data.models)
-        facts["model_scenes"].push_back({{"name", scene.name},
-                                         {"words", scene.words},
-                                         {"reference", scene.reference},
-                                         {"rms_slope", scene.rms_slope},
-                                         {"rms_height_mm", scene.rms_height}});
     return found;
 }
 

@@ -131,29 +131,30 @@ TEST_CASE("rugosa chart ends in time, and its line and page report the settings 
 }
 
 TEST_CASE("errors of theories and lines have the expected size on each scene") {
-    const std::vector<ModelScene> scenes = charted_models(64);
-    REQUIRE(scenes.size() == 3);
-    std::size_t runs = 0;
-    for (const ModelScene& scene : scenes)
-        for (const ModelRun& run : scene.runs) {
-            INFO(scene.name << ", " << run.model << " " << run.nodes << ": " << run.area_error);
-            CHECK(run.seconds > 0);
-            if (run.model == "persson")
-                CHECK(run.area_error < (scene.name == "ground-map" ? 0.6 : 0.5));
-            if (run.model == "mean-line" && scene.name == "self-affine-map")
-                CHECK(run.area_error > 0.3); // the mean of every direction's waves is nearly flat
-            ++runs;
-        }
-    CHECK(scenes[1].aspect_ratio > 0.5);
-    CHECK(scenes[2].aspect_ratio < 0.2);
+    ChartData data;
+    chart_models(data, 64);
+    const nlohmann::json& runs = data.models.tables.at("model_errors.csv").rows();
+    for (const nlohmann::json& run : runs) {
+        INFO(run);
+        const double error = run["area"];
+        CHECK(run["seconds"] > 0);
+        if (run["model"] == "persson")
+            CHECK(error < (run["scene"] == "ground-map" ? 0.6 : 0.5));
+        if (run["model"] == "mean-line" && run["scene"] == "self-affine-map")
+            CHECK(error > 0.3); // the mean of every direction's waves is nearly flat
+    }
+    const Findings found = findings_of(data);
+    CHECK(found.result["model_scenes"].size() == 3);
+    CHECK(found.result["lines"][0]["aspect_ratio"] > 0.5);
+    CHECK(found.result["lines"][1]["aspect_ratio"] < 0.2);
+    CHECK(found.result["runs"].size() == runs.size());
+    CHECK(found.tables.at("models.csv").rows().size() == 12 * runs.size());
     Eigen::Vector3d errors(3, NAN, -4);
     CHECK(root_mean_square(errors) == Approx(std::sqrt(12.5)));
     int looked_at = 0;
-    CHECK(charted_models(64, [&] { return ++looked_at > 0; }).empty());
-    ChartData data;
-    data.models = scenes;
-    const Findings found = findings_of(data);
-    CHECK(found.tables.at("models.csv").rows().size() == 12 * runs);
+    ChartData stopped;
+    chart_models(stopped, 64, [&] { return ++looked_at > 0; });
+    CHECK(stopped.model_runs.empty());
 }
 
 TEST_CASE("chart.csv has the measurements so far when the program is killed") {
