@@ -56,8 +56,8 @@ Finding governed(All all, double Removal::*change, bool coarse) {
             {{"change without the longer half", without_coarse}, {"without the shorter half", without_fine}}};
 }
 
-Finding over_alloys(All all, double (*compare)(const FractalStudy&)) {
-    const Numbers numbers = column(all.fractals, compare);
+Finding over_alloys(All all, double FractalStudy::*value) {
+    const Numbers numbers = column(all.fractals, value);
     return {median(numbers), {{"least", lowest(numbers)}, {"greatest", highest(numbers)}}};
 }
 
@@ -296,20 +296,8 @@ const std::map<std::string, Measure>& measures() {
          }},
         {"coarse-stiffness", [](Run, All all) { return governed(all, &Removal::stiffness, true); }},
         {"fine-area", [](Run, All all) { return governed(all, &Removal::area, false); }},
-        {"alloy-stiffness",
-         [](Run, All all) {
-             return over_alloys(all, [](const FractalStudy& study) {
-                 return similarity(secant_stiffness(study.whole_response),
-                                   secant_stiffness(study.reduced_response));
-             });
-         }},
-        {"alloy-area",
-         [](Run, All all) {
-             return over_alloys(all, [](const FractalStudy& study) {
-                 return relative_gap(area_against_pressure(study.whole_response),
-                                     area_against_pressure(study.reduced_response));
-             });
-         }},
+        {"alloy-stiffness", [](Run, All all) { return over_alloys(all, &FractalStudy::similarity); }},
+        {"alloy-area", [](Run, All all) { return over_alloys(all, &FractalStudy::area_gap); }},
         {"low-part", [](Run, Target target) { return in_part(target, true); }},
         {"high-part", [](Run, Target target) { return in_part(target, false); }},
         {"even-pairs", evenness},

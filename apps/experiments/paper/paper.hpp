@@ -58,14 +58,10 @@ struct PaperRun {
 std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const rough::Model& model,
                                double max_pressure, int threads);
 
-/// Figure 1: chromosome n with random phases, summed ridge by ridge as in Eq. 1. Its series has M = 8,
-/// gamma = 1.5, L = lambda_1 = 0.1 mm, H = 0.8 and A = 1e-2.
+/// Figure 1: a chromosome with random phases, summed ridge by ridge as in Eq. 1. Its series has M = 8, gamma
+/// = 1.5, L = lambda_1 = 0.1 mm, H = 0.8 and A = 1e-2.
 struct ChromosomeExample {
-    int n;
-    double wave_length;                  ///< lambda gamma^(1-n), mm
-    Eigen::VectorXd x;                   ///< mm
-    std::vector<Eigen::VectorXd> ridges; ///< G [cos(phi) - cos(k x + phi)], mm
-    Eigen::VectorXd sum;                 ///< mm
+    double wave_length; ///< lambda gamma^(1-n), mm
     double misfit; ///< largest distance of the sum from the best cosine of that wavelength, over its range
 };
 
@@ -81,11 +77,10 @@ std::vector<RidgeCount> ridge_study(const std::vector<int>& ridge_counts, int se
 
 /// Figure 3: a profile that is not an MWM series, in octave bands instead of chromosomes. Algorithm 1
 /// correlates the K of each band with the whole profile's. The dominant bands make the reduced profile.
+/// A band is dominant if its correlation is > 0.95, or if it is the best one and none passes.
 struct FractalStudy {
-    rough::Profile whole, reduced;
-    std::vector<rough::Band> bands;
-    std::vector<bool> dominant; ///< correlation > 0.95, or the best one if none passes
-    rough::Response whole_response, reduced_response;
+    double similarity; ///< similarity of K(p) of the whole and the reduced profile
+    double area_gap;   ///< mean relative difference of their contact fractions
 };
 /// The second reading of Algorithm 1, which is compared with the run's.
 inline rough::DominanceReading other(rough::DominanceReading reading) {
@@ -125,6 +120,7 @@ struct Studies {
     std::vector<RidgeCount> ridges = {};
     std::vector<FractalStudy> fractals = {}; ///< twenty profiles, on the run's grid and body
     std::vector<GenomeStudy> genomes = {};   ///< one per genome of the database
+    Findings found = {}; ///< tables of the chromosomes, the ridges and the first fractal profile
 };
 constexpr double datum_factor = 4; ///< the second datum over the run's
 Studies studies_of(const PaperRun& run);

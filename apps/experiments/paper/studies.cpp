@@ -42,27 +42,41 @@ double pair_sum(const std::vector<double>& phases) {
 constexpr double hurst = 0.8; ///< H of fracture surfaces (Bouchaud, Lapasset and Planes 1990)
 constexpr double rms = 1e-3;  ///< mm; a profile's K does not depend on its amplitude
 
-FractalStudy study_of(const rough::Model& model, std::uint64_t seed, rough::DominanceReading reading,
-                      double threshold) {
+/// Studies a profile; writes its tables to `found` unless that is null.
+FractalStudy study_of(const PaperRun& run, std::uint64_t seed, Findings* found) {
     const auto answer = [&](const rough::Profile& profile) {
-        return respond(profile, model.body, model.loading, model.contact);
+        return respond(profile, run.model.body, run.model.loading, run.model.contact);
     };
-    FractalStudy study;
-    study.whole = rough::fractal_profile(model.grid, hurst, rms, seed);
-    study.whole_response = answer(study.whole);
-    study.bands = rough::octave_bands(study.whole);
+    const rough::Profile whole = rough::fractal_profile(run.model.grid, hurst, rms, seed);
+    const rough::Response whole_response = answer(whole);
+    const std::vector<rough::Band> bands = rough::octave_bands(whole);
     std::vector<std::optional<rough::Curve>> alone;
-    for (const rough::Band& band : study.bands)
-        alone.push_back(compared_curve(answer({band.heights, study.whole.spacing}), reading));
-    const rough::DominantParts parts =
-        dominant_parts(compared_curve(study.whole_response, reading), alone, threshold, reading);
-    study.dominant.assign(parts.dominant.begin(), parts.dominant.end());
-    study.reduced = {Eigen::VectorXd::Zero(study.whole.nodes()), study.whole.spacing};
-    for (std::size_t b = 0; b < study.bands.size(); ++b)
-        if (study.dominant[b])
-            study.reduced.heights += study.bands[b].heights;
-    study.reduced_response = answer(study.reduced);
-    return study;
+    for (const rough::Band& band : bands)
+        alone.push_back(compared_curve(answer({band.heights, whole.spacing}), run.dominance));
+    const auto dominant = dominant_parts(compared_curve(whole_response, run.dominance), alone,
+                                         run.dominant_above, run.dominance)
+                              .dominant;
+    rough::Profile reduced{Eigen::VectorXd::Zero(whole.nodes()), whole.spacing};
+    for (std::size_t b = 0; b < bands.size(); ++b)
+        if (dominant[b])
+            reduced.heights += bands[b].heights;
+    const rough::Response reduced_response = answer(reduced);
+    if (found) {
+        Csv &heights = found->table("fractal-heights.csv", "x_mm,whole_mm,reduced_mm", 8),
+            &octaves = found->table("fractal-bands.csv", "longest_mm,shortest_mm,dominant"),
+            &curves = found->table("fractal-curves.csv", "profile,quantity,pressure_MPa,value", 8);
+        for (Eigen::Index i = 0; i < whole.nodes(); ++i)
+            heights.row(static_cast<double>(i) * whole.spacing, whole.heights[i], reduced.heights[i]);
+        for (std::size_t b = 0; b < bands.size(); ++b)
+            octaves.row(bands[b].longest, bands[b].shortest, dominant[b] ? 1 : 0);
+        for (const auto& [name, response] :
+             {std::pair("whole", &whole_response), {"reduced", &reduced_response}})
+            for (const auto& [quantity, curve] : {std::pair("stiffness", secant_stiffness(*response)),
+                                                  {"area", area_against_pressure(*response)}})
+                curves.points(curve.x, curve.y, name, quantity);
+    }
+    return {similarity(secant_stiffness(whole_response), secant_stiffness(reduced_response)),
+            relative_gap(area_against_pressure(whole_response), area_against_pressure(reduced_response))};
 }
 
 using rough::Curve;
@@ -115,27 +129,29 @@ Contacts contacts_of(const Answered& member, const rough::Model& model) {
     return contacts;
 }
 
-ChromosomeExample chromosome_example(int n, std::uint64_t seed) {
+/// Chromosome n, of which the table gets the sum (ridge 0) and the ridges.
+ChromosomeExample chromosome_example(int n, std::uint64_t seed, Csv& table) {
     const rough::Series series{1e-2, 0.8, 1.5, 0.1, {}};
-    constexpr std::size_t ridges = 8;
-    const double k = rough::wave_number(series, n), G = rough::amplitude(series, n, ridges);
+    constexpr std::size_t count = 8;
+    const double k = rough::wave_number(series, n), G = rough::amplitude(series, n, count);
     ga::Stream random(ga::fold(ga::fold(seed, "chromosomes"), static_cast<std::uint64_t>(n)));
 
-    ChromosomeExample example{
-        n, rough::wave_length(series, n), Eigen::VectorXd::LinSpaced(201, 0, 0.1), {}, {}, 0};
-    example.sum.setZero(example.x.size());
-    for (std::size_t m = 0; m < ridges; ++m) {
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(201, 0, 0.1);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size());
+    std::vector<Eigen::VectorXd> ridges;
+    for (std::size_t m = 0; m < count; ++m) {
         const double phase = random.uniform(0, 2 * std::numbers::pi);
-        example.ridges.push_back(G * (std::cos(phase) - (k * example.x.array() + phase).cos())); // Eq. 1
-        example.sum += example.ridges.back();
+        ridges.push_back(G * (std::cos(phase) - (k * x.array() + phase).cos())); // Eq. 1
+        sum += ridges.back();
     }
-    Eigen::MatrixXd cosine(example.x.size(), 3);
-    cosine << Eigen::VectorXd::Ones(example.x.size()), (k * example.x.array()).cos().matrix(),
-        (k * example.x.array()).sin().matrix();
-    const Eigen::VectorXd best = cosine * cosine.colPivHouseholderQr().solve(example.sum);
-    example.misfit =
-        (example.sum - best).cwiseAbs().maxCoeff() / (example.sum.maxCoeff() - example.sum.minCoeff());
-    return example;
+    table.points(x, sum, n, 0);
+    for (std::size_t m = 0; m < count; ++m)
+        table.points(x, ridges[m], n, m + 1);
+    Eigen::MatrixXd cosine(x.size(), 3);
+    cosine << Eigen::VectorXd::Ones(x.size()), (k * x.array()).cos().matrix(), (k * x.array()).sin().matrix();
+    const Eigen::VectorXd best = cosine * cosine.colPivHouseholderQr().solve(sum);
+    return {rough::wave_length(series, n),
+            (sum - best).cwiseAbs().maxCoeff() / (sum.maxCoeff() - sum.minCoeff())};
 }
 
 } // namespace
@@ -169,11 +185,16 @@ Studies studies_of(const PaperRun& run) {
     const std::vector<int> ridges = {2,  3,  4,   6,   8,   12,  16,  24,  32,  48,
                                      64, 96, 128, 192, 256, 384, 512, 768, 1024};
     const std::uint64_t seed = run.origin.seed;
-    Studies studies{.chromosomes = {chromosome_example(1, seed), chromosome_example(2, seed)},
-                    .ridges = ridge_study(ridges, phase_sets, seed),
+    Studies studies{.ridges = ridge_study(ridges, phase_sets, seed),
                     .fractals = std::vector<FractalStudy>(20)};
+    Csv& chromosomes = studies.found.table("chromosomes.csv", "n,ridge,x_mm,height_mm", 8);
+    for (const int n : {1, 2})
+        studies.chromosomes.push_back(chromosome_example(n, seed, chromosomes));
+    Csv& shares = studies.found.table("ridges.csv", "ridges,as_printed,last_missing,right_phase");
+    for (const RidgeCount& row : studies.ridges)
+        shares.row(row.ridges, row.as_printed, row.last_missing, row.right_phase);
     ga::parallel_for(studies.fractals.size(), run.origin.threads, [&](std::size_t i) {
-        studies.fractals[i] = study_of(run.model, ga::fold(seed, i), run.dominance, run.dominant_above);
+        studies.fractals[i] = study_of(run, ga::fold(seed, i), i == 0 ? &studies.found : nullptr);
     });
     const rough::DominanceRule rule(run.model, run.dominance, run.dominant_above);
     rough::Model farther = run.model;

@@ -39,33 +39,6 @@ void add_database_tables(const PaperRun& run, Findings& found) {
     }
 }
 
-void add_study_tables(const Studies& studies, Findings& found) {
-    Csv& chromosomes = found.table("chromosomes.csv", "n,ridge,x_mm,height_mm", 8);
-    for (const ChromosomeExample& example : studies.chromosomes) {
-        chromosomes.points(example.x, example.sum, example.n, 0);
-        for (std::size_t m = 0; m < example.ridges.size(); ++m)
-            chromosomes.points(example.x, example.ridges[m], example.n, m + 1);
-    }
-    Csv& ridges = found.table("ridges.csv", "ridges,as_printed,last_missing,right_phase");
-    for (const RidgeCount& row : studies.ridges)
-        ridges.row(row.ridges, row.as_printed, row.last_missing, row.right_phase);
-
-    const FractalStudy& study = studies.fractals.front();
-    Csv& heights = found.table("fractal-heights.csv", "x_mm,whole_mm,reduced_mm", 8);
-    for (Eigen::Index i = 0; i < study.whole.nodes(); ++i)
-        heights.row(static_cast<double>(i) * study.whole.spacing, study.whole.heights[i],
-                    study.reduced.heights[i]);
-    Csv& bands = found.table("fractal-bands.csv", "longest_mm,shortest_mm,dominant");
-    for (std::size_t b = 0; b < study.bands.size(); ++b)
-        bands.row(study.bands[b].longest, study.bands[b].shortest, study.dominant[b] ? 1 : 0);
-    Csv& curves = found.table("fractal-curves.csv", "profile,quantity,pressure_MPa,value", 8);
-    for (const auto& [name, response] :
-         {std::pair("whole", &study.whole_response), {"reduced", &study.reduced_response}})
-        for (const auto& [quantity, curve] : {std::pair("stiffness", secant_stiffness(*response)),
-                                              {"area", area_against_pressure(*response)}})
-            curves.points(curve.x, curve.y, name, quantity);
-}
-
 /// Scores of the database, stages, refinements and the best similarity known after each stage.
 void add_search_tables(const TargetRun& target, const std::string& place, Findings& found) {
     Csv& scores = found.table(place + "scores.csv", "id,similarity,similarity_low,similarity_high");
@@ -224,7 +197,7 @@ json datum_json(const PaperRun& run, const Studies& studies) {
 } // namespace
 
 Findings findings_of(const PaperRun& run, const Studies& studies) {
-    Findings found;
+    Findings found = studies.found;
     add_claims(found, run, studies);
     json& page = found.result;
     page["seconds"] = run.seconds;
@@ -250,7 +223,6 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
     }
     page["target_figure"] = target_figure;
     add_database_tables(run, found);
-    add_study_tables(studies, found);
     return found;
 }
 
