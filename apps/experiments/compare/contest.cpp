@@ -150,8 +150,8 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
 void add_standing(Findings& found, const Group& group, const std::vector<json>& tests) {
     constexpr double significant = 0.05;
     const std::string over = group.bouts.size() == 1 ? group.bouts[0]->problem.name : "";
-    std::map<std::string, long> wins;                       // on problems, by the winner
-    std::map<std::string, std::set<std::string>> is_beaten; // over the group, by the winner
+    std::map<std::string, long> wins;                    // on problems, by variant
+    std::map<std::string, std::set<std::string>> beaten; // variants that are worse in the group
     for (const json& row : tests) {
         const double difference = row["area_difference"];
         if (row["p_corrected"].get<double>() > significant || difference == 0)
@@ -159,7 +159,7 @@ void add_standing(Findings& found, const Group& group, const std::vector<json>& 
         const std::string winner = row[difference > 0 ? "first" : "second"], problem = row["problem"];
         wins[winner] += !problem.empty();
         if (problem == over)
-            is_beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
+            beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
     }
     json& result = found.result["groups"][group.name];
     std::vector<std::string> names;
@@ -171,7 +171,7 @@ void add_standing(Findings& found, const Group& group, const std::vector<json>& 
     for (const std::string& name : names) {
         std::string better;
         for (const std::string& other : names)
-            if (is_beaten[name].contains(other))
+            if (beaten[name].contains(other))
                 better += (better.empty() ? "" : ", ") + other;
         const json& variant = result["variants"][name];
         result["standing"].push_back({{"variant", name},

@@ -155,7 +155,7 @@ struct Claim {
     std::string place;        ///< in the paper, e.g. "Figure 8A"
     std::string sentence;     ///< the paper's words
     std::string measure;      ///< meaning of the number, in words
-    std::string number;       ///< its name in measures.cpp, or an expression: "least similarity of sog gco"
+    std::string number;       ///< its name in claims.cpp, or an expression: "least similarity of sog gco"
     std::string reproduced;   ///< condition on the number of every target
     std::string contradicted; ///< condition on every number; "otherwise": `reproduced` is not met
     std::string remark;
