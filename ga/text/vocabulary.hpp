@@ -6,8 +6,7 @@
 namespace ga {
 
 /// The engine's operators for a type of problem. Operators that do not work for its genome are listed with
-/// the reason. ga/text/refinement_vocabulary.hpp adds refinement, ga/text/adaptation_vocabulary.hpp adds
-/// learning operators and niches.
+/// the reason. ga/text/whole_vocabulary.hpp adds refinement, learning operators and niches.
 template <Problem P>
 Registry<P> vocabulary() {
     Registry<P> registry;
