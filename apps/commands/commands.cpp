@@ -1,6 +1,9 @@
 #include "apps/commands/commands.hpp"
 
+#include "apps/report/render.hpp"
 #include "ga/text/nearest.hpp"
+
+#include <boost/algorithm/string.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -10,30 +13,23 @@ namespace app {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all{
-        contact_command(),
-        profile_command(),
-        target_command(),
-        design_command(),
-        database_command(),
-        run_command(),
-        report_command(),
-        optimise_command(),
-        short_command("compare", "compare pipelines on problems with known answers"),
-        operators_command(),
-        short_command("chart", "chart speed against accuracy for every contact solver"),
-        short_command("stability", "try every contact solver on difficult cases, and tabulate which fail"),
+        contact_command(),        profile_command(),   target_command(),       design_command(),
+        database_command(),       run_command(),       report_command(),       optimise_command(),
+        short_command("compare"), operators_command(), short_command("chart"), short_command("stability"),
     };
     return all;
 }
 
-std::string listed(const std::vector<Command>& commands, std::size_t width) {
-    std::string lines;
-    for (const Command& command : commands)
-        lines += "  " + command.name + std::string(width - command.name.size(), ' ') + command.summary + "\n";
-    return lines;
-}
-
 namespace {
+
+/// The lines of help/NAME.txt: a summary, the words after the name in the usage line, an empty line, the text
+/// in one or more lines, an empty line, and examples.
+std::vector<std::string> help_lines(const std::string& name) {
+    std::string text = builtin_files().at(boost::replace_all_copy(name, " ", "-") + ".txt");
+    boost::trim(text);
+    std::vector<std::string> lines;
+    return boost::split(lines, text, boost::is_any_of("\n"));
+}
 
 /// A text in lines of up to 100 letters.
 std::string folded(const std::string& text) {
@@ -49,17 +45,19 @@ std::string folded(const std::string& text) {
 }
 
 void print_help(const Command& command, const std::string& name) {
-    std::cout << "Usage: rugosa " << name << (command.usage.empty() ? "" : " ") << command.usage << "\n\n"
-              << folded(command.text);
+    const std::vector<std::string> lines = help_lines(name);
+    const auto text = std::ranges::find(lines, ""), examples = std::find(text + 1, lines.end(), "");
+    std::cout << "Usage: rugosa " << name << (text == lines.begin() + 1 ? "" : " " + lines[1]) << "\n\n"
+              << folded(boost::join(std::vector(text + 1, examples), " "));
     if (!command.parts.empty())
         std::cout << "\n"
-                  << listed(command.parts, 8) << "\n'rugosa " << name << " " << command.parts.front().name
-                  << " --help' and so on list the flags.\n";
+                  << listed(command.parts, 8, name + " ") << "\n'rugosa " << name << " "
+                  << command.parts.front().name << " --help' and so on list the flags.\n";
     if (!command.settings.empty())
         std::cout << "\n" << described(command.settings);
     std::cout << "\nExamples:\n";
-    for (const auto& example : command.examples)
-        std::cout << "  rugosa " << example << "\n";
+    for (auto example = examples + 1; example != lines.end(); ++example)
+        std::cout << "  rugosa " << *example << "\n";
 }
 
 int run_with(const Command& command, const Words& words, const std::string& before) {
@@ -79,6 +77,13 @@ int run_with(const Command& command, const Words& words, const std::string& befo
 }
 
 } // namespace
+
+std::string listed(const std::vector<Command>& commands, std::size_t width, const std::string& before) {
+    std::string lines;
+    for (const auto& [name, settings, run, positional, parts] : commands)
+        lines += "  " + name + std::string(width - name.size(), ' ') + help_lines(before + name)[0] + "\n";
+    return lines;
+}
 
 int run_part(const std::vector<Command>& commands, const Words& words, const std::string& before) {
     Words names;

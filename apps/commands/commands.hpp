@@ -6,14 +6,11 @@ namespace app {
 
 using Words = std::vector<std::string>; ///< the words after the subcommand on the command line
 
-/// A subcommand. Its help page follows from it, and so does the reading of its command line.
+/// A subcommand. Its help page has the words of help/NAME.txt (for a part, help/COMMAND-NAME.txt) and the
+/// settings, from which the reading of its command line follows too.
 struct Command {
     std::string name;
-    std::string summary; ///< one line
-    std::string usage;   ///< the words after the name in the usage line
-    std::string text;    ///< first paragraph of its help page
     std::vector<Setting> settings;
-    std::vector<std::string> examples; ///< without the program's name
     /// Returns the program's exit code. `line` is the command as it was typed, which results record. Throws
     /// rough::InputError on wrong use or bad input.
     std::function<int(const Settings& settings, const std::string& line)> run;
@@ -22,7 +19,7 @@ struct Command {
 };
 
 /// The command that runs experiments of a kind under its name.
-Command short_command(const std::string& kind, const std::string& summary);
+Command short_command(const std::string& kind);
 Command contact_command();
 Command design_command();
 Command database_command();
@@ -40,7 +37,8 @@ const std::vector<Command>& commands();
 /// `before` precedes its name: "database " for a part. Returns the program's exit code.
 int run_part(const std::vector<Command>& commands, const Words& words, const std::string& before = "");
 
-/// The lines of a help page that list commands, with their names in a column of this width.
-std::string listed(const std::vector<Command>& commands, std::size_t width);
+/// The lines of a help page that list commands, with their names in a column of this width. `before` as
+/// above.
+std::string listed(const std::vector<Command>& commands, std::size_t width, const std::string& before = "");
 
 } // namespace app

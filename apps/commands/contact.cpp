@@ -370,26 +370,6 @@ int contact(const Settings& settings, const std::string&) {
 
 } // namespace
 
-Command contact_command() {
-    return {
-        "contact",
-        "press a rough surface on an elastic body: pressure, contact area, stiffness",
-        "(--genome G.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) --out CURVE.csv "
-        "[flags]",
-        "Presses a rough surface on an elastic body, load step by load step. Writes displacement, mean "
-        "pressure, contact fraction, tangent and interface stiffness to CURVE.csv, with the KKT residual of "
-        "each step. Writes the model and its estimated error to CURVE.json.",
-        contact_settings(),
-        {"contact --genome surface.json --out curve.csv",
-         "contact --genome surface.json --kernel periodic --steps 50 --out curve.csv",
-         "contact --genome surface.json --accuracy 1e-3 --out curve.csv",
-         "contact --genome surface.json --pressures 0.01,0.02,0.05 --out curve.csv",
-         "contact --genome surface.json --to-pressure 0.05 --friction 0.3 --out curve.csv",
-         "contact --profile scan.txt --unit um --modulus 210000 --poisson 0.3 --out curve.csv "
-         "--report curve.html",
-         "contact --surface map.txt --unit um --spacing 0.5x0.5 --kernel periodic --out curve.csv",
-         "contact --genome surface.json --nodes 128x128 --length 1x1 --out curve.csv"},
-        contact};
-}
+Command contact_command() { return {"contact", contact_settings(), contact}; }
 
 } // namespace app

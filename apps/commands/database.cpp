@@ -107,20 +107,10 @@ int database_build(const Settings& settings, const std::string&) {
 
 Command database_build_command() {
     rough::BuildOptions usual;
-    return {
-        "build",
-        "compute genomes and their responses; continues an existing file",
-        "FILE [--genomes N] [flags]",
-        "Draws genomes, computes their responses and stores both, batch by batch. A build that was stopped "
-        "or killed is continued. Several builds may work on one file at once. Without model flags, an "
-        "existing file is continued with its model.",
-        joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()}),
-        {"database build genomes.db --genomes 100000",
-         "database build genomes.db --genomes 200000     (doubles it)",
-         "database build b.db --first 100000 --genomes 100000     (other genomes)",
-         "database build strip.db --kernel strip --nodes 256 --series 2"},
-        database_build,
-        {"file"}};
+    return {"build",
+            joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()}),
+            database_build,
+            {"file"}};
 }
 
 int database_info(const Settings& settings, const std::string&) {
@@ -135,12 +125,7 @@ int database_info(const Settings& settings, const std::string&) {
     return 0;
 }
 
-Command database_info_command() {
-    return {"info",         "show the contents and the set-up of a database",
-            "FILE",         "Prints the number of genomes of a database and its set-up.",
-            {file_setting}, {"database info genomes.db"},
-            database_info,  {"file"}};
-}
+Command database_info_command() { return {"info", {file_setting}, database_info, {"file"}}; }
 
 int database_merge(const Settings& settings, const std::string&) {
     const Words names = settings.words("files");
@@ -159,18 +144,12 @@ int database_merge(const Settings& settings, const std::string&) {
 }
 
 Command database_merge_command() {
-    return {
-        "merge",
-        "merge databases of the same set-up",
-        "A.db B.db ... --out C.db",
-        "Merges databases of the same set-up, as built on several machines. A genome in several of them is "
-        "stored once. Every genome is checked against the distribution that it was drawn from.",
-        {Setting("files", "", "the databases (may be given without the flag)").several('\n'),
-         {"out", "", "the file to write"},
-         force_setting()},
-        {"database merge a.db b.db --out genomes.db"},
-        database_merge,
-        {"files"}};
+    return {"merge",
+            {Setting("files", "", "the databases (may be given without the flag)").several('\n'),
+             {"out", "", "the file to write"},
+             force_setting()},
+            database_merge,
+            {"files"}};
 }
 
 int database_query(const Settings& settings, const std::string&) {
@@ -207,43 +186,28 @@ int database_query(const Settings& settings, const std::string&) {
 }
 
 Command database_query_command() {
-    return {
-        "query",
-        "find the stored genomes nearest to a target",
-        "FILE --target T.csv [--max-pressure P] [--best K] [--out GENOME.json]",
-        "Scores every stored curve against a target (Eq. 12), verifies the nearest as a design is verified, "
-        "and lists the best. `worst` is the lowest similarity on the file's grid, on a grid four times "
-        "finer, in four times the load steps, and in both. Stored curves are scaled exactly to another "
-        "length or modulus; other flags of a set-up must agree with the file.",
-        joined({{file_setting,
-                 {"target", "", "target file (CSV), as in rugosa design"},
-                 max_pressure_setting(),
-                 ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
-                 {"out", "", "genome file (JSON) to write the best one to"},
-                 force_setting(),
-                 threads_setting()},
-                model_settings()}),
-        {"database query genomes.db --target target.csv --best 5",
-         "database query genomes.db --target target.csv --max-pressure 1.6e-4 --out best.json"},
-        database_query,
-        {"file"}};
+    return {"query",
+            joined({{file_setting,
+                     {"target", "", "target file (CSV), as in rugosa design"},
+                     max_pressure_setting(),
+                     ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
+                     {"out", "", "genome file (JSON) to write the best one to"},
+                     force_setting(),
+                     threads_setting()},
+                    model_settings()}),
+            database_query,
+            {"file"}};
 }
 
 } // namespace
 
 Command database_command() {
-    return {
-        "database",
-        "keep genomes and their responses in a file, and search it for a target",
-        "(build | info | merge | query) FILE [flags]",
-        "A genome database keeps computed responses. It can be searched for a new target within a second.",
-        {},
-        {"database build genomes.db --genomes 100000", "database info genomes.db",
-         "database merge a.db b.db --out genomes.db", "database query genomes.db --target target.csv"},
-        {},
-        {},
-        {database_build_command(), database_info_command(), database_merge_command(),
-         database_query_command()}};
+    return {"database",
+            {},
+            {},
+            {},
+            {database_build_command(), database_info_command(), database_merge_command(),
+             database_query_command()}};
 }
 
 } // namespace app

@@ -122,35 +122,6 @@ int design(const Settings& settings, const std::string& line) {
 
 } // namespace
 
-Command design_command() {
-    return {"design",
-            "design a rough surface that has a given contact behaviour",
-            "(--target T.csv | --like SCAN.txt [--unit U]) [flags]",
-            "Designs a rough surface whose response is that of the target, and verifies the answer. Writes "
-            "result.json, genome.json, answer.csv and report.html to a folder, and for a map a tile to print "
-            "(surface.3mf, surface.stl, surface.png). A target is a CSV file with the columns pressure_MPa "
-            "and stiffness_MPa_per_mm, contact_fraction or conductance, or displacement_mm and "
-            "contact_fraction or pressure_MPa. Columns lower and upper are a tolerance band. The answer is "
-            "verified on its grid, on a grid four times finer, in four times the load steps, and in both. "
-            "Its lowest similarity must be at least 0.99, or --reach-similarity. With --from a surface in "
-            "production is corrected instead: the phases of the named chromosomes are changed as little as "
-            "is necessary to meet the target again. Exit code 0: found. 2: wrong use. 3: similarity or "
-            "limits missed, a map not verified in time, or the target is out of reach. 130: interrupted. The "
-            "best answer is written, except after wrong use. With --asperities the surface is an array of "
-            "spherical caps; asperities.csv has their heights.",
-            design_settings(),
-            {"design --target target.csv", "design --target target.csv --max-pressure 1.6e-4 --seconds 5",
-             "design --like scan.txt --unit um --reach-similarity 0.99",
-             "design --target target.csv --database genomes.db --seconds 1",
-             "design --target stiffness.csv,area.csv --weights 1,0.3",
-             "design --target stiffness.csv,area.csv --variant nsga2",
-             "design --from genome.json --control 1:3,1:5 --largest-change 0.02 --target target.csv",
-             "design --target target.csv --max-slope 0.05 --min-radius 0.01",
-             "design --asperities 8x8 --pitch 1.5 --radius 0.526 --heights 0:0.12:0.001 --modulus 1.36 "
-             "--target law.csv",
-             "design --target target.csv --pipeline \"sample 200 | score | best 20 | refine lm 40 | best "
-             "1\""},
-            design};
-}
+Command design_command() { return {"design", design_settings(), design}; }
 
 } // namespace app

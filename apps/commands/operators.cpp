@@ -20,16 +20,6 @@ int operators(const Settings&, const std::string&) {
 
 } // namespace
 
-Command operators_command() {
-    return {"operators",
-            "list what text pipelines are made of",
-            "",
-            "Lists every operator of text pipelines with its parameters, their defaults and ranges, "
-            "and one line of meaning. Stages are joined by '|'; pair(left, right, unite) sends the "
-            "same genomes through two pipelines.",
-            {},
-            {"operators"},
-            operators};
-}
+Command operators_command() { return {"operators", {}, operators}; }
 
 } // namespace app

@@ -213,27 +213,6 @@ int optimise(const Settings& settings, const std::string& line) {
 
 } // namespace
 
-Command optimise_command() {
-    return {
-        "optimise",
-        "optimise genomes that a program in any language evaluates",
-        "--genes KIND --evaluate 'COMMAND' [flags]",
-        "Optimises genomes that a program in any language evaluates. One COMMAND per thread is started, "
-        "without a shell. For each genome it reads a line {\"id\":1,\"genes\":[0.5,1]} from its standard "
-        "input and writes a line {\"id\":1,\"objectives\":[3.2]} to its standard output, flushed. Higher is "
-        "better, except with --minimise. A constraint is broken if its \"violation\":V or [V1,V2,...] is "
-        "above 0; such genomes rank after those that hold all constraints. The same genome must have the "
-        "same answer; then the same seed gives the same bits on any number of threads. Writes result.json. "
-        "Exit codes: 0 done; 2 wrong use, or a child that ended, was silent too long or gave a wrong "
-        "answer; 130 interrupted. The best so far is written, and --resume continues the search.",
-        optimise_settings(),
-        {"optimise --genes real:5:-5:5 --evaluate 'python3 fitness.py' --minimise --out out/sphere",
-         "optimise --genes bits:40 --evaluate ./count --evaluations 2000 --seed 7",
-         "optimise --genes permutation:20 --evaluate 'python3 tour.py' --pipeline \"sample 50 | score | "
-         "repeat 200 { tournament 3 | cross order | mutate 0.05 reverse | score | elite 2 } | best 1\"",
-         "optimise --genes int:64:0:120,real:1:-5:5,choice:3:a:b:c --evaluate ./mixed --evaluations 5000",
-         "optimise --genes real:10:0:1 --evaluate 'python3 two.py' --minimise 1,2 --variant nsga2"},
-        optimise};
-}
+Command optimise_command() { return {"optimise", optimise_settings(), optimise}; }
 
 } // namespace app

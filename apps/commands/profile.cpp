@@ -307,27 +307,6 @@ int profile(const Settings& settings, const std::string&) {
 
 } // namespace
 
-Command profile_command() {
-    return {
-        "profile",
-        "describe a surface: heights, solid to print (STL), picture, roughness, spectrum",
-        "(GENOME.json | --profile SCAN.txt | --surface MAP.txt --spacing DX[xDY]) [--out DIR] [flags]",
-        "Writes for a profile: report.html, heights (heights.csv, profile.x3p, profile.sur), a solid to "
-        "print or mesh (profile.3mf in mm, profile.stl), a 16-bit height map (profile.png), a picture "
-        "(profile.svg), parameters (profile.json: Pa, Pq and so on, or Ra, Rq and so on with --lambda-c), "
-        "the material ratio curve (bearing.csv) and the power spectrum (spectrum.csv, spectrum.svg; "
-        "lines.csv for the waves of a genome). For a map, or a genome on --nodes NXxNY: ISO 25178 parameters "
-        "(surface.json), heights.txt, surface.x3p, surface.sur, surface.vtk, a tile to print (surface.3mf, "
-        "surface.stl), a 16-bit height map (surface.png), a picture (heights.svg), bearing.csv and the areal "
-        "spectrum.",
-        profile_settings(),
-        {"profile surface.json", "profile surface.json --nodes 2048 --magnify 100 --out surface",
-         "profile --profile scan.txt --unit um --lambda-s 0.0025 --lambda-c 0.8",
-         "profile --profile map.sur --row 12 --detrend arc --outliers remove",
-         "profile surface.json --nodes 128x128",
-         "profile --surface map.x3p --detrend parabola --lambda-c 0.8 --smc 0.1,0.8 --out out/map"},
-        profile,
-        {"genome"}};
-}
+Command profile_command() { return {"profile", profile_settings(), profile, {"genome"}}; }
 
 } // namespace app

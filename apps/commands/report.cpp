@@ -23,16 +23,11 @@ int report(const Settings& given, const std::string&) {
 Command report_command() {
     return {
         "report",
-        "render the page of a result folder again",
-        "(DIR | CURVE.json) [--templates DIR] [--out PAGE.html]",
-        "Renders the page of a result again, from its result.json (CURVE.json of a contact) and tables. A "
-        "template or figure of your own with the same file name takes the place of the built-in one.",
         {{"folder", "", "the folder of a result, or CURVE.json of a contact (may be given without the flag)"},
          {"templates", "",
           "folder of templates (.mustache) and figures (.gp) used instead of the built-in ones"},
          {"out", "",
           "the page to write [report.html, or chart.html and stability.html, in the folder; CURVE.html]"}},
-        {"report out/paper", "report out/paper --templates mine --out mine.html"},
         report,
         {"folder"}};
 }

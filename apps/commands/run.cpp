@@ -104,7 +104,7 @@ int run(const Settings& flags, const std::string& line) {
 
 } // namespace
 
-Command short_command(const std::string& kind, const std::string& summary) {
+Command short_command(const std::string& kind) {
     const Experiment& experiment = experiment_named(kind);
     std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()};
     if (experiment.takes_file) {
@@ -121,28 +121,11 @@ Command short_command(const std::string& kind, const std::string& summary) {
             flags.push_back(key);
         }
     return {
-        kind,
-        summary,
-        std::string(experiment.takes_file ? "[FILE.ini] " : "") + "[--out DIR] [flags]",
-        experiment.summary,
-        flags,
-        experiment.examples,
+        kind, flags,
         [&](const Settings& given, const std::string& line) { return run_by_name(experiment, given, line); },
         experiment.takes_file ? Words{"experiment"} : Words{}};
 }
 
-Command run_command() {
-    return {
-        "run",
-        "run an experiment (.ini): design surfaces and report on them",
-        "EXPERIMENT.ini [--out DIR] [--set section.key=value]... [flags]",
-        "Runs an experiment and writes result.json, tables (CSV) and report.html to a folder. --set changes "
-        "one key of the experiment and may be repeated.",
-        run_settings(),
-        {"run experiments/paper.ini", "run experiments/paper.ini --out results --seed 7",
-         "run experiments/paper.ini --set target.profile=scan.txt --set target.unit=um"},
-        run,
-        {"experiment"}};
-}
+Command run_command() { return {"run", run_settings(), run, {"experiment"}}; }
 
 } // namespace app

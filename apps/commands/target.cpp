@@ -143,21 +143,6 @@ int target(const Settings& settings, const std::string&) {
 
 } // namespace
 
-Command target_command() {
-    return {"target",
-            "make or check a target file for a design",
-            "(--formula F --to X | --genome G.json | --like SCAN.txt | --check T.csv | --draw T.html) "
-            "[--out T.csv] [flags]",
-            "Makes a target file for rugosa design, or checks one. The check is a proof: no profile has the "
-            "response of a target that it reports as out of reach. A new file records its body, length and "
-            "datum. Exit code 3: no profile can reach the target. --draw writes an "
-            "offline page: a person draws a curve there, sees whether it can be met, and saves it.",
-            target_settings(),
-            {"target --draw target.html --quantity area",
-             "target --formula \"0.3 + 0.8 * sqrt(p / 1.6e-4)\" --to 1.6e-4 --out target.csv",
-             "target --genome surface.json --quantity area --out area.csv",
-             "target --like scan.txt --unit um --band 0.02 --out target.csv", "target --check target.csv"},
-            target};
-}
+Command target_command() { return {"target", target_settings(), target}; }
 
 } // namespace app

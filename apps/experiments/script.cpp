@@ -72,7 +72,6 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
 
 Experiment features_experiment() {
     return {.kind = "features",
-            .summary = "which features of a surface drive its response, and which may be chosen",
             .settings = joined(
                 {{{"features.answers", "200", "different answers for each target, and as many that miss"},
                   {"features.similarity", "0.99", "lowest similarity of an answer"},
@@ -93,7 +92,6 @@ Experiment metainterfaces_experiment() {
         setting.fallback = setting.name == "caps.asperities" ? "8x8" : "";
     return {
         .kind = "metainterfaces",
-        .summary = "arrays of spherical caps whose contact area follows given laws of the load",
         .settings = joined(
             {{{"targets.files", "", "laws of area against load (CSV), separated by commas"},
               positive("caps.modulus", "1.36", "effective modulus E*, MPa"),
@@ -111,7 +109,6 @@ Experiment metainterfaces_experiment() {
 Experiment readings_experiment() {
     return {
         .kind = "readings",
-        .summary = "the paper's claims under every reading that its text allows",
         .settings = joined(
             {{Setting("readings.quick", "off",
                       "on tries one choice at a time and two databases: 3 minutes of processor time")

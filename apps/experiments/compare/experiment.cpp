@@ -224,23 +224,9 @@ cluster::Work races_under(const json& setting) {
 
 Experiment compare_experiment() {
     return {.kind = "compare",
-            .summary =
-                "Compares variants (pipelines as text) on problems with known answers: BBOB's 24 noiseless "
-                "functions in any dimension from 2 to 40, ZDT and DTLZ, knapsacks, tours, and the roughness"
-                " problem. Writes medians with intervals, runtime ECDFs, expected runtimes and corrected "
-                "rank tests to result.json, runs.csv, ert.csv, ecdf.csv, tests.csv and report.html. A "
-                "pipeline may contain 1/n (n is the number of genes), 18n, and "
-                "objectives, which stands for the names of all objectives. With libpagmo in the build, "
-                "pagmo:cmaes, pagmo:cmaes-bounded, pagmo:de, pagmo:sade and pagmo:sga run, too.",
             .settings = compare_settings(),
             .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "coco"},
             .run = run_compare,
-            .examples =
-                {"compare --quick --out out/compare",
-                 "compare --problems bbob5,bbob20-10 --variants pagmo:cmaes,ga --budget 1e3*D --seeds 5",
-                 "compare --problems tsp --variants \"mine=sample 50 | score | repeat 1000 { tournament 3 | "
-                 "cross order | mutate 1/n reverse | score | elite 1 } | best 1\"",
-                 "compare experiments/compare.ini --threads 4"},
             .takes_file = true};
 }
 

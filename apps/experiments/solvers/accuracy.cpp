@@ -130,7 +130,6 @@ Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
 Experiment accuracy_experiment() {
     return {
         .kind = "accuracy",
-        .summary = "time of curves within an accuracy, and the error budget of a designed surface",
         .settings = joined(
             {{Setting(ga::number("accuracy.accuracies", "3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4", ga::above_zero,
                                  1, "accuracies to try, separated by commas"))

@@ -273,21 +273,12 @@ ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& exte
 }
 
 Experiment chart_experiment() {
-    return {
-        .kind = "chart",
-        .summary =
-            "Charts the time of a pressure curve against its error for theories, profiles and maps, and for "
-            "every contact solver, grid, number of load steps and tolerance, on scenes with a known or a "
-            "refined solution. It goes from coarse grids to fine ones, so that a chart that ends early has "
-            "equal grids for every scene. Writes chart.csv (while it runs), models.csv and a page that "
-            "recommends models and methods and lists settings that were left out. Ctrl-C ends the chart; "
-            "its measurements are kept.",
-        .settings = {positive("chart.minutes", "10",
-                              "no setting starts after this time, except on the coarsest grid"),
-                     {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
-        .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
-        .run = run_chart_experiment,
-        .examples = {"chart --quick --out out/chart", "chart --minutes 3 --out out/chart"}};
+    return {.kind = "chart",
+            .settings = {positive("chart.minutes", "10",
+                                  "no setting starts after this time, except on the coarsest grid"),
+                         {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
+            .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
+            .run = run_chart_experiment};
 }
 
 } // namespace app

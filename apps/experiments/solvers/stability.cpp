@@ -197,10 +197,6 @@ void verify(const ContactScene& scene, ContactTrial& trial) {
 Experiment stability_experiment() {
     return {
         .kind = "stability",
-        .summary =
-            "Tries every contact solver on scenes that are hard for some method. The outcome of a trial is "
-            "solved, refused, not converged, or wrong if a second solution contradicts it. Writes "
-            "stability.csv and a page. A solution takes at most 30 s.",
         .settings = {{"stability.scene", "", "only the scene of this name"},
                      ga::whole(
                          "stability.search", "", 1,
@@ -208,9 +204,7 @@ Experiment stability_experiment() {
                          "fails or works hardest; only these are tried"),
                      {"stability.large", "", "also maps of 256 x 256 and 1024 x 1024 nodes (an hour)", true}},
         .files = {"stability.csv"},
-        .run = run_stability,
-        .examples = {"stability --out out/stability", "stability --scene spike --out out/spike",
-                     "stability --large --scene map-1024-load-45 --out out/large"}};
+        .run = run_stability};
 }
 
 } // namespace app

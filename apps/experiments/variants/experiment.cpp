@@ -304,7 +304,6 @@ Findings run_variants(const Settings& settings, const Conditions& conditions) {
 
 Experiment variants_experiment() {
     return {.kind = "variants",
-            .summary = "search pipelines on the same targets with the same budget and seeds",
             .settings = variants_settings(),
             .files = {"variants.csv", "shortfall.csv", "ended.csv", "surfaces.csv"},
             .run = run_variants};
