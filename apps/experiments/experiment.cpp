@@ -8,14 +8,6 @@
 
 namespace app {
 
-const std::vector<Experiment>& experiments() {
-    static const std::vector<Experiment> all{
-        paper_experiment(),    variants_experiment(),  accuracy_experiment(),
-        chart_experiment(),    stability_experiment(), compare_experiment(),
-        readings_experiment(), features_experiment(),  metainterfaces_experiment()};
-    return all;
-}
-
 const Experiment& experiment_named(const std::string& kind) {
     return *std::ranges::find(experiments(), kind, &Experiment::kind);
 }

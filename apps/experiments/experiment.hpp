@@ -32,30 +32,19 @@ struct Findings {
 
 /// A kind of experiment.
 struct Experiment {
-    std::string kind; ///< as in `experiment.kind = paper`
-    std::string summary;
+    std::string kind;               ///< as in `experiment.kind = paper`
     std::vector<Setting> settings;  ///< its keys, without the common ones
     std::vector<std::string> files; ///< written files, except result.json and the page
     Findings (*run)(const Settings& settings, const Conditions& conditions);
-    bool resumes = false;                   ///< writes checkpoints to the folder `checkpoints`
-    std::vector<std::string> examples = {}; ///< examples of its short command, if it has one
+    bool resumes = false; ///< writes checkpoints to the folder `checkpoints`
     /// The short command takes an .ini file, --seed and --threads, and writes report.html.
     bool takes_file = false;
 
     std::vector<Setting> all_settings() const; ///< with the common keys of the section [experiment]
 };
 
-Experiment paper_experiment();
-Experiment variants_experiment();
-Experiment accuracy_experiment();
-Experiment chart_experiment();
-Experiment stability_experiment();
-Experiment compare_experiment();
-Experiment readings_experiment();
-Experiment features_experiment();
-Experiment metainterfaces_experiment();
-
-/// All kinds of experiments.
+/// All kinds of experiments: the results of all functions `Experiment NAME_experiment() {` in the sources of
+/// apps/experiments, which CMake lists.
 const std::vector<Experiment>& experiments();
 const Experiment& experiment_named(const std::string& kind);
 

@@ -4,7 +4,7 @@
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(experiment) {
-    static const std::vector<app::Setting> known = app::variants_experiment().all_settings();
+    static const std::vector<app::Setting> known = app::experiment_named("variants").all_settings();
     const app::Settings settings = app::read_ini(fuzz::as_file(bytes), known, {});
     app::model_from(settings, "model.");
     settings.whole<std::uint64_t>("experiment.seed");
