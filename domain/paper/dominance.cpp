@@ -66,24 +66,20 @@ DominanceRule::DominanceRule(Model model, DominanceReading reading, double thres
     }
 }
 
-std::shared_ptr<const DominanceRule::Known> DominanceRule::responses_of(const Genome& genome) const {
+Dominance DominanceRule::operator()(const Genome& genome) const {
     const std::string key = shape_key(genome);
     if (const auto found = known_.find(key))
         return *found;
-    const auto result = std::make_shared<Known>(Known{respond(genome, model_), {}});
-    for (const LengthScale& scale : length_scales(genome))
-        result->parts.push_back(response_alone(genome, scale, model_));
+    const auto scales = length_scales(genome);
+    std::vector<std::optional<Curve>> alone;
+    for (const LengthScale& scale : scales) {
+        const auto part = response_alone(genome, scale, model_); // none if it is flat
+        alone.push_back(part ? std::optional(compared_curve(*part, reading_)) : std::nullopt);
+    }
+    const Curve whole = compared_curve(respond(genome, model_), reading_);
+    const Dominance result{dominant_parts(whole, alone, threshold_, reading_), scales};
     known_.keep(key, result);
     return result;
-}
-
-Dominance DominanceRule::operator()(const Genome& genome, DominanceReading reading) const {
-    const auto responses = responses_of(genome);
-    std::vector<std::optional<Curve>> alone;
-    for (const auto& part : responses->parts)
-        alone.push_back(part ? std::optional(compared_curve(*part, reading)) : std::nullopt);
-    return {dominant_parts(compared_curve(responses->whole, reading), alone, threshold_, reading),
-            length_scales(genome)};
 }
 
 Genome reduced(const Genome& genome, const Dominance& dominance) {

@@ -42,8 +42,7 @@ struct Dominance : DominantParts {
     bool at(std::size_t series, std::size_t chromosome) const;
 };
 
-/// Algorithm 1 on genomes. It stores the responses of each genome and of each of its length scales alone, for
-/// every reading. Several threads may call it.
+/// Algorithm 1 on genomes. It stores its results. Several threads may call it.
 class DominanceRule {
   public:
     /// The rule for a model, whose accuracy applies only to whole genomes. A map's grid is halved while a
@@ -52,21 +51,13 @@ class DominanceRule {
                            double threshold = dominance_threshold);
 
     /// Chromosomes of equal wavenumber, of any series, count as one.
-    Dominance operator()(const Genome& genome) const { return (*this)(genome, reading_); }
-    /// The result under another reading.
-    Dominance operator()(const Genome& genome, DominanceReading reading) const;
+    Dominance operator()(const Genome& genome) const;
 
   private:
-    struct Known {
-        Response whole;
-        std::vector<std::optional<Response>> parts; ///< one per length scale; empty if it is flat
-    };
-    std::shared_ptr<const Known> responses_of(const Genome& genome) const;
-
     Model model_;
     DominanceReading reading_;
     double threshold_;
-    mutable KeyedMemory<std::shared_ptr<const Known>> known_; ///< under shape_key()
+    mutable KeyedMemory<Dominance> known_; ///< under shape_key()
 };
 
 /// The genome with only its dominant chromosomes.

@@ -292,8 +292,8 @@ const std::map<std::string, Measure>& measures() {
         {"arccos", [](Run, All all) { return rough::mean(column(all.ridges, &RidgeCount::right_phase)); }},
         {"part-suffices",
          [](Run, All all) {
-             const Numbers alike = genome_column(all, &GenomeStudy::ours, &Reduction::similarity);
-             const double kept = rough::mean(genome_column(all, &GenomeStudy::ours, &Reduction::kept));
+             const Numbers alike = genome_column(all, &GenomeStudy::dominant, &Reduction::similarity);
+             const double kept = rough::mean(genome_column(all, &GenomeStudy::dominant, &Reduction::kept));
              return Finding(kept < 1 ? median(alike) : unknown, {{"share of chromosomes kept", kept}});
          }},
         {"coarse-stiffness", [](Run, All all) { return governed(all, &Removal::stiffness, true); }},

@@ -249,8 +249,7 @@ class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
         : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
-          variants_(variants_from(settings, words_by(run.dominance), run.reduces_children)),
-          other_reading_(paper_three(words_by(other(run.dominance)), run.reduces_children)) {
+          variants_(variants_from(settings, words_by(run.dominance), run.reduces_children)) {
         conditions.progress.show("database");
         run.database = answered(genomes_, run.model, run.max_pressure, run.origin.threads);
     }
@@ -272,9 +271,6 @@ class Paper {
             run.similarity_worst = verified.worst();
             target.variants.push_back(std::move(run));
         }
-        for (const Variant& variant : other_reading_)
-            if (VariantRun run; run_into(run, variant, problem))
-                target.other_reading.push_back(std::move(run));
     }
 
     void sweep(TargetRun& target) {
@@ -359,7 +355,6 @@ class Paper {
         std::make_shared<rough::ResponseMemory>(); ///< for the sweep
     std::vector<rough::Genome> genomes_;
     std::vector<Variant> variants_;
-    std::vector<Variant> other_reading_; ///< the paper's three under the other reading of Algorithm 1
 };
 
 Findings run_paper(const Settings& settings, const Conditions& conditions) {
@@ -391,7 +386,6 @@ std::vector<Answered> answered(const std::vector<rough::Genome>& genomes, const 
 
 Experiment paper_experiment() {
     return {.kind = "paper",
-            .summary = "the paper's experiment: SOG, GCO and CCO on one or two targets, every claim tried",
             .settings = paper_settings(),
             .files = rough::listed(
                 "claims.csv, genomes.csv, database.csv, scores.csv, stages.csv, refinements.csv, "

@@ -33,7 +33,6 @@ struct TargetRun {
     /// counts twins. `share_above` is the share of the distinct children above 0.95, and `best_child` the
     /// best similarity among them before any GCMMA. `similarity` is the answer's after the last GCMMA.
     std::vector<nlohmann::json> thresholds = {};
-    std::vector<VariantRun> other_reading = {}; ///< the paper's three under the other reading of Algorithm 1
 };
 
 struct PaperRun {
@@ -82,13 +81,7 @@ struct FractalStudy {
     double similarity; ///< similarity of K(p) of the whole and the reduced profile
     double area_gap;   ///< mean relative difference of their contact fractions
 };
-/// The second reading of Algorithm 1, which is compared with the run's.
-inline rough::DominanceReading other(rough::DominanceReading reading) {
-    using enum rough::DominanceReading;
-    return reading == same_pressure ? same_step : same_pressure;
-}
-
-/// The reduction of one genome by Algorithm 1 under one reading of its correlation.
+/// The reduction of one genome by Algorithm 1.
 struct Reduction {
     double kept = 0;        ///< share of the chromosomes that are kept, 0..1
     double similarity = 0;  ///< similarity of K(p) of the reduced and the whole profile at p_max (Eq. 12)
@@ -107,10 +100,8 @@ struct Contacts {
 
 /// The studies of one genome of the database.
 struct GenomeStudy {
-    Reduction ours = {}, other = {};                ///< under the run's reading of Algorithm 1, and the other
+    Reduction dominant = {};
     Removal without_coarse = {}, without_fine = {}; ///< without the longer, the shorter half of the waves
-    double datum_similarity = unknown;              ///< similarity of K(p) at the two data
-    rough::Curve at_other_datum = {};               ///< K(p) at p_max
     Contacts contacts = {};
 };
 
@@ -122,7 +113,6 @@ struct Studies {
     std::vector<GenomeStudy> genomes = {};   ///< one per genome of the database
     Findings found = {}; ///< tables of the chromosomes, the ridges and the first fractal profile
 };
-constexpr double datum_factor = 4; ///< the second datum over the run's
 Studies studies_of(const PaperRun& run);
 
 /// result.json and tables, those of a second target in the folder heldout.

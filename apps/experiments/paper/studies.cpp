@@ -82,16 +82,13 @@ FractalStudy study_of(const PaperRun& run, std::uint64_t seed, Findings* found) 
 using rough::Curve;
 using rough::Genome;
 
-Curve at_pressure(const rough::Response& response, double max_pressure) {
-    return stretched(secant_stiffness(response),
-                     max_pressure / response.pressure[response.steps() - 1]); // Eq. 11
-}
-
-Reduction reduction_of(const Genome& genome, const Curve& whole, const PaperRun& run,
-                       const rough::Dominance& dominance) {
-    const Genome kept = reduced(genome, dominance);
-    return {static_cast<double>(waves(kept).size()) / static_cast<double>(waves(genome).size()),
-            similarity(whole, at_pressure(respond(kept, run.model), run.max_pressure)), dominance.only_best};
+Reduction reduction_of(const Answered& member, const PaperRun& run, const rough::Dominance& dominance) {
+    const Genome kept = reduced(member.genome, dominance);
+    const rough::Response response = respond(kept, run.model);
+    const Curve rescaled = stretched(secant_stiffness(response),
+                                     run.max_pressure / response.pressure[response.steps() - 1]); // Eq. 11
+    return {static_cast<double>(waves(kept).size()) / static_cast<double>(waves(member.genome).size()),
+            similarity(secant_stiffness(member.response), rescaled), dominance.only_best};
 }
 
 /// The coarser (longer) or the finer half of a genome's waves alone.
@@ -197,21 +194,13 @@ Studies studies_of(const PaperRun& run) {
         studies.fractals[i] = study_of(run, ga::fold(seed, i), i == 0 ? &studies.found : nullptr);
     });
     const rough::DominanceRule rule(run.model, run.dominance, run.dominant_above);
-    rough::Model farther = run.model;
-    farther.body.datum *= datum_factor;
     studies.genomes.resize(run.database.size());
     ga::parallel_for(studies.genomes.size(), run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];
-        const Curve whole = secant_stiffness(member.response),
-                    elsewhere = at_pressure(respond(member.genome, farther), run.max_pressure);
-        studies.genomes[i] = {
-            reduction_of(member.genome, whole, run, rule(member.genome)),
-            reduction_of(member.genome, whole, run, rule(member.genome, other(run.dominance))),
-            removal(member.response, half_of(member.genome, false), run.model),
-            removal(member.response, half_of(member.genome, true), run.model),
-            similarity(whole, elsewhere),
-            elsewhere,
-            contacts_of(member, run.model)};
+        studies.genomes[i] = {reduction_of(member, run, rule(member.genome)),
+                              removal(member.response, half_of(member.genome, false), run.model),
+                              removal(member.response, half_of(member.genome, true), run.model),
+                              contacts_of(member, run.model)};
     });
     return studies;
 }

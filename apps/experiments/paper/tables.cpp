@@ -154,46 +154,6 @@ json target_page(const TargetRun& target, const std::string& folder) {
     return result;
 }
 
-/// One reading of Algorithm 1: what it keeps of the database, and the answers with it.
-json dominance_json(const PaperRun& run, const Studies& studies, bool ours) {
-    constexpr std::array names{"pressure", "step", "raw"};
-    const auto reading = ours ? run.dominance : other(run.dominance);
-    const auto which = ours ? &GenomeStudy::ours : &GenomeStudy::other;
-    json result = {
-        {"reading", names[static_cast<std::size_t>(reading)]},
-        {"ours", ours},
-        {"similarity", rough::median(genome_column(studies, which, &Reduction::similarity))},
-        {"kept", rough::mean(genome_column(studies, which, &Reduction::kept))},
-        {"only_best", std::ranges::count_if(studies.genomes,
-                                            [&](const GenomeStudy& one) { return (one.*which).only_best; })},
-        {"answers", json::array()}};
-    for (const TargetRun& target : run.targets)
-        for (const VariantRun& variant : ours ? target.variants : target.other_reading)
-            if (is_papers(variant.name))
-                result["answers"].push_back({{"on", target.title},
-                                             {"name", shown_name(variant.name)},
-                                             {"similarity", variant.similarity}});
-    return result;
-}
-
-json datum_json(const PaperRun& run, const Studies& studies) {
-    const auto similarities = rough::column(studies.genomes, &GenomeStudy::datum_similarity);
-    json result = {{"factor", datum_factor},
-                   {"similarity_least", std::ranges::min(similarities)},
-                   {"similarity_greatest", std::ranges::max(similarities)},
-                   {"targets", json::array()}};
-    for (const TargetRun& target : run.targets) {
-        double best = unknown, best_there = unknown;
-        for (const Scores& scores : target.database)
-            best = std::fmax(best, scores.all);
-        for (const GenomeStudy& genome : studies.genomes)
-            best_there = std::fmax(best_there, similarity(target.target, genome.at_other_datum));
-        result["targets"].push_back(
-            {{"on", target.title}, {"best_similarity", best}, {"best_similarity_there", best_there}});
-    }
-    return result;
-}
-
 } // namespace
 
 Findings findings_of(const PaperRun& run, const Studies& studies) {
@@ -202,8 +162,11 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
     json& page = found.result;
     page["seconds"] = run.seconds;
     page["database_size"] = run.database.size();
-    page["dominance"] = {dominance_json(run, studies, true), dominance_json(run, studies, false)};
-    page["datum"] = datum_json(run, studies);
+    const auto dominant = [&](auto value) { return genome_column(studies, &GenomeStudy::dominant, value); };
+    page["dominance"] = {{"reading", name_of(run.dominance)},
+                         {"similarity", rough::median(dominant(&Reduction::similarity))},
+                         {"kept", rough::mean(dominant(&Reduction::kept))},
+                         {"only_best", std::ranges::count(dominant(&Reduction::only_best), true)}};
     std::string target_figure;
     for (const TargetRun& target : run.targets) {
         const bool first = &target == &run.targets.front();

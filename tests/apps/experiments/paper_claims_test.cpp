@@ -192,7 +192,7 @@ TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do
     Studies studies;
     studies.chromosomes = {{0.1, 1e-15}, {0.0666, 1e-14}};
     studies.ridges = {{2, 0.9, 0.9, 0.995}, {8, 0.97, 0.9, 0.995}};
-    GenomeStudy genome{.ours = {0.3, 0.92}, .without_coarse = {2, 0.1}, .without_fine = {0.1, 2}};
+    GenomeStudy genome{.dominant = {0.3, 0.92}, .without_coarse = {2, 0.1}, .without_fine = {0.1, 2}};
     genome.contacts = {100, 1};
     studies.genomes = {genome};
     studies.fractals = {{1, 0}};
@@ -203,13 +203,13 @@ TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do
         CHECK(verdict(id, {}, studies) == yes);
     studies.chromosomes = {{0.1, 2e-12}, {0.0668, 0}};
     studies.ridges[1] = {8, 1, 0.9, 0.5};
-    studies.genomes = {{.ours = {0.3, 0.4}, .without_coarse = {0.1, 2}, .without_fine = {2, 0.1}}};
+    studies.genomes = {{.dominant = {0.3, 0.4}, .without_coarse = {0.1, 2}, .without_fine = {2, 0.1}}};
     studies.genomes[0].contacts.nodes = 100;
     studies.fractals = {{0.88, 0.12}};
     for (const std::string& id : ids) // another profile than the alloy's cannot contradict
         CHECK(verdict(id, {}, studies) == (id.starts_with("alloy") ? open : no));
     for (const Reduction& undecided : {Reduction{0.3, 0.7}, {1, 0.95}}) { // the second keeps all chromosomes
-        studies.genomes[0].ours = undecided;
+        studies.genomes[0].dominant = undecided;
         CHECK(verdict("part-suffices", {}, studies) == open);
     }
 }
