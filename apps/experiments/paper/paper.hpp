@@ -119,8 +119,8 @@ Studies studies_of(const PaperRun& run);
 Findings findings_of(const PaperRun& run, const Studies& studies);
 
 /// A number of each genome's study.
-template <class Part>
-std::vector<double> genome_column(const Studies& studies, Part GenomeStudy::*part, double Part::*value) {
+template <class Part, class Value>
+std::vector<double> genome_column(const Studies& studies, Part GenomeStudy::*part, Value Part::*value) {
     return rough::column(studies.genomes, [&](const GenomeStudy& one) { return one.*part.*value; });
 }
 

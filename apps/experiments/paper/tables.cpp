@@ -163,10 +163,11 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
     page["seconds"] = run.seconds;
     page["database_size"] = run.database.size();
     const auto dominant = [&](auto value) { return genome_column(studies, &GenomeStudy::dominant, value); };
-    page["dominance"] = {{"reading", name_of(run.dominance)},
+    constexpr std::array readings{"pressure", "step", "raw"};
+    page["dominance"] = {{"reading", readings[static_cast<std::size_t>(run.dominance)]},
                          {"similarity", rough::median(dominant(&Reduction::similarity))},
                          {"kept", rough::mean(dominant(&Reduction::kept))},
-                         {"only_best", std::ranges::count(dominant(&Reduction::only_best), true)}};
+                         {"only_best", std::ranges::count(dominant(&Reduction::only_best), 1.0)}};
     std::string target_figure;
     for (const TargetRun& target : run.targets) {
         const bool first = &target == &run.targets.front();

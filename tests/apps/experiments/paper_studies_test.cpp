@@ -27,8 +27,7 @@ TEST_CASE("condition (10) holds always, Eq. 8 for half of all phases, and a lost
     }
 }
 
-TEST_CASE(
-    "a genome's curves change without half of its waves and at another datum, and no node loses contact") {
+TEST_CASE("a genome's curves change without half of its waves, and no node loses contact") {
     PaperRun run;
     run.model.grid.nodes = 64;
     run.model.loading.steps = 8;
@@ -43,7 +42,6 @@ TEST_CASE(
         CHECK(removal.area > 0);
     }
     CHECK(study.without_coarse.stiffness > study.without_fine.stiffness);
-    CHECK(study.datum_similarity < 1);
     double nodes = 0; // summed over all steps except the last
     for (int j = 0; j < 7; ++j)
         nodes += 64 * run.database[0].response.contact_fraction[j];
