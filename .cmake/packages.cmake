@@ -48,7 +48,7 @@ set(CPACK_DEBIAN_PROGRAM_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
 # A program that is built against the libraries needs their headers.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "g++, cmake, libeigen3-dev, libboost-dev, libnlopt-cxx-dev, \
-nlohmann-json3-dev, libfftw3-dev, libsqlite3-dev, libzip-dev, libpugixml-dev, libpng-dev")
+nlohmann-json3-dev, libfftw3-dev, libsqlitecpp-dev, libzip-dev, libpugixml-dev, libpng-dev")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "rough surfaces with a given contact behaviour
 rugosa designs rough surfaces that have a given elastic contact behaviour.
 It takes a curve (stiffness or contact area against pressure) or a measured

@@ -1,9 +1,11 @@
 #include "domain/database/store.hpp"
 
-#include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/drawn_start.hpp"
 
+#include <sqlite3.h>
+
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <bit>
 #include <charconv>
 
@@ -133,6 +135,79 @@ std::string difference(const Fields& there, const Fields& wanted) {
 
 namespace {
 
+/// Calls `work`. Throws InputError that begins with the file if SQLite reports an error.
+template <class Work>
+auto guarded(const std::filesystem::path& file, const Work& work) {
+    try {
+        return work();
+    } catch (const SQLite::Exception& error) {
+        const bool other = error.getErrorCode() == SQLITE_NOTADB;
+        refuse(file.string(), ": ", other ? "is not a genome database" : error.what(),
+               "; give a database file that can be used");
+    }
+}
+
+/// Opens an existing file; `flags`: SQLite::OPEN_CREATE also makes a new one. A file that may not be written
+/// is opened for reading.
+std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file, int flags = 0) {
+    const std::string name = file.string();
+    if (name.empty() || name == ":memory:" || name.starts_with("file:"))
+        refuse(name.empty() ? "database" : name, ": is not the name of a file; give a database file");
+    constexpr int wait = 120'000; // milliseconds; another builder writes its batch in far less
+    auto sqlite = guarded(
+        file, [&] { return std::make_unique<SQLite::Database>(name, flags | SQLite::OPEN_READWRITE, wait); });
+    // The file may come from a stranger: nothing in its schema is run, and cells larger than this program
+    // writes are refused.
+    for (const auto& [option, on] : {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1),
+                                     {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                     {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+                                     {SQLITE_DBCONFIG_ENABLE_VIEW, 0}})
+        sqlite3_db_config(sqlite->getHandle(), option, on, nullptr);
+    sqlite3_limit(sqlite->getHandle(), SQLITE_LIMIT_LENGTH, 100'000'000);
+    return sqlite;
+}
+
+std::uint64_t number(const SQLite::Statement& row, int column) {
+    return static_cast<std::uint64_t>(row.getColumn(column).getInt64());
+}
+
+/// Text or blob of a row, valid until the next row.
+std::string_view bytes(const SQLite::Statement& row, int column) {
+    const SQLite::Column cell = row.getColumn(column);
+    return {static_cast<const char*>(cell.getBlob()), static_cast<std::size_t>(cell.getBytes())};
+}
+
+template <class Value>
+void bind(SQLite::Statement& statement, int parameter, const Value& value) {
+    if constexpr (std::is_same_v<Value, std::uint64_t>)
+        statement.bind(parameter, static_cast<std::int64_t>(value));
+    else if constexpr (std::is_same_v<Value, std::vector<double>>)
+        statement.bind(parameter, value.data(), static_cast<int>(value.size() * sizeof(double)));
+    else
+        statement.bind(parameter, value);
+}
+
+/// Runs a statement with its values. Calls `take` with each row.
+template <class Take, class... Values>
+void each(SQLite::Database& sqlite, const std::string& sql, const Take& take, const Values&... values) {
+    guarded(sqlite.getFilename(), [&] {
+        SQLite::Statement statement(sqlite, sql);
+        int parameter = 0;
+        (bind(statement, ++parameter, values), ...);
+        while (statement.executeStep())
+            take(statement);
+    });
+}
+
+/// Runs a statement with its values. Returns the first column of its last row, or 0 without rows.
+template <class... Values>
+std::uint64_t run(SQLite::Database& sqlite, const std::string& sql, const Values&... values) {
+    std::uint64_t first = 0;
+    each(
+        sqlite, sql, [&](const SQLite::Statement& row) { first = number(row, 0); }, values...);
+    return first;
+}
+
 // The numbers by which SQLite recognises a file's program and format.
 constexpr std::uint64_t application = 0x52554741; // "RUGA"
 constexpr std::uint64_t form = 2;
@@ -175,30 +250,29 @@ std::vector<double> numbers_of(const Genome& genome) {
     return values;
 }
 
-bool holds_anything(Sqlite& sqlite) { return sqlite.number("SELECT count(*) FROM sqlite_master") > 0; }
+bool holds_anything(SQLite::Database& sqlite) {
+    return run(sqlite, "SELECT count(*) FROM sqlite_master") > 0;
+}
 
 template <class... Parts>
-[[noreturn]] void refuse_changed(const Sqlite& sqlite, const Parts&... parts) {
-    refuse(sqlite.file().string(), ": ", parts..., "; give a file that only this program has written");
+[[noreturn]] void refuse_changed(const SQLite::Database& sqlite, const Parts&... parts) {
+    refuse(sqlite.getFilename(), ": ", parts..., "; give a file that only this program has written");
 }
 
 /// Refuses a file that holds anything besides the tables of a genome database: views, triggers, columns.
-void expect_ours(Sqlite& sqlite) {
-    if (sqlite.number("PRAGMA application_id") != application)
-        refuse(sqlite.file().string(),
-               ": is not a genome database; give one made by 'rugosa database build'");
-    if (const auto version = sqlite.number("PRAGMA user_version"); version != form)
-        refuse(sqlite.file().string(), ": a genome database of form ", version, ", not ", form,
+void expect_ours(SQLite::Database& sqlite) {
+    if (run(sqlite, "PRAGMA application_id") != application)
+        refuse(sqlite.getFilename(), ": is not a genome database; give one made by 'rugosa database build'");
+    if (const auto version = run(sqlite, "PRAGMA user_version"); version != form)
+        refuse(sqlite.getFilename(), ": a genome database of form ", version, ", not ", form,
                "; build it again");
     std::vector<std::string> there;
-    Statement rows(sqlite,
-                   "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_setup_1' ORDER BY sql");
-    while (rows.step())
-        there.emplace_back(rows.bytes(0));
+    each(sqlite, "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_setup_1' ORDER BY sql",
+         [&](const SQLite::Statement& row) { there.emplace_back(bytes(row, 0)); });
     if (there != schema())
         refuse_changed(sqlite, "holds other tables than a genome database");
-    if (sqlite.number("SELECT count(*) FROM batch WHERE typeof(count) <> 'integer' OR count < 1 OR count > "
-                      "1000000 OR first < 0") > 0)
+    if (run(sqlite, "SELECT count(*) FROM batch WHERE typeof(count) <> 'integer' OR count < 1 OR count > "
+                    "1000000 OR first < 0") > 0)
         refuse_changed(sqlite, "a batch of an impossible size");
 }
 
@@ -210,22 +284,22 @@ std::uint64_t checksum_of(const Fields& fields) {
 }
 
 /// The set-up and the version, as they were written.
-Fields stored_fields(Sqlite& sqlite) {
+Fields stored_fields(SQLite::Database& sqlite) {
     Fields fields;
     std::string sum;
-    Statement rows(sqlite, "SELECT name, value FROM setup ORDER BY name");
-    while (rows.step())
-        if (rows.bytes(0) == "checksum")
-            sum = rows.bytes(1);
+    each(sqlite, "SELECT name, value FROM setup ORDER BY name", [&](const SQLite::Statement& row) {
+        if (bytes(row, 0) == "checksum")
+            sum = bytes(row, 1);
         else
-            fields.emplace_back(rows.bytes(0), rows.bytes(1));
+            fields.emplace_back(bytes(row, 0), bytes(row, 1));
+    });
     if (sum != std::to_string(checksum_of(fields)))
         refuse_changed(sqlite, "its set-up was altered");
     return fields;
 }
 
 /// A batch's checksum depends on its table, its place and its numbers.
-std::uint64_t checksum_of(const char* table, const Span& span, std::string_view numbers) {
+std::uint64_t checksum_of(const std::string& table, const Span& span, std::string_view numbers) {
     return checksum(numbers, checksum(table, span.first * ga::golden_step + span.count));
 }
 
@@ -241,7 +315,7 @@ std::uint64_t checksum(std::string_view bytes, std::uint64_t seed) {
     return sum;
 }
 
-GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::move(sqlite))) {
+GenomeStore::GenomeStore(std::unique_ptr<SQLite::Database> sqlite) : sqlite_(std::move(sqlite)) {
     expect_ours(*sqlite_);
     const Fields fields = stored_fields(*sqlite_);
     setup_ = setup_from(fields, file().string());
@@ -253,7 +327,7 @@ GenomeStore::GenomeStore(Sqlite sqlite) : sqlite_(std::make_unique<Sqlite>(std::
 GenomeStore::GenomeStore(GenomeStore&&) noexcept = default;
 GenomeStore::~GenomeStore() = default;
 
-const std::filesystem::path& GenomeStore::file() const { return sqlite_->file(); }
+std::filesystem::path GenomeStore::file() const { return sqlite_->getFilename(); }
 
 GenomeStore GenomeStore::create(const std::filesystem::path& file, const DatabaseSetup& setup) {
     if (!setup.model.body.layering.layers.empty())
@@ -262,25 +336,25 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
     validate(setup.law);
     const Fields wanted = fields(setup);
     setup_from(wanted, file.string()); // throws before a file is made
-    Sqlite sqlite(file, Sqlite::Access::create);
-    {
-        Transaction transaction(sqlite);
-        if (!holds_anything(sqlite)) {
-            sqlite.run("PRAGMA application_id = " + std::to_string(application));
-            sqlite.run("PRAGMA user_version = " + std::to_string(form));
+    auto sqlite = opened(file, SQLite::OPEN_CREATE);
+    guarded(file, [&] {
+        SQLite::Transaction transaction(*sqlite, SQLite::TransactionBehavior::IMMEDIATE);
+        if (!holds_anything(*sqlite)) {
+            sqlite->exec("PRAGMA application_id = " + std::to_string(application));
+            sqlite->exec("PRAGMA user_version = " + std::to_string(form));
             for (const std::string& statement : schema())
-                sqlite.run(statement);
+                sqlite->exec(statement);
             Fields named = wanted;
             named.emplace_back("version", RUGOSA_VERSION);
             std::sort(named.begin(), named.end());
             named.emplace_back("checksum", std::to_string(checksum_of(named)));
             for (const auto& [name, value] : named)
-                Statement(sqlite, "INSERT INTO setup VALUES(?, ?)", name, value).step();
+                run(*sqlite, "INSERT INTO setup VALUES(?, ?)", name, value);
         }
-        expect_ours(sqlite);
+        expect_ours(*sqlite);
         transaction.commit();
-    }
-    const std::string differs = difference(stored_fields(sqlite), wanted);
+    });
+    const std::string differs = difference(stored_fields(*sqlite), wanted);
     if (!differs.empty())
         throw InputError(file.string() + ": a database of another set-up: its " + differs + "; use another");
     return GenomeStore(std::move(sqlite));
@@ -289,17 +363,14 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
 GenomeStore GenomeStore::open(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file))
         throw InputError(file.string() + ": does not exist; give a genome database");
-    return GenomeStore(Sqlite(file, Sqlite::Access::existing));
+    return GenomeStore(opened(file));
 }
 
 bool GenomeStore::begun(const std::filesystem::path& file) {
-    if (!std::filesystem::is_regular_file(file))
-        return false;
-    Sqlite sqlite(file, Sqlite::Access::existing);
-    return holds_anything(sqlite);
+    return std::filesystem::is_regular_file(file) && holds_anything(*opened(file));
 }
 
-std::uint64_t GenomeStore::stored() const { return sqlite_->number("SELECT sum(count) FROM batch"); }
+std::uint64_t GenomeStore::stored() const { return run(*sqlite_, "SELECT sum(count) FROM batch"); }
 
 std::vector<Span> GenomeStore::gaps(const Span& of) const {
     std::vector<Span> found;
@@ -310,41 +381,44 @@ std::vector<Span> GenomeStore::gaps(const Span& of) const {
             found.push_back({next, first - next});
     };
     // The batch before the span may reach into it.
-    Statement rows(*sqlite_,
-                   "SELECT first, count FROM batch WHERE first >= (SELECT ifnull(max(first), 0) FROM "
-                   "batch WHERE first <= ?) ORDER BY first",
-                   of.first);
-    while (next < end && rows.step()) {
-        skip_to(std::min(rows.number(0), end));
-        next = std::max(next, rows.number(0) + rows.number(1));
-    }
+    each(
+        *sqlite_,
+        "SELECT first, count FROM batch WHERE first >= (SELECT ifnull(max(first), 0) FROM batch WHERE first "
+        "<= ?) AND first < ? ORDER BY first",
+        [&](const SQLite::Statement& row) {
+            skip_to(number(row, 0));
+            next = std::max(next, number(row, 0) + number(row, 1));
+        },
+        of.first, end);
     skip_to(end);
     return found;
 }
 
 std::optional<Span> GenomeStore::take(Span& wanted, std::uint64_t batch,
                                       const std::function<bool(std::uint64_t first)>& is_own) {
-    Transaction transaction(*sqlite_);
-    const std::vector<Span> open = gaps(wanted);
-    const std::uint64_t end = wanted.first + wanted.count;
-    wanted.first = open.empty() ? end : open.front().first;
-    wanted.count = end - wanted.first;
-    // Without a fresh batch: the last one that another builder took. That builder was killed or still works;
-    // computing its batch twice does no harm.
-    std::optional<Span> left;
-    for (const Span& gap : open)
-        for (std::uint64_t next = gap.first, stop = gap.first + gap.count; next < stop;) {
-            const Span piece{next, std::min(stop, (next / batch + 1) * batch) - next};
-            next += piece.count;
-            if (!Statement(*sqlite_, "SELECT 1 FROM taken WHERE first = ?", piece.first).step()) {
-                Statement(*sqlite_, "INSERT INTO taken VALUES(?)", piece.first).step();
-                transaction.commit();
-                return piece;
+    return guarded(file(), [&] {
+        SQLite::Transaction transaction(*sqlite_, SQLite::TransactionBehavior::IMMEDIATE);
+        const std::vector<Span> open = gaps(wanted);
+        const std::uint64_t end = wanted.first + wanted.count;
+        wanted.first = open.empty() ? end : open.front().first;
+        wanted.count = end - wanted.first;
+        // Without a fresh batch: the last one that another builder took. That builder was killed or still
+        // works; computing its batch twice does no harm.
+        std::optional<Span> left;
+        for (const Span& gap : open)
+            for (std::uint64_t next = gap.first, stop = gap.first + gap.count; next < stop;) {
+                const Span piece{next, std::min(stop, (next / batch + 1) * batch) - next};
+                next += piece.count;
+                if (run(*sqlite_, "SELECT count(*) FROM taken WHERE first = ?", piece.first) == 0) {
+                    run(*sqlite_, "INSERT INTO taken VALUES(?)", piece.first);
+                    transaction.commit();
+                    return std::optional(piece);
+                }
+                if (!is_own || !is_own(piece.first))
+                    left = piece;
             }
-            if (!is_own || !is_own(piece.first))
-                left = piece;
-        }
-    return left;
+        return left;
+    });
 }
 
 bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) {
@@ -357,53 +431,63 @@ bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) 
         append(contact, response.contact_fraction);
         append(contact, response.tangent_stiffness);
     }
-    Transaction transaction(*sqlite_);
-    const bool there = Statement(*sqlite_, "SELECT 1 FROM batch WHERE first = ?", span.first).step();
-    if (!there) {
-        Statement(*sqlite_, "INSERT INTO batch VALUES(?, ?)", span.first, span.count).step();
-        const auto put = [&](const char* table, const std::vector<double>& values) {
-            Statement(*sqlite_, std::string("INSERT INTO ") + table + " VALUES(?, ?, ?)", span.first,
-                      Blob{packed(values)}, checksum_of(table, span, packed(values)))
-                .step();
-        };
-        put("pressure", pressure);
-        put("contact", contact);
-        put("genome", genomes);
-    }
-    Statement(*sqlite_, "DELETE FROM taken WHERE first = ?", span.first).step();
-    transaction.commit();
-    return !there;
+    return guarded(file(), [&] {
+        SQLite::Transaction transaction(*sqlite_, SQLite::TransactionBehavior::IMMEDIATE);
+        const bool there = run(*sqlite_, "SELECT count(*) FROM batch WHERE first = ?", span.first) > 0;
+        if (!there) {
+            run(*sqlite_, "INSERT INTO batch VALUES(?, ?)", span.first, span.count);
+            const auto put = [&](const std::string& table, const std::vector<double>& values) {
+                run(*sqlite_, "INSERT INTO " + table + " VALUES(?, ?, ?)", span.first, values,
+                    checksum_of(table, span, packed(values)));
+            };
+            put("pressure", pressure);
+            put("contact", contact);
+            put("genome", genomes);
+        }
+        run(*sqlite_, "DELETE FROM taken WHERE first = ?", span.first);
+        transaction.commit();
+        return !there;
+    });
 }
 
 std::vector<Span> GenomeStore::batches() const {
     std::vector<Span> all;
-    Statement rows(*sqlite_, "SELECT first, count FROM batch ORDER BY first");
-    while (rows.step())
-        all.push_back({rows.number(0), rows.number(1)});
+    each(*sqlite_, "SELECT first, count FROM batch ORDER BY first", [&](const SQLite::Statement& row) {
+        all.push_back({number(row, 0), number(row, 1)});
+    });
     return all;
 }
 
 Span GenomeStore::batch_of(std::uint64_t index) const {
-    Statement row(*sqlite_, "SELECT first, count FROM batch WHERE first <= ? ORDER BY first DESC LIMIT 1",
-                  index);
-    if (row.step() && index < row.number(0) + row.number(1))
-        return {row.number(0), row.number(1)};
+    Span span;
+    each(
+        *sqlite_, "SELECT first, count FROM batch WHERE first <= ? ORDER BY first DESC LIMIT 1",
+        [&](const SQLite::Statement& row) {
+            span = {number(row, 0), number(row, 1)};
+        },
+        index);
+    if (index < span.first + span.count)
+        return span;
     throw InputError(file().string() + ": genome " + std::to_string(index) +
                      " is not stored; give a smaller number");
 }
 
 /// A batch's row in a table: one column of numbers for each of its genomes.
-Eigen::MatrixXd GenomeStore::numbers(const char* table, const Span& span, Index per_genome) const {
-    Statement row(*sqlite_, std::string("SELECT numbers, checksum FROM ") + table + " WHERE first = ?",
-                  span.first);
-    if (!row.step() || row.number(1) != checksum_of(table, span, row.bytes(0)))
+Eigen::MatrixXd GenomeStore::numbers(const std::string& table, const Span& span, Index per_genome) const {
+    Eigen::MatrixXd values;
+    const std::size_t size = span.count * static_cast<std::size_t>(per_genome) * sizeof(double);
+    const auto read = [&](const SQLite::Statement& row) {
+        if (number(row, 1) != checksum_of(table, span, bytes(row, 0)))
+            return;
+        if (bytes(row, 0).size() != size)
+            refuse_changed(*sqlite_, "a batch of ", bytes(row, 0).size(), " bytes in place of ", size);
+        values.resize(per_genome, static_cast<Index>(span.count));
+        std::memcpy(values.data(), bytes(row, 0).data(), size);
+    };
+    each(*sqlite_, "SELECT numbers, checksum FROM " + table + " WHERE first = ?", read, span.first);
+    if (values.size() == 0)
         refuse_changed(*sqlite_, "the ", table, " of genomes ", span.first, " to ",
                        span.first + span.count - 1, " was altered");
-    const std::size_t size = span.count * static_cast<std::size_t>(per_genome) * sizeof(double);
-    if (row.bytes(0).size() != size)
-        refuse_changed(*sqlite_, "a batch of ", row.bytes(0).size(), " bytes in place of ", size);
-    Eigen::MatrixXd values(per_genome, static_cast<Index>(span.count));
-    std::memcpy(values.data(), row.bytes(0).data(), size);
     for (const auto& genome : values.colwise()) // all NaN without a response (response_for)
         if (!genome.array().isFinite().all() && !genome.array().isNaN().all())
             refuse_changed(*sqlite_, "the ", table, " of genomes from ", span.first,
@@ -414,16 +498,22 @@ Eigen::MatrixXd GenomeStore::numbers(const char* table, const Span& span, Index 
 /// Refuses stored genomes that differ from those that this program draws by the law. They are drawn one by
 /// one, because a forged file may state more than fit into memory.
 void GenomeStore::expect_genomes(const Span& span) const {
-    Statement row(*sqlite_, "SELECT numbers FROM genome WHERE first = ?", span.first);
-    std::string_view rest = row.step() ? row.bytes(0) : std::string_view();
-    for (std::uint64_t genome = span.first; genome < span.first + span.count; ++genome) {
-        const auto numbers = numbers_of(drawn(setup_.law, genome));
-        if (!rest.starts_with(packed(numbers)))
-            refuse_changed(*sqlite_, "genome ", genome, " is not its law's");
-        rest.remove_prefix(packed(numbers).size());
-    }
-    if (!rest.empty())
-        refuse_changed(*sqlite_, "more genomes are stored than the batch has");
+    bool there = false;
+    const auto compare = [&](const SQLite::Statement& row) {
+        std::string_view rest = bytes(row, 0);
+        for (std::uint64_t genome = span.first; genome < span.first + span.count; ++genome) {
+            const auto numbers = numbers_of(drawn(setup_.law, genome));
+            if (!rest.starts_with(packed(numbers)))
+                refuse_changed(*sqlite_, "genome ", genome, " is not its law's");
+            rest.remove_prefix(packed(numbers).size());
+        }
+        if (!rest.empty())
+            refuse_changed(*sqlite_, "more genomes are stored than the batch has");
+        there = true;
+    };
+    each(*sqlite_, "SELECT numbers FROM genome WHERE first = ?", compare, span.first);
+    if (!there)
+        refuse_changed(*sqlite_, "no genomes are stored for the batch at ", span.first);
 }
 
 std::vector<Response> GenomeStore::responses(const Span& span) const {

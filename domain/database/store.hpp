@@ -6,6 +6,10 @@
 #include <memory>
 #include <optional>
 
+namespace SQLite {
+class Database;
+}
+
 namespace rough {
 
 /// The distribution of the genomes of a database. Each genome is a sum of `series` series. H and gamma of a
@@ -48,8 +52,6 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where);
 /// The first difference in words, e.g. "nodes is 512, not 256"; empty if `there` has all fields of `wanted`.
 std::string difference(const Fields& there, const Fields& wanted);
 
-class Sqlite;
-
 /// The genomes first .. first + count - 1 of a distribution.
 struct Span {
     std::uint64_t first = 0; ///< index of the first genome, from 0
@@ -90,7 +92,7 @@ class GenomeStore {
     const DatabaseSetup& setup() const { return setup_; }   ///< the set-up in the file
     const std::string& version() const { return version_; } ///< version of the program that made the file
     std::uint64_t stored() const;                           ///< number of stored genomes
-    const std::filesystem::path& file() const;              ///< the database's path
+    std::filesystem::path file() const;                     ///< the database's path
 
     /// Reserves the next genomes of `wanted` to compute, at most `batch`; nothing if all are stored. Genomes
     /// that no builder has reserved come first, then those of batches for which `is_own` is not true. Stored
@@ -114,12 +116,12 @@ class GenomeStore {
     Response response(std::uint64_t index) const; ///< without solver and certificates; throws as genome()
 
   private:
-    explicit GenomeStore(Sqlite sqlite);
+    explicit GenomeStore(std::unique_ptr<SQLite::Database> sqlite);
     Span batch_of(std::uint64_t index) const;
-    Eigen::MatrixXd numbers(const char* table, const Span& span, Index per_genome) const;
+    Eigen::MatrixXd numbers(const std::string& table, const Span& span, Index per_genome) const;
     void expect_genomes(const Span& span) const;
 
-    std::unique_ptr<Sqlite> sqlite_;
+    std::unique_ptr<SQLite::Database> sqlite_;
     DatabaseSetup setup_;
     std::string version_;
 };

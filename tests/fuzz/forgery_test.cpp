@@ -5,7 +5,6 @@
 #include "apps/prompt/terminal.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/database/sqlite.hpp"
 #include "domain/database/store.hpp"
 #include "domain/mwm/genome.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -14,6 +13,8 @@
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -246,23 +247,24 @@ TEST_CASE("a forged database is refused or harmless") {
     target.y = Eigen::VectorXd::Constant(5, 0.5);
     json good = json::object();
     {
-        rough::Sqlite sqlite(folder / "good.db", rough::Sqlite::Access::existing);
+        SQLite::Database sqlite(folder / "good.db");
         for (const std::string table : {"pressure", "contact", "genome"}) {
-            rough::Statement rows(sqlite, "SELECT first, numbers FROM " + table);
-            while (rows.step())
-                good[table][std::to_string(rows.number(0))] = unpacked(rows.bytes(1));
+            SQLite::Statement rows(sqlite, "SELECT first, numbers FROM " + table);
+            while (rows.executeStep())
+                good[table][rows.getColumn(0).getString()] = unpacked(rows.getColumn(1).getString());
         }
-        rough::Statement setup(sqlite, "SELECT name, value FROM setup WHERE name <> 'checksum'");
-        while (setup.step())
-            good["setup"][std::string(setup.bytes(0))] = std::string(setup.bytes(1));
+        SQLite::Statement setup(sqlite, "SELECT name, value FROM setup WHERE name <> 'checksum'");
+        while (setup.executeStep())
+            good["setup"][setup.getColumn(0).getString()] = setup.getColumn(1).getString();
         good["batch"] = {{"0", 3}, {"3", 3}};
     }
     forge("database", good, 150, 50, [&](const json& content) {
         const fs::path file = folder / "bad.db";
         fs::copy_file(folder / "good.db", file, fs::copy_options::overwrite_existing);
         {
-            rough::Sqlite sqlite(file, rough::Sqlite::Access::existing);
+            SQLite::Database sqlite(file, SQLite::OPEN_READWRITE);
             const auto text = [](const json& j) { return j.is_string() ? j.get<std::string>() : j.dump(); };
+            const auto signed_number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
             const auto whole = [](const json& j) {
                 return j.is_number_integer() ? j.get<std::uint64_t>() : 7;
             };
@@ -272,32 +274,33 @@ TEST_CASE("a forged database is refused or harmless") {
                     all.push_back(each.is_number() ? each.get<double>() : HUGE_VAL);
                 return all;
             };
+            const auto run = [&](const std::string& sql, const auto&... values) {
+                SQLite::Statement statement(sqlite, sql);
+                SQLite::bind(statement, values...);
+                statement.exec();
+            };
             std::string lines; // its checksum is stored (domain/database/store.cpp)
-            sqlite.run("DELETE FROM setup; DELETE FROM batch");
+            sqlite.exec("DELETE FROM setup; DELETE FROM batch");
             if (content.contains("setup") && content["setup"].is_object())
                 for (const auto& [name, value] : content["setup"].items()) {
                     lines += name + "=" + text(value) + "\n";
-                    rough::Statement(sqlite, "INSERT INTO setup VALUES(?, ?)", name, text(value)).step();
+                    run("INSERT INTO setup VALUES(?, ?)", name, text(value));
                 }
-            rough::Statement(sqlite, "INSERT INTO setup VALUES('checksum', ?)",
-                             std::to_string(rough::checksum(lines)))
-                .step();
+            run("INSERT INTO setup VALUES('checksum', ?)", std::to_string(rough::checksum(lines)));
             for (const char* first : {"0", "3"}) {
                 const json& batches = content.contains("batch") ? content["batch"] : json();
                 const std::uint64_t count =
                     batches.is_object() && batches.contains(first) ? whole(batches[first]) : 3;
                 const std::uint64_t place = std::stoul(first);
-                rough::Statement(sqlite, "INSERT INTO batch VALUES(?, ?)", place, count).step();
+                run("INSERT INTO batch VALUES(?, ?)", signed_number(place), signed_number(count));
                 for (const std::string table : {"pressure", "contact", "genome"}) {
                     const json& rows = content.contains(table) ? content[table] : json();
                     const std::string bytes =
                         packed(numbers(rows.is_object() && rows.contains(first) ? rows[first] : rows));
                     const std::uint64_t sum =
                         rough::checksum(bytes, rough::checksum(table, place * ga::golden_step + count));
-                    rough::Statement(sqlite,
-                                     "UPDATE " + table + " SET numbers = ?, checksum = ? WHERE first = ?",
-                                     rough::Blob{bytes}, sum, place)
-                        .step();
+                    run("UPDATE " + table + " SET numbers = CAST(? AS BLOB), checksum = ? WHERE first = ?",
+                        bytes, signed_number(sum), signed_number(place));
                 }
             }
         }

@@ -209,7 +209,7 @@ TEST_CASE("the table of readers lists every source that reads, and its tests exi
     const std::size_t begin = page.find("## Readers"), end = page.find("## Faults");
     const std::string table = page.substr(begin, end - begin);
     const std::regex reads(
-        R"(\b(read_whole|ifstream|fopen|pread|sqlite3_open_v2|zip_open_from_source|from_cbor|)"
+        R"(\b(read_whole|ifstream|fopen|pread|SQLite::Database>|zip_open_from_source|from_cbor|)"
         R"(bounded_json|json::parse|json\.loads?|read_text|MPI_Mrecv)\(|std::ifstream )");
     for (const char* folder : {"ga", "domain", "apps", "experiments"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(RUGOSA_SOURCE) / folder)) {

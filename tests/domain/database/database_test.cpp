@@ -1,11 +1,11 @@
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/database/sqlite.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/waves.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <catch2/catch.hpp>
 
 using namespace rough;
@@ -84,7 +84,8 @@ TEST_CASE("a database has the genomes of its law and their responses to the bit"
     }
     CHECK_THROWS_WITH(store.genome(30), Catch::Contains("genome 30 is not stored"));
     // A stored batch is no longer taken.
-    CHECK(Sqlite(folder / "genomes.db", Sqlite::Access::existing).number("SELECT COUNT(*) FROM taken") == 0);
+    SQLite::Database file(folder / "genomes.db");
+    CHECK(file.execAndGet("SELECT COUNT(*) FROM taken").getInt() == 0);
 }
 
 TEST_CASE("a stopped build resumes to the same database, whatever the pieces") {
@@ -177,9 +178,9 @@ TEST_CASE("merged databases hold each genome once, and others are refused with t
     other.law.seed = 2;
     built(folder / "d.db", {.genomes = 5}, other);
     built(folder / "forged.db", {.genomes = 5});
-    Sqlite forged(folder / "forged.db", Sqlite::Access::existing);
-    forged.run("ATTACH '" + (folder / "d.db").string() + "' AS d");
-    forged.run("UPDATE genome SET (numbers, checksum) = (SELECT numbers, checksum FROM d.genome)");
+    SQLite::Database forged(folder / "forged.db", SQLite::OPEN_READWRITE);
+    forged.exec("ATTACH '" + (folder / "d.db").string() + "' AS d");
+    forged.exec("UPDATE genome SET (numbers, checksum) = (SELECT numbers, checksum FROM d.genome)");
     for (const auto& [file, problem] : {std::pair("d.db", "d.db: its seed is 2, not 1"),
                                         {"none.db", "none.db: does not exist"},
                                         {"forged.db", "forged.db: genome 0 is not its law's"}})
@@ -223,7 +224,8 @@ TEST_CASE("a file that is not a genome database is refused") {
     };
     refuses(folder / "none.db", "none.db");
     refuses(folder.write("text.db", std::string(5000, 'x')), "not a genome database");
-    Sqlite(folder / "other.db", Sqlite::Access::create).run("CREATE TABLE t(a)");
+    SQLite::Database(folder / "other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+        .exec("CREATE TABLE t(a)");
     refuses(folder / "other.db", "not a genome database");
     CHECK_THROWS_AS(GenomeStore::create(folder / "other.db", small_setup()), InputError);
     CHECK_THROWS_AS(GenomeStore::create(folder / "missing" / "a.db", small_setup()), InputError);
@@ -256,7 +258,7 @@ TEST_CASE("a database with any alteration is refused") {
         INFO(change);
         const fs::path bad = folder / "bad.db";
         fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
-        Sqlite(bad, Sqlite::Access::existing).run(change);
+        SQLite::Database(bad, SQLite::OPEN_READWRITE).exec(change);
         CHECK_THROWS_AS(use(bad), InputError);
     }
 }
@@ -267,13 +269,13 @@ TEST_CASE("databases of different program versions are not merged") {
     built(folder / "b.db", {.genomes = 4, .first = 4, .batch = 4});
     CHECK(merge({folder / "a.db", folder / "b.db"}, folder / "both.db") == 8);
     {
-        Sqlite b(folder / "b.db", Sqlite::Access::existing);
-        b.run("UPDATE setup SET value = '0.0.1' WHERE name = 'version'");
+        SQLite::Database b(folder / "b.db", SQLite::OPEN_READWRITE);
+        b.exec("UPDATE setup SET value = '0.0.1' WHERE name = 'version'");
         std::string text; // the checksum is that of the lines (store.cpp)
-        Statement rows(b, "SELECT name, value FROM setup WHERE name <> 'checksum' ORDER BY name");
-        while (rows.step())
-            text += std::string(rows.bytes(0)) + "=" + std::string(rows.bytes(1)) + "\n";
-        b.run("UPDATE setup SET value = '" + std::to_string(checksum(text)) + "' WHERE name = 'checksum'");
+        SQLite::Statement rows(b, "SELECT name, value FROM setup WHERE name <> 'checksum' ORDER BY name");
+        while (rows.executeStep())
+            text += rows.getColumn(0).getString() + "=" + rows.getColumn(1).getString() + "\n";
+        b.exec("UPDATE setup SET value = '" + std::to_string(checksum(text)) + "' WHERE name = 'checksum'");
     }
     CHECK_NOTHROW(use(folder / "b.db"));
     CHECK_THROWS_WITH(merge({folder / "a.db", folder / "b.db"}, folder / "c.db"),
@@ -285,10 +287,10 @@ TEST_CASE("a view with a table's name is not run") {
     const Folder folder;
     const fs::path file = folder / "view.db";
     {
-        Sqlite sqlite(file, Sqlite::Access::create);
-        sqlite.run("PRAGMA application_id = " + std::to_string(0x52554741));
-        sqlite.run("PRAGMA user_version = 2");
-        sqlite.run(
+        SQLite::Database sqlite(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        sqlite.exec("PRAGMA application_id = " + std::to_string(0x52554741));
+        sqlite.exec("PRAGMA user_version = 2");
+        sqlite.exec(
             "CREATE VIEW batch AS WITH RECURSIVE n(first) AS (SELECT 1 UNION ALL SELECT first + 1 FROM n) "
             "SELECT first, 1 AS count FROM n"); // has no end
     }
