@@ -4,6 +4,8 @@
 #include "domain/paper/variants.hpp"
 #include "ga/blocks/derived.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <numbers>
 
 namespace rough {
@@ -230,74 +232,12 @@ std::string usual_variant(const DesignSetup& setup, bool stored) {
                                          : "default";
 }
 
+extern const char* const design_variants_ini; // variants.ini (.cmake/variants.cmake)
+
 ga::Variants design_variants(double required) {
-    // The paper's algorithms (Algorithms 3-5); a target without Eq. 11 gives each genome its amplitude.
-    ga::Variants variants = paper_variants();
-    const std::string until = "until fitness " + ga::number(required) + " generations ";
-    // Starts near the target. The best are refined by least squares, then for the lowest maximum of the
-    // misfits. More load steps are used later, because steps cause the larger part of the error. A change of
-    // the contact set makes a kink in the misfits, so the best are moved a little and refined again. The last
-    // stage includes the finer grid.
-    const std::string pass =
-        "shape 32 | score | best 10 | refine lm 15 | best 5 | score more_steps | refine lm 25 sharpen=8 | "
-        "until fitness 0.9985 generations 3 { parents | mutate 0.2 gaussian 0.001 | score more_steps | "
-        "refine lm 20 sharpen=4 | plus 5 } | best 1 | score verified | refine lm 15 sharpen=1";
-    variants["pass"] = pass;
-    variants["default"] = "pass | " + until + "3 { pass | plus 2 }";
-    // Starts near the target. The best are refined under all common errors of making at once, first on a
-    // coarser grid with fewer draws.
-    variants["made"] = "shape 32 | score | best 24 | refine lm 12 | coarser 1 { score made | refine lm 8 | "
-                       "best 8 | refine lm 12 | best 3 | refine lm 20 | best 2 } | score made | "
-                       "refine lm 20 | best 2";
-    // For maps: from coarser grids, whose curves cost less, to the search grid.
-    variants["maps"] =
-        "coarser 2 { shape 24 | score | best 8 | refine lm 15 | best 4 | refine lm 30 sharpen=10 | "
-        "best 2 } | coarser 1 { score | refine lm 15 sharpen=5 | best 2 } | score | "
-        "refine lm 12 sharpen=4 | best 1 | corrected { score | refine lm 12 sharpen=4 | best 1 } | "
-        "score";
-    // Stored genomes near the target, refined: the paper's in-line control.
-    variants["in-line"] = "score | best 8 | refine lm 12 | best 4 | refine lm 30 sharpen=8 | best 2 | "
-                          "refine lm 200 sharpen=5 | score verified | refine lm 16 sharpen=4";
-    // Random starts and refinement only, for comparison at equal cost.
-    variants["multistart"] =
-        "sample 60 | score | best 12 | refine lm 12 | best 4 | refine lm 60 sharpen=1 | "
-        "until fitness 0.9995 generations 8 { sample 60 | score | best 12 | refine lm 12 | "
-        "best 4 | refine lm 60 sharpen=1 | plus 4 } | best 2 | score verified | "
-        "refine lm 16 sharpen=4";
-    // The waves of a scan, refined until they have its stiffness and contact area. Curves on the finer grid
-    // cost fifteen times those in the set-up's load steps, so they are used last. Two surfaces at a time take
-    // as long as one on two cores.
-    const auto moved = [&](int generations, const std::string& objective, const std::string& method) {
-        return " | " + until + std::to_string(generations) +
-               " { parents | mutate 0.1 gaussian 0.003 | score " + objective + " | refine lm " + method +
-               " | plus 2 }";
-    };
-    variants["like"] =
-        "own 2 | fit | score | refine lm 30 sharpen=8 | score more_steps | refine lm 25 sharpen=8" +
-        moved(5, "more_steps", "12 sharpen=4") + " | score verified | refine lm 5 sharpen=1" +
-        moved(20, "verified", "10 sharpen=1");
-    // Selection, cross-over of length scales and mutation, without derivatives.
-    variants["plain"] = "score | best 50 | repeat 100 { tournament 2 | cross uniform rate=0.8 | "
-                        "mutate 0.1 gaussian 0.05 | score | elite 2 } | best 1";
-    // Two targets, one list of genomes for each (Cinat, Paggi and Gnecco 2019).
-    variants["mcco"] =
-        "pair(score goal1 | above 0.95 at_least=5 | reduce goal1, score goal2 | above 0.95 at_least=5 | "
-        "reduce goal2, unite) | score | best 3 | refine gcmma 3 genes=macro | refine gcmma 3 "
-        "genes=micro | best 1";
-    // The trade-off between two targets: NSGA-II whose ends and children are refined. It starts from the
-    // answer of the default too, so that this does not dominate the front.
-    variants["nsga2"] =
-        "default | repeat 1 { shape 40 | score | best 20 | parents } | repeat 1 { score goal1 | refine lm 15 "
-        "| parents } | repeat 1 "
-        "{ score goal2 | refine lm 15 | parents } | pareto goal1 goal2 | best 40 | repeat 15 { "
-        "tournament 2 | cross uniform rate=0.8 | mutate 0.05 gaussian 0.02 | score | refine lm 5 | "
-        "parents | pareto goal1 goal2 | best 40 } | front";
-    // Many surfaces of one response: elites for each wavelength and skewness, moved along the gradients of
-    // these and refined towards the target.
-    variants["atlas"] =
-        "shape 60 | score | best 24 | refine lm 30 sharpen=4 | repeat 60 { above 0.96 at_least=8 | "
-        "emit 12 wavelength skewness sigma=0.07 | score | refine lm 25 sharpen=6 | "
-        "map-elites wavelength skewness cells=20 } | best 40 | refine lm 25 sharpen=6";
+    ga::Variants variants = variants_in(
+        boost::replace_all_copy<std::string>(design_variants_ini, "{required}", ga::number(required)));
+    variants.merge(paper_variants());
     return variants;
 }
 

@@ -1,5 +1,6 @@
 #include "domain/paper/variants.hpp"
 
+#include "domain/text/words.hpp"
 #include "ga/text/whole_vocabulary.hpp"
 
 namespace rough {
@@ -28,11 +29,6 @@ struct Gcmma {
     }
 };
 
-/// Refinement with n_it evaluations in either form.
-auto refine_by(Form form, int n_it, const Variables<Genome>& variables) {
-    return refine(form == Form::minimax ? minimax(n_it) : method_of(Gcmma{n_it}), variables);
-}
-
 /// The phases of the dominant chromosomes, or of all others.
 Variables<Genome> phases_where(const char* name, const Vocabulary& words, bool dominant) {
     return {name, [rule = words.rule, reach = words.reach, dominant](const Genome& genome) {
@@ -42,29 +38,6 @@ Variables<Genome> phases_where(const char* name, const Vocabulary& words, bool d
                 });
             }};
 }
-Variables<Genome> dominant_phases(const Vocabulary& words) { return phases_where("dominant", words, true); }
-Variables<Genome> other_phases(const Vocabulary& words) { return phases_where("others", words, false); }
-Variables<Genome> all_phases(const Vocabulary& words) {
-    return {"phases", [reach = words.reach](const Genome& genome) { return phase_variables(genome, reach); }};
-}
-
-/// Keeps only a genome's dominant chromosomes, at the same scale.
-auto reduce_dominant(const Vocabulary& words) {
-    return transform("reduce dominant",
-                     [rule = words.rule](const Genome& genome) { return reduced(genome, (*rule)(genome)); });
-}
-
-/// The sum of two parents at their scored scales, because their relative amplitude matters.
-Combine<Genome> unite(const Vocabulary& words) {
-    return {"unite",
-            [fitted = words.fitted](const Individual<Genome>& left, const Individual<Genome>& right) {
-                const Genome both = sum(left.genome, right.genome);
-                return std::optional(fitted ? fitted(both) : both);
-            }};
-}
-
-/// The genomes that are good at low or at high pressure, at least three.
-auto good_at(const char* half) { return score(half) | above(0.95, at_least(3)); }
 
 } // namespace
 
@@ -76,48 +49,49 @@ DesignSetup paper_setup(Model model, Target target, double max_pressure, double 
             .phases = reach};
 }
 
-Pipeline sog(const Vocabulary& words, Form form) { // Algorithm 3
-    return score() | best(3) | refine_by(form, 5, dominant_phases(words)) |
-           refine_by(form, 2, other_phases(words)) | best(1);
-}
-
-Pipeline gco(const Vocabulary& words, Form form) { // Algorithm 4
-    return pair(good_at("low"), good_at("high"), unite(words)) | score() | best(3) |
-           refine_by(form, 3, dominant_phases(words)) | refine_by(form, 2, other_phases(words)) | best(1);
-}
-
-Pipeline cco(const Vocabulary& words, Form form) { // Algorithm 5
-    return pair(good_at("low") | reduce_dominant(words), good_at("high") | reduce_dominant(words),
-                unite(words)) |
-           score() | best(3) | refine_by(form, 3, all_phases(words)) | best(1);
-}
-
-Pipeline cco_of_sums(const Vocabulary& words) {
-    return pair(good_at("low"), good_at("high"), unite(words)) | reduce_dominant(words) | score() | best(3) |
-           refine_by(Form::paper, 3, all_phases(words)) | best(1);
-}
-
 Registry<DesignProblem> paper_registry(const Vocabulary& words) {
     auto registry = whole_vocabulary<DesignProblem>();
     add_method<Gcmma>(registry);
     registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
-                 reduce_dominant(words));
-    registry.add(unite(words), "the sum of two genomes, each at its scored scale");
-    registry.add(dominant_phases(words), "phases of the dominant chromosomes (Algorithm 1)");
-    registry.add(other_phases(words), "phases of the other chromosomes");
-    registry.add(all_phases(words), "phases of all chromosomes");
+                 transform("reduce dominant", [rule = words.rule](const Genome& genome) { // at the same scale
+                     return reduced(genome, (*rule)(genome));
+                 }));
+    // At their scored scales, because the relative amplitude of the parents matters.
+    registry.add(Combine<Genome>{"unite",
+                                 [fitted = words.fitted](const auto& left, const auto& right) {
+                                     const Genome both = sum(left.genome, right.genome);
+                                     return std::optional(fitted ? fitted(both) : both);
+                                 }},
+                 "the sum of two genomes, each at its scored scale");
+    registry.add(phases_where("dominant", words, true), "phases of the dominant chromosomes (Algorithm 1)");
+    registry.add(phases_where("others", words, false), "phases of the other chromosomes");
+    registry.add(
+        Variables<Genome>{
+            "phases", [reach = words.reach](const Genome& genome) { return phase_variables(genome, reach); }},
+        "phases of all chromosomes");
     return registry;
 }
 
-Variants paper_variants() {
-    const Vocabulary words;
+Variants variants_in(const std::string& ini) {
     Variants variants;
-    for (const auto& [name, algorithm] :
-         {std::pair("sog", &sog), std::pair("gco", &gco), std::pair("cco", &cco)}) {
-        variants[name] = algorithm(words, Form::paper).text();
-        variants[std::string(name) + "-minimax"] = algorithm(words, Form::minimax).text();
-    }
+    std::string name;
+    std::istringstream lines(ini);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(' '))
+            variants.at(name).append(" ").append(trim(line));
+        else if (const std::size_t equals = line.find(" = "); !line.starts_with('#') && equals != line.npos) {
+            name = line.substr(0, equals);
+            variants[name] = line.substr(equals + 3);
+        }
     return variants;
+}
+
+extern const char* const paper_variants_ini; // variants.ini (.cmake/variants.cmake)
+
+Variants paper_variants() { return variants_in(paper_variants_ini); }
+
+Pipeline paper_pipeline(const Vocabulary& words, const std::string& name) {
+    return Parser<DesignProblem>(paper_registry(words), paper_variants()).variant(name);
 }
 
 } // namespace rough

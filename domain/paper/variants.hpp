@@ -23,32 +23,20 @@ struct Vocabulary {
 DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold,
                         PhaseReach reach = {});
 
-/// The form of the objective that is refined. s is the similarity.
-enum class Form {
-    paper,   ///< maximise s|s|, which depends on one point of the target at a time
-    minimax, ///< minimise t subject to +-(y(xi_k)/y_k - 1) <= t for all points (xi_k, y_k) of the target
-};
-
-// The paper's Algorithms 3-5. Figure 7 of the paper numbers the states: (0) before the first `refine`, (1)
-// after it, (2) after the second `refine`. CCO has only one `refine`.
-
-/// Similarity-optimised genomes: the three best of the database, refined.
-Pipeline sog(const Vocabulary& words, Form form = Form::paper);
-/// Genome cross-over: sums of two genomes, one that is good at low pressure and one that is good at high
-/// pressure, refined.
-Pipeline gco(const Vocabulary& words, Form form = Form::paper);
-/// Chromosome cross-over: GCO with each parent reduced to its dominant chromosomes.
-Pipeline cco(const Vocabulary& words, Form form = Form::paper);
-
-/// CCO with Algorithm 1 on the children instead of the parents: another reading of Algorithm 5.
-Pipeline cco_of_sums(const Vocabulary& words);
-
 /// The operators of text pipelines for the paper's problem: operators of the engine and operators for rough
 /// surfaces.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 
-/// sog, gco, cco and their minimax forms as texts.
+/// The variants in a text of lines NAME = TEXT. An indented line continues the text above it. A line that
+/// begins with # is a comment.
+ga::Variants variants_in(const std::string& ini);
+
+/// The paper's Algorithms 3-5 (sog, gco and cco) and their minimax forms as texts. variants.ini describes
+/// them.
 ga::Variants paper_variants();
+
+/// The pipeline of one of paper_variants(). Throws ga::UsageError on another name.
+Pipeline paper_pipeline(const Vocabulary& words, const std::string& name);
 
 } // namespace rough
 

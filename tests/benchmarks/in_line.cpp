@@ -79,11 +79,8 @@ double by_variant(const char* name, const Target& target, const Model& model) {
     const double highest = target.last();
     const DesignProblem problem(paper_setup(model, target, highest, 0.5 * highest));
     const Vocabulary words{std::make_shared<DominanceRule>(model)};
-    const auto pipeline = name == std::string("sog")   ? sog(words)
-                          : name == std::string("gco") ? gco(words)
-                                                       : cco(words);
     const auto start = ga::population(sobol_database({.shortest = model.grid.spacing()}));
-    return ga::run(pipeline, problem, start).population.front().value();
+    return ga::run(paper_pipeline(words, name), problem, start).population.front().value();
 }
 
 } // namespace

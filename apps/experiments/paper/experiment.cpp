@@ -165,20 +165,24 @@ struct Variant {
     rough::Pipeline pipeline;
 };
 
+/// The paper's three. If `reduces_children`, cco has Algorithm 1 on the children instead of the parents,
+/// which is another reading of Algorithm 5.
 std::vector<Variant> paper_three(const rough::Vocabulary& words, bool reduces_children) {
-    return {{"sog", sog(words)},
-            {"gco", gco(words)},
-            {"cco", reduces_children ? cco_of_sums(words) : cco(words)}};
+    const char* const cco_of_sums = "pair(score low | above 0.95 at_least=3, score high | above 0.95 "
+                                    "at_least=3, unite) | reduce dominant "
+                                    "| score | best 3 | refine gcmma 3 genes=phases | best 1";
+    return {{"sog", paper_pipeline(words, "sog")},
+            {"gco", paper_pipeline(words, "gco")},
+            {"cco", reduces_children ? ga::Parser<DesignProblem>(paper_registry(words)).parse(cco_of_sums)
+                                     : paper_pipeline(words, "cco")}};
 }
 
-/// The paper's three in both forms, from code, then what the experiment writes in [variants].
+/// The paper's three in both forms, then what the experiment writes in [variants].
 std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words,
                                    bool reduces_children) {
-    using rough::Form;
     std::vector<Variant> variants = paper_three(words, reduces_children);
-    variants.push_back({"sog-minimax", sog(words, Form::minimax)});
-    variants.push_back({"gco-minimax", gco(words, Form::minimax)});
-    variants.push_back({"cco-minimax", cco(words, Form::minimax)});
+    for (const char* name : {"sog-minimax", "gco-minimax", "cco-minimax"})
+        variants.push_back({name, paper_pipeline(words, name)});
     ga::Variants texts = rough::paper_variants();
     const auto given = settings.texts_under("variants.");
     for (const auto& [name, text] : given) {
