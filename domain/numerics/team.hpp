@@ -41,6 +41,15 @@ class Team {
         });
     }
 
+    /// Runs job(i) for i = 0 .. n-1.
+    template <class Job>
+    void each(Index n, const Job& job) {
+        each_range(n, [&](Index first, Index count, int) {
+            for (Index i = first; i < first + count; ++i)
+                job(i);
+        });
+    }
+
     /// part(first, count) of the ranges of n numbers, joined by combine(a, b) from the first to the last.
     template <class Part, class Combine>
     double over_ranges(Index n, const Part& part, const Combine& combine) {
@@ -60,10 +69,31 @@ class Team {
     double sum(Index n, const Part& part) {
         return over_ranges(n, part, [](double a, double b) { return a + b; });
     }
+    /// The sum of value(i), i = 0 .. n-1, range by range.
+    template <class Value>
+    double sum_of(Index n, const Value& value) {
+        return sum(n, [&](Index first, Index count) {
+            double all = 0;
+            for (Index i = first; i < first + count; ++i)
+                all += value(i);
+            return all;
+        });
+    }
     /// The largest part(first, count) of the ranges, NaN if the last one's is.
     template <class Part>
     double largest(Index n, const Part& part) {
         return over_ranges(n, part, [](double a, double b) { return a > b ? a : b; });
+    }
+
+    /// The largest of 0 and value(i), i = 0 .. n-1; NaN counts as smaller.
+    template <class Value>
+    double largest_of(Index n, const Value& value) {
+        return largest(n, [&](Index first, Index count) {
+            double most = 0;
+            for (Index i = first; i < first + count; ++i)
+                most = std::max(most, value(i));
+            return most;
+        });
     }
 
     /// to = from, without new memory if the sizes are equal.

@@ -89,12 +89,8 @@ class ActiveSet {
     template <class Value>
     double sum_over_set(Value value) const {
         const std::vector<int>& nodes = set_.nodes();
-        return problem_.team->sum(static_cast<Index>(nodes.size()), [&](Index first, Index n) {
-            double all = 0;
-            for (Index k = first; k < first + n; ++k)
-                all += value(nodes[static_cast<std::size_t>(k)]);
-            return all;
-        });
+        return problem_.team->sum_of(static_cast<Index>(nodes.size()),
+                                     [&](Index k) { return value(nodes[static_cast<std::size_t>(k)]); });
     }
     double sum_of(const Loaded& x) const {
         return sum_over_set([&](int i) { return x.pressure[i]; });
@@ -203,25 +199,17 @@ class ActiveSet {
     /// set.
     double residual(double approach) const {
         const std::vector<int>& nodes = set_.nodes();
-        const double gap =
-            problem_.team->largest(static_cast<Index>(nodes.size()), [&](Index first, Index n) {
-                double worst = 0;
-                for (Index k = first; k < first + n; ++k)
-                    if (const int i = nodes[static_cast<std::size_t>(k)]; load_.pressure[i] > 0)
-                        worst = std::max(worst, -depth_[i]);
-                return worst;
-            });
+        const double gap = problem_.team->largest_of(static_cast<Index>(nodes.size()), [&](Index k) {
+            const int i = nodes[static_cast<std::size_t>(k)];
+            return load_.pressure[i] > 0 ? -depth_[i] : 0;
+        });
         return std::max(gap, deepest_) / approach;
     }
 
     double residual(const Loaded& x, double approach) const {
-        return problem_.team->largest(problem_.nodes(), [&](Index first, Index n) {
-            double worst = 0;
-            for (Index i = first; i < first + n; ++i) {
-                const double depth = approach - problem_.gap[i] - x.displacement[i];
-                worst = std::max(worst, x.pressure[i] > 0 ? std::abs(depth) : depth);
-            }
-            return worst;
+        return problem_.team->largest_of(problem_.nodes(), [&](Index i) {
+            const double depth = approach - problem_.gap[i] - x.displacement[i];
+            return x.pressure[i] > 0 ? std::abs(depth) : depth;
         }) / approach;
     }
 

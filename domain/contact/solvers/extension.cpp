@@ -171,10 +171,7 @@ void Extension::coarsen(float* from, Extent shape, const float* weight, Level& i
         },
         rows_together);
     if (weight)
-        team_.each_range(shape.nodes(), [&](Index first, Index count, int) {
-            for (Index k = first; k < first + count; ++k)
-                from[k] *= weight[k];
-        });
+        team_.each(shape.nodes(), [&](Index k) { from[k] *= weight[k]; });
 }
 
 void Extension::extend(float* field) {

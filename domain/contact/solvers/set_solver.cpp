@@ -269,18 +269,15 @@ void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& 
     const double inverse = 1 / scale;
     team_.each_range(matrix.nodes(),
                      [=](Index first, Index count, int) { std::fill_n(full + first, count, 0.0F); });
-    team_.each_range(m, [&](Index first, Index count, int) {
-        for (Index k = first; k < first + count; ++k)
-            full[places[static_cast<std::size_t>(k)]] = static_cast<float>(v[k] * inverse);
-    });
+    team_.each(
+        m, [&](Index k) { full[places[static_cast<std::size_t>(k)]] = static_cast<float>(v[k] * inverse); });
     if (extension)
         extension->extend(full);
     const float* product = matrix.apply();
     if (extension)
         extension->transpose(full);
-    team_.each_range(m, [&](Index first, Index count, int) {
-        for (Index k = first; k < first + count; ++k)
-            image[k] = scale * static_cast<double>(product[places[static_cast<std::size_t>(k)]]);
+    team_.each(m, [&](Index k) {
+        image[k] = scale * static_cast<double>(product[places[static_cast<std::size_t>(k)]]);
     });
 }
 
@@ -296,10 +293,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     if (extension)
         extension->know(std::move(inverse));
     const std::vector<int>& places = extension ? extension->known() : inverse;
-    // change(first, count) of each range of the nodes
-    const auto each = [&](auto change) {
-        team_.each_range(m, [&](Index first, Index count, int) { change(first, count); });
-    };
+    const auto each = [&](auto change) { team_.each(m, change); };
     Eigen::VectorXd r(m), z(m), q = Eigen::VectorXd::Zero(m), hq(m),
                                 even; // even: like what the preconditioner makes of a constant
     if (level) {                      // continued it is a constant, and so is a circulant times it
@@ -308,10 +302,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                          [=](Index first, Index count, int) { std::fill_n(full + first, count, 1.0F); });
         extension->transpose(full);
         even.resize(m);
-        each([&](Index first, Index count) {
-            for (Index k = first; k < first + count; ++k)
-                even[k] = static_cast<double>(full[places[static_cast<std::size_t>(k)]]);
-        });
+        each([&](Index k) { even[k] = static_cast<double>(full[places[static_cast<std::size_t>(k)]]); });
     }
     const double even_sum = even.sum();
     double offset = 0; // subtracted from r, which any constant may be
@@ -326,41 +317,24 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                        [](double a, double b) { return std::max(a, b); });
         };
         const double middle = (most(1) + most(-1)) / 2;
-        each([&](Index first, Index count) { r.segment(first, count).array() -= middle; });
+        each([&](Index k) { r[k] -= middle; });
         offset += middle;
     };
     const auto pressure = [&](Index k) -> double& { return x.pressure[nodes[static_cast<std::size_t>(k)]]; };
-    const auto sum = [&](auto value) {
-        return team_.sum(m, [&](Index first, Index count) {
-            double all = 0;
-            for (Index k = first; k < first + count; ++k)
-                all += value(k);
-            return all;
-        });
-    };
+    const auto sum = [&](auto value) { return team_.sum_of(m, value); };
     // Makes q the usual step along q, cut so that no pressure falls below 0. The nodes that are not cut make
     // up for it, so that the step sums nearly to zero. False, and q stays, if no pressure would fall below 0.
     const auto cut = [&] {
-        const double fall = team_.largest(m, [&](Index first, Index count) {
-            double most = 0;
-            for (Index k = first; k < first + count; ++k)
-                most = std::max(most, -(pressure(k) + usual_step_ * q[k]));
-            return most;
-        });
-        if (!(fall > 0))
+        if (!(team_.largest_of(m, [&](Index k) { return -(pressure(k) + usual_step_ * q[k]); }) > 0))
             return false;
         const auto is_free = [&](Index k) { return q[k] > -pressure(k); };
-        each([&](Index first, Index count) {
-            for (Index k = first; k < first + count; ++k)
-                q[k] = std::max(usual_step_ * q[k], -pressure(k));
-        });
+        each([&](Index k) { q[k] = std::max(usual_step_ * q[k], -pressure(k)); });
         for (int round = 0; round < max_corrections; ++round) {
             const double excess =
                 sum([&](Index k) { return q[k]; }) / sum([&](Index k) { return is_free(k) ? even[k] : 0; });
-            each([&](Index first, Index count) {
-                for (Index k = first; k < first + count; ++k)
-                    if (is_free(k))
-                        q[k] = std::max(q[k] - excess * even[k], -pressure(k));
+            each([&](Index k) {
+                if (is_free(k))
+                    q[k] = std::max(q[k] - excess * even[k], -pressure(k));
             });
         }
         return true;
@@ -368,11 +342,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
     bool solved = false, is_cut = false;
     double before = std::numeric_limits<double>::infinity();
     for (long iteration = 0;;) {
-        each([&](Index first, Index count) {
-            for (Index k = first; k < first + count; ++k) {
-                const Index i = nodes[static_cast<std::size_t>(k)];
-                r[k] = target(i) - x.displacement[i];
-            }
+        each([&](Index k) {
+            const Index i = nodes[static_cast<std::size_t>(k)];
+            r[k] = target(i) - x.displacement[i];
         });
         if (!is_2d())
             x.pressure(nodes) += deflation.project(r);
@@ -394,9 +366,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             multiply(inverse_, places, r, scale > 0 ? scale : 1, z, extension);
             if (level) {
                 const double share = sum([&](Index k) { return z[k]; }) / even_sum;
-                each([&](Index first, Index count) {
-                    z.segment(first, count) -= share * even.segment(first, count);
-                });
+                each([&](Index k) { z[k] -= share * even[k]; });
             }
             const double energy = dot(team_, r, z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
@@ -404,10 +374,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 residual <= single_depth * scale)
                 break;
             deflation.purge(z);
-            each([&, growth = first ? 0 : energy / rz](Index from, Index count) {
-                auto part = q.segment(from, count);
-                part = z.segment(from, count) + growth * part;
-            });
+            each([&, growth = first ? 0 : energy / rz](Index k) { q[k] = z[k] + growth * q[k]; });
             rz = energy;
             is_cut = level && projected && cut();
             multiply(single_, nodes, q, scale, hq);
@@ -423,10 +390,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             if (is_2d())
                 x.blur += single_rounding * std::abs(step * scale) *
                           add(team_, step * scale, single_.applied(), x.displacement);
-            each([&](Index from, Index count) {
-                r.segment(from, count) -= step * hq.segment(from, count);
-                for (Index k = from; k < from + count; ++k)
-                    pressure(k) += step * q[k];
+            each([&](Index k) {
+                r[k] -= step * hq[k];
+                pressure(k) += step * q[k];
             });
             centre();
             if (is_cut)
@@ -434,11 +400,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         }
         const bool kept = x.updated.size() > 0;
         if (is_2d() || !kept)
-            each([&](Index first, Index count) {
-                for (Index k = first; k < first + count; ++k) {
-                    const Index i = nodes[static_cast<std::size_t>(k)];
-                    x.displacement[i] = target(i) - r[k] - offset;
-                }
+            each([&](Index k) {
+                const Index i = nodes[static_cast<std::size_t>(k)];
+                x.displacement[i] = target(i) - r[k] - offset;
             });
         if (level)
             *level = offset;
@@ -452,10 +416,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
 
 void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
     const Index n = w.pressure.size();
-    team_.each_range(n, [&](Index first, Index count, int) {
-        for (Index i = first; i < first + count; ++i)
-            if (!set.holds(i))
-                w.pressure[i] = 0;
+    team_.each(n, [&](Index i) {
+        if (!set.holds(i))
+            w.pressure[i] = 0;
     });
     load(w);
     const auto good = [&](double energy) {

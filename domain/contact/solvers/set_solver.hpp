@@ -28,10 +28,8 @@ class ContactSet {
     /// Puts exactly those nodes into contact for which touches(node) is true.
     template <class Touches>
     void assign(Touches touches) {
-        team_.each_range(static_cast<Index>(touching_.size()), [&](Index first, Index count, int) {
-            for (Index i = first; i < first + count; ++i)
-                touching_[static_cast<std::size_t>(i)] = touches(i);
-        });
+        team_.each(static_cast<Index>(touching_.size()),
+                   [&](Index i) { touching_[static_cast<std::size_t>(i)] = touches(i); });
         collect();
     }
 
