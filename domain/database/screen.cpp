@@ -15,48 +15,6 @@ bool better(const Match& left, const Match& right) {
 /// Some matches, the worst on top.
 using WorstFirst = std::priority_queue<Match, std::vector<Match>, decltype(&better)>;
 
-/// Reads a genome's stored numbers as curves at scale 1.
-class Reader {
-  public:
-    Reader(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets)
-        : curves_(curves), targets_(targets),
-          full_stiffness_(full_contact_stiffness(
-              {Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body)) {
-        const auto displacements = load_displacements(1, model.loading, model.body.kernel);
-        of_range_ = Eigen::VectorXd::Map(displacements.data(), static_cast<Index>(displacements.size()));
-    }
-
-    /// One curve for each target.
-    void read(std::size_t g, std::vector<Curve>& into) const {
-        const auto row = [&](const std::vector<double>& numbers) {
-            return Eigen::VectorXd::Map(&numbers[g * static_cast<std::size_t>(of_range_.size())],
-                                        of_range_.size());
-        };
-        Response response;
-        response.displacement = curves_.range[g] * of_range_;
-        response.pressure = row(curves_.pressure);
-        if (!curves_.fraction.empty())
-            response.contact_fraction = row(curves_.fraction);
-        response.full_stiffness = full_stiffness_;
-        into.clear();
-        for (const Target& target : targets_)
-            into.push_back(curve_of(target.quantity, response));
-    }
-    /// The x at which a genome's curve ends for a target, at scale 1.
-    double end(std::size_t g, const Target& target) const {
-        const Index last = of_range_.size() - 1;
-        return target.against_pressure()
-                   ? curves_.pressure[g * static_cast<std::size_t>(last + 1) + static_cast<std::size_t>(last)]
-                   : of_range_[last] * curves_.range[g];
-    }
-
-  private:
-    const StoredCurves& curves_;
-    const std::vector<Target>& targets_;
-    Eigen::VectorXd of_range_; ///< displacements of the load steps over the height range
-    double full_stiffness_;    ///< full contact of the model, MPa/mm
-};
-
 /// The similarity at a scale. Below `bar` the exact value does not matter, and the evaluation stops.
 double similarity_above(const std::vector<Curve>& curves, const std::vector<Target>& targets, double scale,
                         double bar) {
@@ -126,17 +84,37 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
                           const ScreenOptions& options) {
     check(curves, targets, options);
     const bool rescaled = options.max_pressure > 0;
-    const Reader reader(curves, model, targets);
-    const auto steps = static_cast<std::size_t>(model.loading.steps);
-    const auto covering = [&](std::size_t g) {
-        double scale = 0;
+    const auto displacements = load_displacements(1, model.loading, model.body.kernel); // over height ranges
+    const auto steps = static_cast<Index>(displacements.size());
+    const double full_stiffness =
+        full_contact_stiffness({Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body);
+    // A genome's curve for each target, at scale 1.
+    const auto read = [&](std::size_t g) {
+        const auto row = [&](const std::vector<double>& numbers) {
+            return Eigen::VectorXd::Map(&numbers[g * displacements.size()], steps);
+        };
+        Response response;
+        response.displacement = curves.range[g] * Eigen::VectorXd::Map(displacements.data(), steps);
+        response.pressure = row(curves.pressure);
+        if (!curves.fraction.empty())
+            response.contact_fraction = row(curves.fraction);
+        response.full_stiffness = full_stiffness;
+        std::vector<Curve> stored;
         for (const Target& target : targets)
-            scale = std::max(scale, target.last() / reader.end(g, target));
+            stored.push_back(curve_of(target.quantity, response));
+        return stored;
+    };
+    // The scale from which on a genome's curves cover the targets.
+    const auto covering = [&](const std::vector<Curve>& stored) {
+        double scale = 0;
+        for (std::size_t t = 0; t < targets.size(); ++t)
+            scale = std::max(scale, targets[t].last() / stored[t].to);
         return scale;
     };
     // On a finer grid the genome's curve ends elsewhere: with this margin it still covers the targets.
-    const auto smallest = [&](std::size_t g) {
-        return rescaled ? options.max_pressure / curves.pressure[(g + 1) * steps - 1] : 1.02 * covering(g);
+    const auto smallest = [&](std::size_t g, const std::vector<Curve>& stored) {
+        return rescaled ? options.max_pressure / curves.pressure[(g + 1) * displacements.size() - 1]
+                        : 1.02 * covering(stored);
     };
 
     const int threads = ga::thread_count(options.threads);
@@ -146,16 +124,18 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
         rescaled ? std::max<std::size_t>(options.best, 1) : 200 + 20 * options.best;
     std::vector<WorstFirst> best(parts, WorstFirst(better));
     ga::parallel_for(parts, threads, [&](std::size_t part) {
-        std::vector<Curve> stored;
         WorstFirst& kept = best[part];
         for (std::size_t g = part * curves.index.size() / parts; g < (part + 1) * curves.index.size() / parts;
              ++g) {
-            if (std::isnan(curves.range[g]) || smallest(g) < (1 - 1e-9) * covering(g))
+            if (std::isnan(curves.range[g]))
                 continue;
-            reader.read(g, stored);
+            const std::vector<Curve> stored = read(g);
+            const double first = smallest(g, stored);
+            if (first < (1 - 1e-9) * covering(stored))
+                continue;
             Match match{g, -HUGE_VAL, 1};
             for (int a = 0; a < (rescaled ? 1 : amplitudes); ++a) {
-                const double scale = amplitude(smallest(g), a);
+                const double scale = amplitude(first, a);
                 const double worst = kept.size() < candidates ? -HUGE_VAL : kept.top().similarity;
                 const double bar = std::max(worst, match.similarity);
                 const double similarity = similarity_above(stored, targets, scale, bar);
@@ -173,12 +153,11 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
             matches.push_back(kept.top());
     std::sort(matches.begin(), matches.end(), better);
     matches.resize(std::min(matches.size(), candidates));
-    std::vector<Curve> stored;
     for (Match& match : matches) {
         const auto g = static_cast<std::size_t>(match.index);
         if (!rescaled) {
-            reader.read(g, stored);
-            match = settled(match, stored, targets, smallest(g));
+            const std::vector<Curve> stored = read(g);
+            match = settled(match, stored, targets, smallest(g, stored));
         }
         match.index = curves.index[g];
     }
