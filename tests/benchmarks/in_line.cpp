@@ -7,10 +7,9 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
+#include "domain/design/pipelines.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "domain/paper/variants.hpp"
-#include "domain/problem/problem.hpp"
 #include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
@@ -64,8 +63,9 @@ Reached in_line(const char* file, const Target& target, double seconds) {
     setup.limits.shortest_wave = store.setup().law.shortest;
     const auto genomes = stored_starts(store, setup, 8);
     const DesignProblem problem(setup);
-    const auto pipeline = ga::score() | ga::refine(ga::lm(12)) | ga::best(4) | ga::refine(ga::lm(30, 8)) |
-                          ga::best(2) | ga::refine(ga::lm(200, 5)) | ga::best(1);
+    const Pipeline pipeline =
+        design_pipeline(setup, "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | "
+                               "best 2 | refine lm 200 sharpen=5 | best 1");
     ga::RunOptions options;
     options.budget.seconds = seconds - clock.seconds() - 0.03; // for evaluations that still run at the end
     const auto result = ga::run(pipeline, problem, ga::population(genomes), options);
