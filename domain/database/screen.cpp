@@ -84,7 +84,8 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
                           const ScreenOptions& options) {
     check(curves, targets, options);
     const bool rescaled = options.max_pressure > 0;
-    const auto displacements = load_displacements(1, model.loading, model.body.kernel); // over height ranges
+    const auto displacements =
+        load_displacements(1, model.loading, model.body.kernel); // for a height range of 1
     const auto steps = static_cast<Index>(displacements.size());
     const double full_stiffness =
         full_contact_stiffness({Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body);
