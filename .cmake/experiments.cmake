@@ -1,18 +1,19 @@
-# Writes the list of all kinds of experiments into a C++ file, RUGOSA_EXPERIMENTS_SOURCE: the functions
-# `Experiment NAME_experiment() {` in the sources of apps/experiments.
+# Writes the list of all kinds of experiments into a C++ file, RUGOSA_EXPERIMENTS_SOURCE: what the functions
+# `Experiment NAME_experiment() {` in the sources of apps/experiments return.
 set(RUGOSA_EXPERIMENTS_SOURCE ${PROJECT_BINARY_DIR}/experiments.cpp)
-set(functions "")
+set(declarations "")
+set(calls "")
 foreach(source ${APP_SOURCES})
     if(source MATCHES "/apps/experiments/")
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
-        file(STRINGS ${source} found REGEX "^Experiment [a-z_]+_experiment\\(\\) {$")
-        list(APPEND functions ${found})
+        file(STRINGS ${source} functions REGEX "^Experiment [a-z_]+_experiment\\(\\) {$")
+        foreach(function ${functions})
+            string(REGEX REPLACE "^Experiment ([a-z_]+).*" "\\1" name ${function})
+            string(APPEND declarations "Experiment ${name}();\n")
+            string(APPEND calls "${name}(), ")
+        endforeach()
     endif()
 endforeach()
-list(TRANSFORM functions REPLACE "^Experiment ([a-z_]+)\\(\\) {$" "\\1()")
-list(JOIN functions ", " calls)
-list(TRANSFORM functions REPLACE "(.+)" "Experiment \\1;\n")
-list(JOIN functions "" declarations)
 file(CONFIGURE OUTPUT ${RUGOSA_EXPERIMENTS_SOURCE} CONTENT "#include \"apps/experiments/experiment.hpp\"
 
 namespace app {

@@ -5,7 +5,6 @@
 /// that another one includes is not listed.
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/asperities/caps.hpp"
-#include "domain/contact/exact.hpp"
 #include "domain/contact/interface.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"

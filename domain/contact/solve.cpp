@@ -365,27 +365,6 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
         .displacement;
 }
 
-ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum) {
-    if (body.kernel != Kernel::free || profile.is_2d())
-        throw InputError("datum: only a line on the free half-plane has one; remove it");
-    const double length = profile_length(profile, body.kernel);
-    Body changed = body;
-    changed.datum = datum;
-    checked_body(profile, changed);
-    const double compliance = -datum_sensitivity(1, length, body.effective_modulus) *
-                              std::log(completed(changed, length).datum / completed(body, length).datum);
-    for (std::size_t j = 0; j < curve.steps.size(); ++j) {
-        LoadStep& step = curve.steps[j];
-        // 1/K(d2) = 1/K(d1) + (2 L/(pi E*)) ln(d2/d1), and w = H_AA^-1 1 shrinks as K does
-        const double ratio = 1 / (1 + step.tangent_stiffness * compliance);
-        step.displacement += step.pressure * compliance;
-        step.tangent_stiffness *= ratio;
-        if (!curve.states.empty())
-            curve.states[j].tangent *= ratio;
-    }
-    return curve;
-}
-
 double full_contact_stiffness(const Profile& surface, const Body& given, int threads) {
     if (given.kernel == Kernel::periodic) { // on a rigid base 1/C0
         const double modulus = given.effective_modulus;

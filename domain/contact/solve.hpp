@@ -113,11 +113,6 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
-/// Converts a solved curve and its states to another datum (mm), exactly and without a new contact solution.
-/// The surface must be a line on the free half-plane, and the datum must exceed (L + delta)/4. Throws
-/// InputError otherwise. A datum of 0 stands for L.
-ContactCurve with_datum(ContactCurve curve, const Profile& profile, const Body& body, double datum);
-
 /// Predicted cost of a curve of `steps` steps on `nodes` nodes by the cheaper of the solvers `nested` and
 /// `active_set`, in arbitrary units. `contact` nodes touch at the last step.
 double predicted_cost(double nodes, double contact, double steps);

@@ -165,35 +165,25 @@ struct Variant {
     rough::Pipeline pipeline;
 };
 
-/// The paper's three. If `reduces_children`, cco has Algorithm 1 on the children instead of the parents,
-/// which is another reading of Algorithm 5.
-std::vector<Variant> paper_three(const rough::Vocabulary& words, bool reduces_children) {
-    const char* const cco_of_sums = "pair(score low | above 0.95 at_least=3, score high | above 0.95 "
-                                    "at_least=3, unite) | reduce dominant "
-                                    "| score | best 3 | refine gcmma 3 genes=phases | best 1";
-    return {{"sog", paper_pipeline(words, "sog")},
-            {"gco", paper_pipeline(words, "gco")},
-            {"cco", reduces_children ? ga::Parser<DesignProblem>(paper_registry(words)).parse(cco_of_sums)
-                                     : paper_pipeline(words, "cco")}};
-}
-
-/// The paper's three in both forms, then what the experiment writes in [variants].
+/// The paper's three in both forms, then what the experiment writes in [variants]. If `reduces_children`, cco
+/// has Algorithm 1 on the children instead of the parents, which is another reading of Algorithm 5.
 std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words,
                                    bool reduces_children) {
-    std::vector<Variant> variants = paper_three(words, reduces_children);
-    for (const char* name : {"sog-minimax", "gco-minimax", "cco-minimax"})
-        variants.push_back({name, paper_pipeline(words, name)});
+    std::vector<std::string> names{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"};
     ga::Variants texts = rough::paper_variants();
-    const auto given = settings.texts_under("variants.");
-    for (const auto& [name, text] : given) {
-        if (texts.count(name))
+    if (reduces_children)
+        texts["cco"] = "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | "
+                       "reduce dominant | score | best 3 | refine gcmma 3 genes=phases | best 1";
+    for (const auto& [name, text] : settings.texts_under("variants.")) {
+        if (!texts.emplace(name, text).second)
             settings.refuse("variants." + name, "the paper has a variant of this name; choose another");
-        texts[name] = text;
+        names.push_back(name);
     }
-    for (const auto& [name, text] : given)
-        variants.push_back({name, read_at(settings, "variants." + name, [&, &name = name] {
-                                return ga::Parser<DesignProblem>(paper_registry(words), texts).variant(name);
-                            })});
+    ga::Parser<DesignProblem> parser(paper_registry(words), texts);
+    std::vector<Variant> variants;
+    for (const std::string& name : names)
+        variants.push_back(
+            {name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
     return variants;
 }
 
@@ -253,7 +243,10 @@ class Paper {
   public:
     Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
         : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
-          variants_(variants_from(settings, words_by(run.dominance), run.reduces_children)) {
+          variants_(variants_from(
+              settings,
+              {std::make_shared<DominanceRule>(run.searched, run.dominance, run.dominant_above), run.reach},
+              run.reduces_children)) {
         conditions.progress.show("database");
         run.database = answered(genomes_, run.model, run.max_pressure, run.origin.threads);
     }
@@ -298,10 +291,6 @@ class Paper {
   private:
     rough::DesignSetup setup_for(const TargetRun& target, double p_bar) const {
         return paper_setup(run_.searched, target.target, run_.max_pressure, p_bar, run_.reach);
-    }
-
-    rough::Vocabulary words_by(rough::DominanceReading reading) const {
-        return {std::make_shared<DominanceRule>(run_.searched, reading, run_.dominant_above), run_.reach};
     }
 
     /// Runs a variant and records its stages; its answer is solved exactly. Returns false if the run was

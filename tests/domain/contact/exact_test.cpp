@@ -1,5 +1,5 @@
-#include "domain/contact/exact.hpp"
 #include "domain/contact/solve.hpp"
+#include "tests/domain/contact/exact.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "domain/contact/exact.hpp"
 #include "domain/contact/kernel.hpp"
+#include "tests/domain/contact/exact.hpp"
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
