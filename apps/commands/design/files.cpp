@@ -1,14 +1,8 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/report/csv.hpp"
-#include "apps/report/output.hpp"
 #include "apps/report/surface.hpp"
-#include "domain/mwm/genome.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/target/target.hpp"
 #include "domain/text/atomic_file.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Check, name, similarity, decides)
@@ -25,6 +19,8 @@ json answer_json(const rough::Answer& answer) {
             {"similarity_worst", answer.worst()}, {"similarity_made", answer.similarity_made},
             {"difference", answer.difference},    {"genome", rough::genome_to_json(answer.genome)}};
 }
+
+} // namespace
 
 json trust_json(const rough::Trust& trust) {
     const std::vector<double> checked = rough::column(trust.checks, &rough::Check::similarity);
@@ -61,6 +57,8 @@ json tolerance_json(const rough::Tolerance& tolerance) {
             {"complete", tolerance.complete},
             {"levels", levels}};
 }
+
+namespace {
 
 json morph_json(const DesignRun& run) {
     const rough::Morphed& morphed = *run.morphed;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
@@ -104,6 +103,12 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 /// The targets of --target with their --weights.
 std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model);
+///@{
+/// Parts of result.json.
+nlohmann::json trust_json(const rough::Trust& trust);
+nlohmann::json tolerance_json(const rough::Tolerance& tolerance);
+///@}
+
 /// The keys of result.json for the record, and for each target its points, file, quantity, and the argument
 /// of its figure with further `curves`.
 nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,

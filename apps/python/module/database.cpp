@@ -1,6 +1,4 @@
 #include "apps/python/module/python.hpp"
-#include "domain/database/screen.hpp"
-#include "domain/database/store.hpp"
 
 namespace rugosa::python {
 

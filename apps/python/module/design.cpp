@@ -1,9 +1,8 @@
 #include "apps/commands/design/run.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
-#include "domain/numerics/statistics.hpp"
 
-#include <cmath>
+#include <regex>
 
 namespace rugosa::python {
 
@@ -121,25 +120,25 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
     return run;
 }
 
-/// The object `tolerance` of result.json, without units in its keys.
+/// A part of result.json without units in its keys.
+py::dict without_units(const nlohmann::json& part) {
+    static const std::regex unit("_(mm|MPa)\":");
+    return py::module_::import("json").attr("loads")(std::regex_replace(part.dump(), unit, "\":"));
+}
+
 py::dict tolerance_of(Design& design) {
     if (!design.tolerance) {
         const py::gil_scoped_release unlocked;
         design.tolerance =
             rough::tolerance_of(design.setup, design.found.best.genome, design.tolerance_options);
     }
-    const rough::Tolerance& tolerance = *design.tolerance;
-    py::list levels, curve;
-    for (const rough::ToleranceLevel& level : tolerance.levels)
-        levels.append(py::dict("similarity"_a = level.similarity, "noise_rms"_a = level.noise_rms,
-                               "tilt"_a = level.tilt, "scale"_a = level.scale));
-    for (const rough::NoiseQuantile& one : tolerance.curve)
+    py::dict result = without_units(app::tolerance_json(*design.tolerance));
+    py::list curve;
+    for (const rough::NoiseQuantile& one : design.tolerance->curve)
         curve.append(py::dict("noise_rms"_a = one.noise_rms, "quantile"_a = one.quantile,
                               "median"_a = one.median, "draws"_a = one.draws));
-    return py::dict("noise_length"_a = tolerance.noise_length, "share"_a = rough::Tolerance::share,
-                    "share_from"_a = tolerance.share_from, "share_to"_a = tolerance.share_to,
-                    "draws"_a = tolerance.draws, "similarity"_a = tolerance.similarity, "levels"_a = levels,
-                    "curve"_a = curve);
+    result["curve"] = curve;
+    return result;
 }
 
 py::dict trust_of(const Design& design, double noise, double tilt, double hardness, std::uint64_t seed,
@@ -156,20 +155,7 @@ py::dict trust_of(const Design& design, double noise, double tilt, double hardne
         const py::gil_scoped_release unlocked;
         trust = trust_in(setup, design.found.best.genome, options);
     }
-    const auto by_name = [](const std::vector<rough::Check>& checks) {
-        py::dict similarities;
-        for (const rough::Check& check : checks)
-            similarities[py::str(check.name)] = check.similarity;
-        return similarities;
-    };
-    const std::vector<double> checked = rough::column(trust.checks, &rough::Check::similarity);
-    return py::dict("checks"_a = by_name(trust.checks), "kernels"_a = by_name(trust.kernels),
-                    "median"_a = rough::median(checked), "tenth_percentile"_a = rough::quantile(checked, 0.1),
-                    "redrawn_best"_a = rough::quantile(trust.redrawn, 1),
-                    "redrawn_median"_a = rough::median(trust.redrawn), "rms_slope"_a = trust.rms_slope,
-                    "peak_pressure"_a = trust.peak_pressure,
-                    "shortest_wave_nodes"_a = trust.shortest_wave_nodes,
-                    "contact_at_ends"_a = trust.contact_at_ends, "flags"_a = trust.flags);
+    return without_units(app::trust_json(trust));
 }
 
 constexpr const char* help_of_design = R"(Finds a rough profile whose response matches a target.
@@ -242,13 +228,12 @@ void add_design(py::module_& module) {
             "Why the search ended before its pipeline did; empty if it did not.")
         .def_property_readonly(
             "tolerance", &tolerance_of,
-            R"(Required precision of the machine, computed when it is first read: a dictionary of
-noise_length (mm), share, draws and levels, a list of dictionaries with similarity, noise_rms, tilt (mm)
-and scale.)")
+            R"(Required precision of the machine, computed when it is first read: `tolerance` of result.json as
+a dictionary, with the curve of similarities under noise. Lengths in mm.)")
         .def("trust", &trust_of, py::kw_only(), "noise"_a = 0.0, "tilt"_a = 0.0, "hardness"_a = 0.0,
              "seed"_a = 1, "threads"_a = 0,
              R"(Checks the answer on finer grids, in more load steps, with another datum, under height noise
-(mm rms) or a tilt (mm over the length) and on other bodies; a dictionary of similarities and flags.)")
+(mm rms) or a tilt (mm over the length) and on other bodies: `trust` of result.json as a dictionary.)")
         .def("__repr__", [](const Design& d) {
             return d.found.best.is_verified()
                        ? rough::line_of("<rugosa.Design, ", is_found(d) ? "found" : "not found",

@@ -1,9 +1,7 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
 
-#include <algorithm>
 #include <csignal>
-#include <thread>
 
 namespace rugosa::python {
 
