@@ -11,16 +11,14 @@ struct Material {
     double modulus;       ///< Young's modulus E, MPa
     double poissons;      ///< Poisson's ratio nu
     double hardness;      ///< indentation hardness, MPa: about the largest local pressure
-    const char* of;       ///< grade of the material, in a few words
-    const char* elastic;  ///< source of E and nu
-    const char* indented; ///< source of the hardness
+    std::string of;       ///< grade of the material, in a few words
+    std::string elastic;  ///< source of E and nu
+    std::string indented; ///< source of the hardness
 };
 
 /// The known materials, in the order of their names. Values are for room temperature. A heat treatment may
 /// change a hardness severalfold.
 const std::vector<Material>& materials();
-/// Their names, in the same order.
-std::vector<std::string> material_names();
 
 /// Limit on the largest local pressure divided by E*, for a material of unknown hardness. The highest ratios
 /// of hardness and E* are 0.06 to 0.09, for glass, silicon and diamond.

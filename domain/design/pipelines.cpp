@@ -1,7 +1,6 @@
 #include "domain/design/pipelines.hpp"
 
 #include "domain/design/starts.hpp"
-#include "domain/paper/variants.hpp"
 #include "ga/blocks/derived.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -232,7 +231,7 @@ std::string usual_variant(const DesignSetup& setup, bool stored) {
                                          : "default";
 }
 
-extern const char* const design_variants_ini; // variants.ini (.cmake/variants.cmake)
+extern const char* const design_variants_ini; // variants.ini (.cmake/data.cmake)
 
 ga::Variants design_variants(double required) {
     ga::Variants variants = variants_in(
