@@ -1,36 +1,26 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/compare/contest.hpp"
+#include "apps/report/render.hpp"
+
+#include <boost/algorithm/string/replace.hpp>
 
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
-#include <filesystem>
 #include <iostream>
 #include <malloc.h>
 #include <new>
-#include <stdexcept>
-#include <system_error>
 #include <unistd.h>
 
 namespace {
 
 void print_help() {
-    std::cout << "rugosa " RUGOSA_VERSION ": designs rough surfaces that have a given contact behaviour\n\n"
-                 "Usage: rugosa SUBCOMMAND [flags]\n\nSubcommands:\n"
-              << app::listed(app::commands(), 12)
-              << "\n'rugosa SUBCOMMAND --help' lists its flags, with examples. To begin with:\n"
-                 "  rugosa profile --profile SCAN.txt            describes a measured surface; writes a "
-                 "solid to print\n"
-                 "  rugosa design --like SCAN.txt --seconds 10   designs a surface that behaves like it\n\n"
-                 "--quiet omits remarks and progress, --verbose adds details.\n"
-                 "mpirun -n R rugosa ... shares the work of design, run, compare and database build among R "
-                 "processes\n(if built with MPI).\n"
-                 "Exit codes: 0 done, 2 wrong use or bad input, 130 interrupted,\n"
-                 "3 required similarity missed, target out of reach or no convergence.\n";
+    std::string text = app::builtin_files().at("rugosa.txt");
+    boost::replace_all(text, "{version}", RUGOSA_VERSION);
+    boost::replace_all(text, "{subcommands}", app::listed(app::commands(), 12));
+    std::cout << text;
 }
 
 int dispatch(app::Words words) {

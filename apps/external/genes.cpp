@@ -1,13 +1,7 @@
 #include "apps/external/genes.hpp"
 
-#include "domain/text/words.hpp"
-
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace app {
 

@@ -3,8 +3,6 @@
 #include "apps/prompt/settings.hpp"
 #include "ga/text/parser.hpp"
 
-#include <limits>
-
 namespace app {
 
 /// The genes of a genome, as in --genes: bits:40, permutation:20, or parts of numbers and words, as in

@@ -4,8 +4,6 @@
 #include "apps/external/solution.hpp"
 #include "ga/text/compiled_once.hpp"
 
-#include <stdexcept>
-
 namespace app {
 
 /// Bits or a permutation as a JSON array, "[0,1]".

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
 #include "ga/variation/mutate.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
-
-#include <numeric>
 
 namespace ga {
 
@@ -421,7 +418,6 @@ struct CmaEs : Operator {
     }
 };
 
-///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
     const auto numbers = [](const auto& m) { return std::vector<double>(m.data(), m.data() + m.size()); };
     std::vector<double> moving;
@@ -478,7 +474,6 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     read_part(j.at(8), s.mirrored);
     expect_fit(s.mirrored.size() == s.children.size());
 }
-///@}
 
 /// The stage `cma-es sigma=sigma population=children restarts=restarts`.
 inline CmaEs cma_es(double sigma = 0.3, std::string restarts = "bipop", std::size_t children = 0) {

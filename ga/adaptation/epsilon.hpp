@@ -73,10 +73,8 @@ struct Epsilon : Operator {
     }
 };
 
-///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const Epsilon::State& s) { j = {s.first, s.generation}; }
 inline void from_json(const nlohmann::json& j, Epsilon::State& s) { read_parts(j, s.first, s.generation); }
-///@}
 
 /// The stage `epsilon generations`.
 inline Epsilon epsilon(std::size_t generations) { return checked(Epsilon{{}, generations}); }

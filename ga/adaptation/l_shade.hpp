@@ -4,9 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <numbers>
-#include <unordered_map>
 
 namespace ga {
 
@@ -216,7 +214,6 @@ struct LShade : Operator {
     }
 };
 
-///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const LShade::Trial& t) {
     j = {t.child, t.F, t.CR, t.violation, t.merit, t.parent};
 }
@@ -234,7 +231,6 @@ inline void from_json(const nlohmann::json& j, LShade::State& s) {
     for (std::size_t i = 0; i < entries; ++i)
         expect_fit(s.history.F[i] >= 0 && s.history.F[i] <= 2 && std::abs(s.history.CR[i]) <= 2);
 }
-///@}
 
 /// The stage `l-shade evaluations=evaluations`.
 inline LShade l_shade(long evaluations = 0) { return checked(LShade{{}, evaluations}); }

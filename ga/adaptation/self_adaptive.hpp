@@ -100,10 +100,8 @@ struct SelfAdaptive : Operator {
     }
 };
 
-///@{ Write and read the state for checkpoints, without loss.
 inline void to_json(nlohmann::json& j, const SelfAdaptive::State& state) { j = state.sizes; }
 inline void from_json(const nlohmann::json& j, SelfAdaptive::State& state) { j.get_to(state.sizes); }
-///@}
 
 /// The stage `self-adaptive sigma steps=steps`.
 inline SelfAdaptive self_adaptive(double sigma = 0.1, std::string steps = "each") {
