@@ -86,13 +86,9 @@ Variants variants_in(const std::string& ini) {
     return variants;
 }
 
-extern const char* const paper_variants_ini; // variants.ini (.cmake/variants.cmake)
+extern const char* const paper_variants_ini; // variants.ini (.cmake/data.cmake)
 
 Variants paper_variants() { return variants_in(paper_variants_ini); }
-
-Pipeline paper_pipeline(const Vocabulary& words, const std::string& name) {
-    return Parser<DesignProblem>(paper_registry(words), paper_variants()).variant(name);
-}
 
 } // namespace rough
 

@@ -35,9 +35,6 @@ ga::Variants variants_in(const std::string& ini);
 /// them.
 ga::Variants paper_variants();
 
-/// The pipeline of one of paper_variants(). Throws ga::UsageError on another name.
-Pipeline paper_pipeline(const Vocabulary& words, const std::string& name);
-
 } // namespace rough
 
 /// @cond

@@ -2,18 +2,15 @@
 //
 //   benchmark_accuracy [scenes [kernel 0-2 [first seed [shortest wave, parts of L]]]]
 //   benchmark_accuracy little    (only the cost of a smooth scene against that of rough ones)
-#include "domain/accuracy/error_bounds.hpp"
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/response/curve.hpp"
 #include "tests/domain/random_genome.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <string_view>
 
 using namespace rough;
 

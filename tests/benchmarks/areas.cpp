@@ -4,8 +4,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <string>
 #include <sys/resource.h>
 
 using namespace rough;

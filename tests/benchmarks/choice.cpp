@@ -8,12 +8,7 @@
 
 #include <Eigen/QR>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <functional>
-#include <random>
 
 using namespace rough;
 using rough::testing::processor_seconds;

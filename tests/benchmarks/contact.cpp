@@ -2,9 +2,7 @@
 #include "tests/benchmarks/measure.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <functional>
 
 using namespace rough;
 using rough::testing::median;

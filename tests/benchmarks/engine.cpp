@@ -9,10 +9,7 @@
 #include "ga/ga.hpp"
 #include "tests/benchmarks/measure.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <numbers>
-#include <thread>
 
 #ifdef RUGOSA_PAGMO
 #include <pagmo/algorithm.hpp>

@@ -4,13 +4,11 @@
 // opening the file, screening and refinement. It is given on the grid and on one four times finer, next to
 // the similarities of the paper's three variants.
 
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/pipelines.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <cstdio>
@@ -80,7 +78,10 @@ double by_variant(const char* name, const Target& target, const Model& model) {
     const DesignProblem problem(paper_setup(model, target, highest, 0.5 * highest));
     const Vocabulary words{std::make_shared<DominanceRule>(model)};
     const auto start = ga::population(sobol_database({.shortest = model.grid.spacing()}));
-    return ga::run(paper_pipeline(words, name), problem, start).population.front().value();
+    return ga::run(ga::Parser<DesignProblem>(paper_registry(words), paper_variants()).variant(name), problem,
+                   start)
+        .population.front()
+        .value();
 }
 
 } // namespace

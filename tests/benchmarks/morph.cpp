@@ -5,9 +5,6 @@
 
 #include "domain/design/morph.hpp"
 
-#include "domain/mwm/genome.hpp"
-#include "domain/target/target.hpp"
-#include "ga/base/random.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <cstdio>

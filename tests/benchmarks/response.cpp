@@ -7,9 +7,7 @@
 #include "ga/base/stopwatch.hpp"
 #include "tests/benchmarks/measure.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <functional>
 
 using namespace rough;
 using rough::testing::median;

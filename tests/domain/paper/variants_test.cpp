@@ -22,8 +22,8 @@ using Stages = std::map<std::string, ga::Population<Genome>>; ///< key: path
 
 /// Runs the pipeline and records the population after each stage.
 ga::Result<Genome> run_on(const Coarse& coarse, const std::string& variant, int threads, Stages& stages) {
-    return ga::run(paper_pipeline(coarse.words, variant), coarse.problem, ga::population(coarse.genomes),
-                   {.variant = "test", .threads = threads},
+    return ga::run(ga::Parser<DesignProblem>(paper_registry(coarse.words), paper_variants()).variant(variant),
+                   coarse.problem, ga::population(coarse.genomes), {.variant = "test", .threads = threads},
                    {[&](const ga::Event<Genome>& event) { stages[event.path] = event.population; }});
 }
 
@@ -132,7 +132,9 @@ TEST_CASE("the algorithms read as the paper prints them") {
     const Coarse coarse;
     const auto variants = paper_variants();
     for (const auto& [name, text] : variants)
-        CHECK(paper_pipeline(coarse.words, name).text() == text);
+        CHECK(
+            ga::Parser<DesignProblem>(paper_registry(coarse.words), paper_variants()).variant(name).text() ==
+            text);
     const std::string parents = "score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, ";
     CHECK(variants.at("sog") ==
           "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1");
