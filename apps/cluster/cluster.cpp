@@ -7,12 +7,10 @@
 #include "ga/base/stopwatch.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <future>
 #include <limits>
-#include <thread>
 #include <unistd.h>
 #ifdef RUGOSA_MPI
 #include <mpi.h>

@@ -5,9 +5,7 @@
 
 #include <boost/algorithm/string.hpp>
 
-#include <algorithm>
 #include <iostream>
-#include <sstream>
 
 namespace app {
 

@@ -8,16 +8,9 @@
 #include "apps/report/record.hpp"
 #include "apps/report/render.hpp"
 #include "apps/report/surface.hpp"
-#include "domain/accuracy/reduced.hpp"
-#include "domain/accuracy/resolution.hpp"
 #include "domain/contact/interface.hpp"
-#include "domain/contact/solve.hpp"
-#include "domain/mwm/waves.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/response/response.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace app {

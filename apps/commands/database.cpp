@@ -4,14 +4,9 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
-#include "domain/accuracy/respond_within.hpp"
-#include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/mwm/genome.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 

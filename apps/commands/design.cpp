@@ -1,15 +1,10 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/run.hpp"
-#include "apps/report/output.hpp"
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "domain/text/words.hpp"
-#include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
-
-#include <algorithm>
 
 namespace app {
 

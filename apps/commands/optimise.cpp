@@ -5,7 +5,6 @@
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
 #include "domain/text/json.hpp"
-#include "domain/text/words.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 

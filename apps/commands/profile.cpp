@@ -11,7 +11,6 @@
 #include "domain/profile/spectrum.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <cmath>
 #include <cstdio>
 #include <numbers>
 

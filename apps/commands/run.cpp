@@ -3,8 +3,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/output.hpp"
 
-#include <algorithm>
-
 namespace app {
 
 namespace {

@@ -6,10 +6,8 @@
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "ga/base/held_folder.hpp"
 
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <sys/wait.h>
 

@@ -1,7 +1,5 @@
 #include "apps/prompt/goals.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <muParser.h>
 
 namespace app {

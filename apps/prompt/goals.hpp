@@ -1,7 +1,6 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
-#include "domain/response/response.hpp"
 #include "domain/target/target.hpp"
 
 namespace app {

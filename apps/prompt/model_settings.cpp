@@ -4,13 +4,6 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/profile/preparation.hpp"
-#include "domain/scan/scan.hpp"
-#include "domain/scan/unit.hpp"
-#include "domain/text/words.hpp"
-
-#include <algorithm>
-#include <sstream>
 
 namespace app {
 
@@ -73,7 +66,7 @@ Fields fields_of(ModelParameters& of) {
         {Setting("material", "",
                  "sets E, nu and the hardness above which a curve has a warning; modulus and poisson replace "
                  "its values")
-             .of(rough::material_names()),
+             .of(names_of(rough::materials())),
          of.material},
         {positive("modulus", ga::number(usual.body.effective_modulus), "Young's modulus E, MPa"), of.modulus},
         {ga::number("poisson", "0", -0.999999, 0.5, "Poisson's ratio nu; E* = E/(1 - nu^2)"), of.poisson},

@@ -2,9 +2,6 @@
 
 #include "apps/prompt/settings.hpp"
 #include "domain/accuracy/resolution.hpp"
-#include "domain/mwm/genome.hpp"
-#include "domain/profile/preparation.hpp"
-#include "domain/response/response.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 

@@ -1,14 +1,11 @@
 #include "apps/prompt/settings.hpp"
 
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/words.hpp"
 #include "ga/text/nearest.hpp"
 
 #include <boost/program_options.hpp>
 
-#include <algorithm>
 #include <set>
-#include <sstream>
 
 namespace app {
 
@@ -379,13 +376,6 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
     for (const auto& list : lists)
         all.insert(all.end(), list.begin(), list.end());
     return all;
-}
-
-std::vector<std::string> names_of(const std::vector<Setting>& settings) {
-    std::vector<std::string> names;
-    for (const Setting& setting : settings)
-        names.push_back(setting.name);
-    return names;
 }
 
 void expect_none(const Settings& settings, const std::vector<std::string>& names,

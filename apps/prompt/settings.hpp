@@ -1,10 +1,10 @@
 #pragma once
 
 #include "domain/errors.hpp"
+#include "domain/text/words.hpp"
 #include "ga/pipeline/parameters.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <type_traits>
 
@@ -160,7 +160,7 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
 /// The settings of several lists.
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 
-std::vector<std::string> names_of(const std::vector<Setting>& settings);
+using rough::names_of;
 /// Throws rough::InputError on the first of these that was given: its place and `problem`.
 void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
 /// The one of these settings that is given. Throws rough::InputError that begins with `what` unless exactly

@@ -7,10 +7,8 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <string_view>
 
 namespace app {
 

@@ -3,15 +3,12 @@
 #include "apps/prompt/terminal.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "domain/text/words.hpp"
 #include "ga/base/held_folder.hpp"
 #include "ga/problem/fingerprint.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +17,6 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <thread>
-#include <unistd.h>
 
 namespace app {
 

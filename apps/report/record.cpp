@@ -1,10 +1,5 @@
 #include "apps/report/record.hpp"
 
-#include "domain/accuracy/error_bounds.hpp"
-#include "domain/accuracy/respond_within.hpp"
-#include "domain/contact/solve.hpp"
-#include "domain/mwm/genome.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/numerics/vector_loops.hpp"
 
 namespace rough {

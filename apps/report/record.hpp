@@ -1,14 +1,8 @@
 #pragma once
 
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/design/search.hpp"
-#include "domain/target/target.hpp"
-#include "ga/run/context.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <limits>
 
 /// The record of a run, from which result files and pages are written. An unknown number is NaN.
 namespace app {

@@ -7,7 +7,6 @@
 #include "domain/text/json.hpp"
 #include "ga/base/stopwatch.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <deque>
 #include <kainjow/mustache.hpp>

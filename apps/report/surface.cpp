@@ -7,12 +7,9 @@
 #include "domain/contact/interface.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
-#include "domain/profile/solid.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace app {
 

@@ -4,8 +4,6 @@
 #include "domain/profile/solid.hpp"
 #include "domain/response/response.hpp"
 
-#include <filesystem>
-
 /// Notes on a surface, and its solid.
 namespace app {
 

@@ -5,8 +5,6 @@
 #include "domain/profile/roughness.hpp"
 #include "ga/base/stopwatch.hpp"
 
-#include <optional>
-
 namespace rough {
 
 namespace {

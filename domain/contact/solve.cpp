@@ -9,7 +9,6 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <tuple>
 
 namespace rough {

@@ -2,7 +2,6 @@
 
 #include "domain/numerics/fourier.hpp"
 
-#include <array>
 #ifdef RUGOSA_KISSFFT
 #include <kissfft/kissfft.hh>
 #else

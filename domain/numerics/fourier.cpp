@@ -1,6 +1,5 @@
 #include "domain/numerics/fft_library.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace rough {

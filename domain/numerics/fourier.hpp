@@ -6,7 +6,6 @@
 #include <array>
 #include <complex>
 #include <optional>
-#include <vector>
 
 namespace rough {
 

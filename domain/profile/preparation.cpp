@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 namespace rough {

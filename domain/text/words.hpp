@@ -22,6 +22,15 @@ bool is_in(std::string_view list, std::string_view word);
 /// The trimmed parts of a text between its commas; none if the text is empty.
 std::vector<std::string> listed(const std::string& text);
 
+/// The member `name` of each row.
+template <class Rows>
+std::vector<std::string> names_of(const Rows& rows) {
+    std::vector<std::string> names;
+    for (const auto& row : rows)
+        names.push_back(row.name);
+    return names;
+}
+
 /// A word as a finite number. Throws InputError that begins with `where` for any other word.
 double number_from(const std::string& word, const std::string& where);
 

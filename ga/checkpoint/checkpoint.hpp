@@ -1,21 +1,14 @@
 #pragma once
 
-#include "ga/base/errors.hpp"
 #include "ga/base/held_folder.hpp"
 #include "ga/checkpoint/bounded_json.hpp"
 #include "ga/pipeline/run.hpp"
-#include "ga/problem/fingerprint.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <bit>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
-#include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 namespace ga {
 

@@ -5,11 +5,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <any>
-#include <functional>
 #include <list>
 #include <map>
-#include <memory>
-#include <optional>
 
 namespace ga {
 

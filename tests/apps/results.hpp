@@ -2,7 +2,6 @@
 
 #include "tests/apps/program.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <regex>

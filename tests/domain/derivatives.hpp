@@ -1,13 +1,9 @@
 #pragma once
 
 #include "domain/accuracy/respond_within.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/response/curve.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <functional>
-#include <vector>
 
 namespace rough::testing {
 

@@ -1,10 +1,8 @@
 // Compiled where Eigen's and NLopt's headers are errors.
 #include "ga/checkpoint/checkpoint.hpp"
-#include "ga/ga.hpp"
 #include "ga/observers/front.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
-#include "ga/observers/progress.hpp"
 #include "ga/pipeline/ask_tell.hpp"
 #include "ga/text/compiled_once.hpp"
 #include "ga/text/listing.hpp"

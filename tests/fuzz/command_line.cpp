@@ -2,8 +2,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "tests/fuzz/reader.hpp"
 
-#include <sstream>
-
 /// One word per line.
 FUZZ(command_line) {
     std::vector<std::string> words;

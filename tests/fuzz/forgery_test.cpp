@@ -3,24 +3,16 @@
 #include "apps/commands/commands.hpp"
 #include "apps/external/problem.hpp"
 #include "apps/prompt/terminal.hpp"
-#include "domain/database/build.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/database/store.hpp"
-#include "domain/mwm/genome.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "ga/base/errors.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
 
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <SQLiteCpp/VariadicBind.h>
 #include <catch2/catch.hpp>
 
-#include <cmath>
-#include <cstring>
-#include <functional>
-#include <numeric>
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <SQLiteCpp/VariadicBind.h>
 
 namespace fs = std::filesystem;
 using nlohmann::json;

@@ -4,9 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <array>
-
 namespace fs = std::filesystem;
 
 namespace {

@@ -1,6 +1,5 @@
 #include "domain/design/pipelines.hpp"
 #include "domain/design/search.hpp"
-#include "ga/text/parser.hpp"
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(pipeline) {

@@ -5,9 +5,7 @@
 #include "tests/folder.hpp"
 
 #include <functional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace fuzz {
 

@@ -2,10 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <memory>
-#include <mutex>
-#include <numeric>
-
 using namespace ga;
 
 namespace {

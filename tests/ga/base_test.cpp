@@ -1,6 +1,3 @@
-#include "ga/base/parallel.hpp"
-#include "ga/base/random.hpp"
-#include "ga/run/state.hpp"
 #include "tests/ga/problems.hpp"
 
 #include <boost/random/bernoulli_distribution.hpp>
@@ -8,10 +5,6 @@
 #include <boost/random/uniform_01.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <catch2/catch.hpp>
-
-#include <atomic>
-#include <cmath>
-#include <thread>
 
 using namespace ga;
 

@@ -2,9 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <filesystem>
-#include <map>
-
 using namespace ga;
 
 namespace {

@@ -4,11 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
-#include <cstdlib>
-#include <set>
 #include <sys/wait.h>
-#include <thread>
-#include <unistd.h>
 
 using namespace ga;
 

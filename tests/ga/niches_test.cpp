@@ -2,8 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <map>
-
 using namespace ga;
 
 namespace {

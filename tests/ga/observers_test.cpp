@@ -1,6 +1,5 @@
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
-#include "ga/observers/progress.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/problems.hpp"
 

@@ -1,5 +1,4 @@
 #include "ga/observers/front.hpp"
-#include "ga/pareto/pareto.hpp"
 #include "tests/ga/problems.hpp"
 
 #include <catch2/catch.hpp>

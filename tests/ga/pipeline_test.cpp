@@ -3,9 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <map>
-#include <set>
-
 using namespace ga;
 
 namespace {

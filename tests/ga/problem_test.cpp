@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 
 #include <bit>
-#include <set>
 
 using namespace ga;
 

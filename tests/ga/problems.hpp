@@ -4,9 +4,6 @@
 #include "ga/text/compiled_once.hpp"
 #include "ga/text/whole_vocabulary.hpp"
 
-#include <array>
-#include <numbers>
-
 /// @file
 /// The problems that the tests share. The engine is compiled once for each, in problems.cpp and
 /// text_test.cpp, so tests write pipelines as text.

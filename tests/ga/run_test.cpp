@@ -2,9 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <set>
-#include <thread>
-
 using namespace ga;
 
 namespace {

@@ -3,8 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <fstream>
-
 using namespace ga;
 
 GA_PIPELINES_HERE(CurveFit)

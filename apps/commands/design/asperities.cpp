@@ -3,11 +3,8 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "domain/text/words.hpp"
 #include "ga/observers/progress.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace app {

@@ -4,9 +4,7 @@
 #include "apps/report/surface.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/pipelines.hpp"
-#include "domain/text/words.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace app {

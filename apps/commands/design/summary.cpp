@@ -1,8 +1,5 @@
 #include "apps/commands/design/run.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace app {
 
 namespace {

@@ -3,9 +3,7 @@
 #include "apps/report/render.hpp"
 #include "ga/text/nearest.hpp"
 
-#include <cmath>
 #include <regex>
-#include <set>
 
 namespace app {
 

@@ -3,10 +3,7 @@
 #include "domain/numerics/statistics.hpp"
 #include "ga/observers/coco.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <set>
 
 namespace app {
 

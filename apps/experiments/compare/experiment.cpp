@@ -1,10 +1,6 @@
 #include "apps/experiments/compare/contest.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "domain/problem/stored.hpp"
-#include "domain/text/words.hpp"
-
-#include <algorithm>
-#include <mutex>
 
 namespace app {
 

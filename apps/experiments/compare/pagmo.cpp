@@ -1,10 +1,6 @@
 #include "apps/experiments/compare/race.hpp"
 #include "ga/text/nearest.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #ifdef RUGOSA_PAGMO
 #include <pagmo/algorithm.hpp>
 #include <pagmo/algorithms/cmaes.hpp>

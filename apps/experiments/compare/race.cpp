@@ -5,9 +5,6 @@
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace app {
 
 double Nearness::after(const Answer& value) {

@@ -2,13 +2,6 @@
 #include "apps/report/render.hpp"
 #include "domain/profile/spectrum.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <set>
-#include <sstream>
-#include <variant>
-
 namespace app {
 
 namespace {

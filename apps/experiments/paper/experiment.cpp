@@ -5,11 +5,9 @@
 #include "domain/problem/stored.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
-#include "domain/text/words.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/log.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace app {

@@ -6,8 +6,6 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/paper/variants.hpp"
 
-#include <limits>
-
 /// The paper's experiment: its results, measurements that do not depend on a search, and claims. Pressures in
 /// MPa, lengths in mm, stiffness in MPa/mm. An unknown number is NaN.
 namespace app {

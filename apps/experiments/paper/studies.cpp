@@ -2,10 +2,7 @@
 
 #include <Eigen/QR>
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <set>
 
 namespace app {
 

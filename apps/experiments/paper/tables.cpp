@@ -4,9 +4,6 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace app {
 
 namespace {

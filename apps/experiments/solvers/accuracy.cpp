@@ -6,8 +6,6 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 
-#include <cmath>
-
 namespace app {
 
 namespace {

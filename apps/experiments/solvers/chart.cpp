@@ -1,12 +1,9 @@
 #include "apps/experiments/solvers/chart.hpp"
 
-#include "apps/experiments/experiment.hpp"
 #include "apps/prompt/units.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <numbers>
 
 namespace app {

@@ -2,9 +2,7 @@
 
 #include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
-#include "domain/response/response.hpp"
 
-#include <cmath>
 #include <compare>
 
 /// Time against error for every contact solver, grid, number of load steps and tolerance, and for theories

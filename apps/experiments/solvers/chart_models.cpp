@@ -1,9 +1,6 @@
 #include "apps/experiments/solvers/chart.hpp"
-#include "domain/errors.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/theory/theory.hpp"
-
-#include <cmath>
 
 namespace app {
 

@@ -2,11 +2,6 @@
 #include "apps/prompt/units.hpp"
 #include "domain/numerics/statistics.hpp"
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <set>
-
 namespace app {
 
 using nlohmann::json;

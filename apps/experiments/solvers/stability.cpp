@@ -4,9 +4,6 @@
 #include "domain/contact/solvers/problem.hpp"
 #include "domain/numerics/statistics.hpp"
 
-#include <cmath>
-#include <map>
-
 namespace app {
 
 using nlohmann::json;

@@ -3,8 +3,6 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/theory/theory.hpp"
 
-#include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace app {

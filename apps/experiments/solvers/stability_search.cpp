@@ -1,11 +1,6 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "apps/external/problem.hpp"
-#include "domain/errors.hpp"
-#include "domain/text/words.hpp"
-#include "ga/base/number.hpp"
-#include "ga/ga.hpp"
 #include "ga/observers/hall_of_fame.hpp"
-#include "ga/text/arguments.hpp"
 
 namespace app {
 

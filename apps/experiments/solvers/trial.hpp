@@ -2,7 +2,6 @@
 
 #include "domain/contact/solve.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 /// Trials of a contact solver on a scene, with times.

@@ -5,11 +5,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/text/json.hpp"
-#include "domain/text/words.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace app {
 

@@ -4,10 +4,7 @@
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace rough {
 

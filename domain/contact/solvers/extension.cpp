@@ -1,6 +1,5 @@
 #include "domain/contact/solvers/extension.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rough {

@@ -2,8 +2,6 @@
 
 #include "domain/numerics/team.hpp"
 
-#include <vector>
-
 namespace rough {
 
 /// E, which continues a field known at some nodes of a grid to all of them, and its transpose. The inverse of

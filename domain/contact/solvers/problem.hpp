@@ -4,8 +4,6 @@
 #include "domain/contact/solve.hpp"
 #include "domain/numerics/fourier.hpp"
 
-#include <optional>
-
 namespace rough {
 
 /// ContactProblem::work_limit without a limit.

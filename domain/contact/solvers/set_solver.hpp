@@ -3,9 +3,6 @@
 #include "domain/contact/solvers/extension.hpp"
 #include "domain/contact/solvers/problem.hpp"
 
-#include <functional>
-#include <optional>
-
 namespace rough {
 
 /// A contact set during an iterative solution: sorted nodes, and the same as a mask over all nodes.

@@ -1,8 +1,5 @@
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
 using namespace app::testing;

@@ -1,12 +1,5 @@
-#include "domain/mwm/genome.hpp"
 #include "domain/problem/verification.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <cmath>
 
 using namespace app::testing;
 

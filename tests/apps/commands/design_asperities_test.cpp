@@ -1,8 +1,6 @@
 #include "apps/report/csv.hpp"
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <numbers>
 

@@ -1,10 +1,5 @@
-#include "domain/mwm/genome.hpp"
 #include "domain/problem/problem.hpp"
-#include "domain/scan/scan.hpp"
-#include "domain/target/target.hpp"
 #include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <numbers>
 

@@ -1,12 +1,8 @@
 #include "apps/prompt/units.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/tolerance.hpp"
-#include "domain/mwm/genome.hpp"
-#include "domain/problem/problem.hpp"
 #include "domain/profile/solid.hpp"
 #include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace app::testing;
 using nlohmann::json;

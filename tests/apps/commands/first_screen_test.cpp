@@ -1,14 +1,7 @@
-#include "domain/contact/solve.hpp"
 #include "domain/problem/made.hpp"
-#include "domain/response/response.hpp"
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <map>
 #include <numbers>
-#include <regex>
 
 using namespace app::testing;
 using nlohmann::json;

@@ -1,7 +1,5 @@
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace app::testing;
 using nlohmann::json;
 

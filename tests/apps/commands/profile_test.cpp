@@ -1,4 +1,3 @@
-#include "domain/mwm/genome.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
@@ -6,11 +5,6 @@
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 #include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 
 using namespace app::testing;
 

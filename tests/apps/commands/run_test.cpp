@@ -1,11 +1,5 @@
-#include "domain/mwm/genome.hpp"
 #include "domain/paper/variants.hpp"
-#include "domain/target/target.hpp"
 #include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
-
-#include <set>
 
 using namespace app::testing;
 using nlohmann::json;

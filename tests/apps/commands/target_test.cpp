@@ -1,12 +1,7 @@
 #include "apps/prompt/goals.hpp"
-#include "domain/errors.hpp"
-#include "domain/target/target.hpp"
 #include "tests/apps/program.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 using namespace app::testing;
 

@@ -1,11 +1,6 @@
 #include "apps/experiments/solvers/chart.hpp"
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <set>
-
 using namespace app;
 using rough::Index;
 using rough::Solver;

@@ -1,8 +1,5 @@
 #include "apps/report/csv.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "tests/apps/results.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace app::testing;
 using nlohmann::json;

@@ -2,8 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-
 using namespace app;
 
 TEST_CASE("condition (10) holds always, Eq. 8 for half of all phases, and a lost pair costs what an integral "

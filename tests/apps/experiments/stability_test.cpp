@@ -4,10 +4,6 @@
 #include "tests/apps/results.hpp"
 #include "tests/domain/contact/oracle.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-
 using namespace app::testing;
 
 TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones solve whatever has a solution") {

@@ -1,13 +1,8 @@
-#include "domain/text/atomic_file.hpp"
 #include "domain/text/zip.hpp"
 #include "tests/apps/results.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/sanitized.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <functional>
-#include <regex>
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -1,11 +1,6 @@
 #include "domain/database/store.hpp"
-#include "ga/base/random.hpp"
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <cmath>
-#include <functional>
 #include <iostream>
 #include <map>
 

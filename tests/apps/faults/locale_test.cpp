@@ -1,10 +1,6 @@
 #include "apps/commands/commands.hpp"
 #include "tests/apps/program.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <locale>
-#include <map>
 #include <regex>
 
 using app::testing::Folder;

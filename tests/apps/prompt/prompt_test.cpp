@@ -4,11 +4,7 @@
 #include "domain/problem/stored.hpp"
 #include "tests/apps/program.hpp"
 
-#include <catch2/catch.hpp>
-
-#include <map>
 #include <set>
-#include <sstream>
 
 using namespace app::testing;
 

@@ -1,6 +1,5 @@
 #include "tests/apps/program.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

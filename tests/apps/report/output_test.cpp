@@ -2,8 +2,6 @@
 #include "tests/apps/results.hpp"
 #include "tests/sanitized.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace app::testing;
 
 namespace fs = std::filesystem;

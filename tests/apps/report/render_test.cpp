@@ -3,8 +3,6 @@
 #include "domain/errors.hpp"
 #include "tests/apps/results.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <set>
 

@@ -1,19 +1,12 @@
 #include "domain/contact/interface.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "domain/numerics/fourier.hpp"
 #include "domain/response/response.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/contact/oracle.hpp"
 
 #include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <random>
 
 using namespace rough;
 using maps::map_of;

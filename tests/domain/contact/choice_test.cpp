@@ -1,12 +1,9 @@
 #include "domain/contact/solvers/growing_factor.hpp"
-#include "domain/contact/solvers/problem.hpp"
 #include "domain/contact/solvers/solvers.hpp"
 #include "domain/errors.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <random>
 
 using namespace rough;
 

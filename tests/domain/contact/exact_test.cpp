@@ -1,13 +1,7 @@
-#include "domain/contact/solve.hpp"
 #include "tests/domain/contact/exact.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
 
 using namespace rough;
 

@@ -5,9 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <random>
-
 using namespace rough;
 
 namespace {

@@ -1,13 +1,8 @@
-#include "domain/contact/body.hpp"
 #include "domain/contact/kernel.hpp"
-#include "domain/contact/solve.hpp"
 #include "domain/errors.hpp"
-#include "ga/base/random.hpp"
 #include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"
 #include "tests/domain/derivatives.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <numbers>
 

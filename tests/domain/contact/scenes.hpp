@@ -1,17 +1,13 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
-#include "domain/mwm/genome.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <fstream>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace scenes {
 

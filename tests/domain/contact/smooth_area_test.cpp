@@ -1,5 +1,4 @@
 #include "domain/contact/interface.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/response/response.hpp"
 #include "tests/domain/random_genome.hpp"
 

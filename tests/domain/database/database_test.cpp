@@ -1,12 +1,12 @@
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
 
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <catch2/catch.hpp>
+
+#include <SQLiteCpp/SQLiteCpp.h>
 
 using namespace rough;
 namespace fs = std::filesystem;

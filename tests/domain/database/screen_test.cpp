@@ -1,9 +1,5 @@
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/waves.hpp"
-#include "domain/response/curve.hpp"
-#include "domain/target/target.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
 

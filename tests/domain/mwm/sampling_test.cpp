@@ -1,6 +1,4 @@
 #include "domain/errors.hpp"
-#include "domain/mwm/genome.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>

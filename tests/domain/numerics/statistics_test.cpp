@@ -3,8 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-
 using namespace rough;
 using Values = std::vector<double>;
 

@@ -1,7 +1,5 @@
 #include "tests/domain/problem/jacobian.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 using rough::testing::check_jacobian;
 using rough::testing::fitted_genome;

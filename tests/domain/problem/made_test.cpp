@@ -2,8 +2,6 @@
 #include "domain/design/tolerance.hpp"
 #include "tests/domain/problem/jacobian.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 using rough::testing::fitness;
 

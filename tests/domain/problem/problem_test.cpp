@@ -1,10 +1,7 @@
 #include "domain/design/pipelines.hpp"
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
-#include "domain/paper/dominance.hpp"
 #include "tests/domain/problem/jacobian.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::check_jacobian;

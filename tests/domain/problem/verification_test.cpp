@@ -1,8 +1,6 @@
 #include "domain/design/search.hpp"
 #include "tests/domain/problem/jacobian.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 
 namespace {

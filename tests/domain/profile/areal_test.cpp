@@ -1,5 +1,4 @@
 #include "domain/errors.hpp"
-#include "domain/numerics/fourier.hpp"
 #include "domain/profile/preparation.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"

@@ -1,4 +1,3 @@
-#include "domain/mwm/sampling.hpp"
 #include "domain/profile/roughness.hpp"
 #include "tests/domain/random_genome.hpp"
 

@@ -1,4 +1,3 @@
-#include "domain/mwm/sampling.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/text/zip.hpp"
 #include "tests/domain/contact/maps.hpp"
@@ -8,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include <array>
 #include <cstring>
 #include <map>
 #include <pugixml.hpp>

@@ -1,6 +1,4 @@
 #include "domain/errors.hpp"
-#include "domain/mwm/sampling.hpp"
-#include "domain/mwm/waves.hpp"
 #include "domain/profile/spectrum.hpp"
 #include "tests/domain/random_genome.hpp"
 

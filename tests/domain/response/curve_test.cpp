@@ -3,8 +3,6 @@
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 using testing::random_genome;
 using testing::uniform;

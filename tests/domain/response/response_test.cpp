@@ -2,8 +2,6 @@
 #include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 using testing::random_genome;
 

@@ -8,8 +8,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-
 using namespace rough;
 
 /// Files in the formats of instruments, byte by byte from their descriptions. They hold a map of 2 rows of 9

@@ -7,8 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 using namespace rough;

@@ -1,7 +1,6 @@
 // The code of the page ga/README.md, block by block (tests/CMakeLists.txt): a problem, a variant in code and
 // text, an operator.
 
-#include "ga/ga.hpp"
 #include "ga/pipeline/ask_tell.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/vocabulary.hpp"

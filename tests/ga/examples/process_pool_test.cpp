@@ -6,7 +6,6 @@
 
 #include <poll.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 using namespace ga;
 

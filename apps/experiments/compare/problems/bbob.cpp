@@ -1,7 +1,5 @@
 #include "apps/experiments/compare/problems/problems.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <numbers>
 

@@ -1,9 +1,6 @@
 #include "apps/experiments/compare/problems/problems.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace app {
 

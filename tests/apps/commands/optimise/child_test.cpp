@@ -1,6 +1,4 @@
 #include "apps/commands/optimise/children.hpp"
-#include "apps/external/solution.hpp"
-#include "domain/errors.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>

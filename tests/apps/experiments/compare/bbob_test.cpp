@@ -1,11 +1,8 @@
 #include "apps/experiments/compare/problems/problems.hpp"
-#include "ga/base/random.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <array>
 #include <numbers>
 
 using app::Bbob;

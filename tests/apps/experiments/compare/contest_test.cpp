@@ -1,10 +1,6 @@
 #include "apps/experiments/compare/contest.hpp"
-#include "domain/errors.hpp"
-#include "ga/base/errors.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <cmath>
 
 using namespace app;
 

@@ -2,10 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 using namespace app;
 
 namespace {
