@@ -3,6 +3,7 @@
 #include "domain/contact/materials.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/fourier.hpp"
+#include "domain/text/words.hpp"
 
 #include <catch2/catch.hpp>
 
