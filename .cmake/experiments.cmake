@@ -1,18 +1,21 @@
 # Writes the list of all kinds of experiments into a C++ file, RUGOSA_EXPERIMENTS_SOURCE: what the functions
 # `Experiment NAME_experiment() {` in the sources of apps/experiments return.
 set(RUGOSA_EXPERIMENTS_SOURCE ${PROJECT_BINARY_DIR}/experiments.cpp)
-set(declarations "")
-set(calls "")
+set(names "")
 foreach(source ${APP_SOURCES})
     if(source MATCHES "/apps/experiments/")
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
         file(STRINGS ${source} functions REGEX "^Experiment [a-z_]+_experiment\\(\\) {$")
-        foreach(function ${functions})
-            string(REGEX REPLACE "^Experiment ([a-z_]+).*" "\\1" name ${function})
-            string(APPEND declarations "Experiment ${name}();\n")
-            string(APPEND calls "${name}(), ")
-        endforeach()
+        list(TRANSFORM functions REPLACE "^Experiment ([a-z_]+).*" "\\1")
+        list(APPEND names ${functions})
     endif()
+endforeach()
+list(SORT names)
+set(declarations "")
+set(calls "")
+foreach(name ${names})
+    string(APPEND declarations "Experiment ${name}();\n")
+    string(APPEND calls "${name}(), ")
 endforeach()
 file(CONFIGURE OUTPUT ${RUGOSA_EXPERIMENTS_SOURCE} CONTENT "#include \"apps/experiments/experiment.hpp\"
 

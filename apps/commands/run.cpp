@@ -40,7 +40,7 @@ const Experiment& experiment_of(const std::filesystem::path& file,
     std::vector<std::string> kinds;
     for (const Experiment& experiment : experiments())
         kinds.push_back(experiment.kind);
-    const Setting kind{"experiment.kind", experiments().front().kind, ""};
+    const Setting kind{"experiment.kind", "paper", ""};
     return experiments()[read_ini(file, {kind, {"*", "", ""}}, overrides).one_of(kind.name, kinds)];
 }
 
