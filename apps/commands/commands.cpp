@@ -20,13 +20,12 @@ const std::vector<Command>& commands() {
 
 namespace {
 
-/// The lines of help/NAME.txt: a summary, the words after the name in the usage line, an empty line, the text
-/// in one or more lines, an empty line, and examples.
+/// The lines of help/NAME.txt: a summary, and the words after the name in the usage line if there are any.
+/// After an empty line comes the text, and after another one the examples.
 std::vector<std::string> help_lines(const std::string& name) {
-    std::string text = builtin_files().at(boost::replace_all_copy(name, " ", "-") + ".txt");
-    boost::trim(text);
+    const std::string& text = builtin_files().at(boost::replace_all_copy(name, " ", "-") + ".txt");
     std::vector<std::string> lines;
-    return boost::split(lines, text, boost::is_any_of("\n"));
+    return boost::split(lines, boost::trim_copy(text), boost::is_any_of("\n"));
 }
 
 /// A text in lines of up to 100 letters.

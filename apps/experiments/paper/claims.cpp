@@ -382,9 +382,8 @@ const std::vector<Claim>& paper_claims() {
     static const std::vector<Claim> claims = [] {
         std::vector<Claim> all;
         auto rows = csv_rows(builtin_files().at("claims.csv"));
-        for (auto row = rows.begin() + 1; row != rows.end(); ++row)
-            all.push_back({row->at(0), row->at(1), row->at(2), row->at(3), row->at(4), row->at(5), row->at(6),
-                           row->at(7)});
+        for (auto r = rows.begin() + 1; r != rows.end(); ++r)
+            all.push_back({r->at(0), r->at(1), r->at(2), r->at(3), r->at(4), r->at(5), r->at(6), r->at(7)});
         return all;
     }();
     return claims;
