@@ -37,8 +37,7 @@ const std::vector<Command>& commands();
 /// `before` precedes its name: "database " for a part. Returns the program's exit code.
 int run_part(const std::vector<Command>& commands, const Words& words, const std::string& before = "");
 
-/// The lines of a help page that list commands, with their names in a column of this width. `before` as
-/// above.
+/// The lines of a help page that list commands, with names in a column of this width. `before` as above.
 std::string listed(const std::vector<Command>& commands, std::size_t width, const std::string& before = "");
 
 } // namespace app

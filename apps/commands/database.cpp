@@ -59,8 +59,7 @@ bool any_given(const Settings& settings, const std::vector<Setting>& of) {
     return std::ranges::any_of(of, [&](const Setting& setting) { return settings.given(setting.name); });
 }
 
-/// The database for the set-up of the flags. An existing file is opened with its set-up if no flag of one is
-/// given.
+/// The database for the set-up of the flags. An existing file keeps its set-up if no flag of one is given.
 rough::GenomeStore opened(const Settings& settings) {
     const std::filesystem::path file = given_file(settings);
     if (!any_given(settings, set_up_settings()) && rough::GenomeStore::begun(file))

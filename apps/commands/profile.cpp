@@ -146,8 +146,7 @@ Description described_profile(const Settings& settings) {
     return all;
 }
 
-/// Adds the points of the material ratio curve, heights over the mean plane (mm), that --smr and --smc
-/// request.
+/// Adds points of the material ratio curve, heights over the mean plane (mm), for --smr and --smc.
 void add_requested(Description& all, rough::Profile map, const Settings& settings) {
     map.heights.array() -= map.heights.mean();
     const auto add = [&](const char* key, double ratio, double height, rough::SurfaceParameter row) {

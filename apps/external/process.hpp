@@ -11,8 +11,7 @@ namespace app {
 /// process, kills the group when this process has ended, even by SIGKILL. Returns 0 or an error number.
 int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err);
 
-/// Kills the group of a process that has ended or not, for example by SIGTERM; the supervisor forgets it
-/// after SIGKILL.
+/// Kills the group of a process, ended or not, e.g. by SIGTERM; the supervisor forgets it after SIGKILL.
 void end_group(pid_t process, int signal);
 
 /// Whether a process ends within a time. If it does, `status` is that of waitpid.

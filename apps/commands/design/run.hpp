@@ -34,8 +34,7 @@ struct Production {
 /// terminal.
 struct Summary {
     bool found = false;
-    /// The answer's lowest similarity, also under noise, tilt and hardness if they are given; NaN: not
-    /// verified.
+    /// The answer's lowest similarity, also under given noise, tilt and hardness; NaN: not verified.
     double verified = 0;
     std::string verdict; ///< in one line
     std::vector<Fact> facts;

@@ -93,8 +93,7 @@ void add_answer_tables(const PaperRun& run, const TargetRun& target, const std::
         heights.points(positions(profile), profile.heights.array() - profile.heights.mean(), variant.name);
         const rough::Spectrum spectrum = continuous_spectrum(profile);
         spectra.points(spectrum.wave_number, spectrum.density, variant.name);
-        // The peak of a cosine's density under a Hann window, whose mean square is 1.5 times its squared
-        // mean.
+        // The peak of a cosine's density under a Hann window; its mean square is 1.5 times its squared mean.
         for (const rough::SpectralLine& line : discrete_spectrum(variant.answer.genome))
             lines.row(variant.name, line.wave_number, line.power,
                       line.power / (1.5 * spectrum.wave_number[0]));

@@ -12,8 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Medians over the random surfaces of a kind, and errors against their estimates and limits for each
-/// accuracy.
+/// Medians over the random surfaces of a kind; errors against estimates and limits for each accuracy.
 void add_medians(Findings& found, const json& savings) {
     std::map<json, std::vector<json>> groups;
     std::map<double, std::vector<json>, std::greater<>> by_accuracy;
@@ -43,8 +42,7 @@ void add_medians(Findings& found, const json& savings) {
     }
 }
 
-/// Adds the time and the error of each accuracy for random surfaces of each kind on each body under each
-/// load.
+/// Adds the time and the error of each accuracy for random surfaces of each kind, body and load.
 void try_accuracies(Csv& savings, const rough::Model& base, const Settings& settings,
                     const Conditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces");

@@ -16,8 +16,7 @@ constexpr long modulus = 2147483647;
 
 // BBOB's random generator of 2009, which gives instances the optima, rotations and peaks of COCO.
 
-/// n numbers in (0, 1): Park and Miller's minimal generator (1988) through a shuffling table of 32 (Bays and
-/// Durham 1976).
+/// n numbers in (0, 1): Park and Miller's generator (1988) through a table of 32 (Bays and Durham 1976).
 std::vector<double> uniform(std::size_t n, long seed) {
     long state = std::max(1L, std::labs(seed));
     const auto step = [&] { return state = 16807 * state % modulus; };
