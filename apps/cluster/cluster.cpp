@@ -5,6 +5,7 @@
 #include "domain/numerics/vector_loops.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
+#include "ga/checkpoint/bounded_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,8 @@ namespace app::cluster {
 namespace {
 
 int rank_count = 1, this_rank = 0;
+
+const rough::InputError other_form("MPI: a message has another form; run one program on all ranks");
 
 /// Kinds of messages.
 enum Tag : int {
@@ -92,7 +95,9 @@ Message receive(const std::future<json>* here = nullptr) {
     MPI_Get_count(&status, MPI_BYTE, &size);
     std::string bytes(static_cast<std::size_t>(size), '\0');
     MPI_Mrecv(bytes.data(), size, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
-    return {status.MPI_SOURCE, status.MPI_TAG, json::from_cbor(bytes)};
+    auto content = ga::bounded_json(bytes, json::input_format_t::cbor); // no value if it was cut short
+    expect_message(!content.is_discarded());
+    return {status.MPI_SOURCE, status.MPI_TAG, std::move(content)};
 }
 
 #else
@@ -126,9 +131,7 @@ struct Session {
                          [&](std::size_t i) { answers[i] = work(tasks[i]); });
         return answers;
     }
-};
-
-Session session;
+} session;
 
 void serve() {
     const Interrupt interrupt; // mpirun passes a signal on to all ranks; rank 0 decides
@@ -180,6 +183,10 @@ void leave(int code) {
 }
 
 bool is_alone() { return rank_count == 1; }
+void expect_message(bool good) {
+    if (!good)
+        throw other_form;
+}
 
 void hand_out(const Job& of) {
     if (session.prepare(of.kind, of.setting))
@@ -187,7 +194,7 @@ void hand_out(const Job& of) {
             send(rank, job, {of.kind, of.setting});
     /// Tasks that a rank answers together.
     struct Chunk {
-        std::size_t first = 0;
+        std::size_t first = 0, size = 0;
         ga::Stopwatch clock = {};
     };
     constexpr double chunk_seconds = 0.05; // much longer than a message takes, much shorter than a run
@@ -201,6 +208,8 @@ void hand_out(const Job& of) {
         if (!error)
             try {
                 act();
+            } catch (const json::exception&) {
+                error = std::make_exception_ptr(other_form);
             } catch (...) {
                 error = std::current_exception();
             }
@@ -228,7 +237,7 @@ void hand_out(const Job& of) {
             here = std::async(std::launch::async, [&of, given_tasks] {
                 return session.answers_to(given_tasks, of.kind, of.threads);
             });
-        given[rank] = chunk;
+        given[rank] = {chunk.first, given_tasks.size(), chunk.clock};
     };
     for (int rank = 0; rank < rank_count; ++rank)
         guarded([&] { give(rank); });
@@ -236,13 +245,15 @@ void hand_out(const Job& of) {
         const Message message = receive(given.contains(0) ? &here : nullptr);
         if (message.tag == stopped)
             ask_to_stop();
+        expect_message(given.contains(message.rank));
         const Chunk chunk = given.extract(message.rank).mapped();
         guarded([&] {
             const json answers = message.rank == 0 ? here.get() : message.content;
-            const auto count = static_cast<double>(answers.size());
+            expect_message(answers.is_array() && answers.size() == chunk.size);
+            const auto count = static_cast<double>(chunk.size);
             seconds_each = chunk.clock.seconds() * std::min(threads, count) / count;
-            session.answered[message.rank] += answers.size();
-            for (std::size_t i = 0; i < answers.size(); ++i)
+            session.answered[message.rank] += chunk.size;
+            for (std::size_t i = 0; i < chunk.size; ++i)
                 of.take(chunk.first + i, answers[i]);
             give(message.rank);
         });

@@ -16,8 +16,7 @@ using nlohmann::json;
 /// Answers one task. Pure; called from several threads at once.
 using Work = std::function<json(const json& task)>;
 
-/// The kinds of tasks that every rank can answer. Each makes Work from the data that the tasks of a job
-/// share.
+/// The kinds of tasks that every rank can answer. Each makes Work from the data that the tasks share.
 using Kinds = std::map<std::string, Work (*)(const json& setting)>;
 
 /// Tasks of one kind for all ranks.
@@ -36,11 +35,12 @@ struct Job {
 /// Joins the other ranks; must be called first. On a worker it answers tasks until rank 0 leaves, then
 /// returns true. On rank 0 it returns false, and throws rough::InputError if the ranks are different builds.
 bool join(Kinds kinds);
-/// Ends the work of all ranks; must be called last. An exit code of a worker other than 0 aborts the whole
-/// job.
+/// Ends the work of all ranks; must be called last. A worker's exit code other than 0 aborts the whole job.
 void leave(int code);
 
 bool is_alone(); ///< Whether there is only one rank.
+/// Throws rough::InputError unless a message has the form that this program sends.
+void expect_message(bool good);
 /// Shares the tasks among all ranks, including this one. Returns when all tasks that have begun are answered.
 /// Rethrows the exceptions of tasks, `task` and `take` on rank 0.
 void hand_out(const Job& job);

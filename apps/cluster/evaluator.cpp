@@ -13,9 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-using rough::DesignOutcome;
 using rough::DesignProblem;
-using rough::Genome;
 
 class OnRanks : public ga::OnThreads<DesignProblem> {
   public:
@@ -30,8 +28,10 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
         job.take = [&](std::size_t i, const json& j) {
             if (j.is_string())
                 *calls[i].answer = ga::reason(j.get<std::string>());
+            else if (auto outcome = j.get<rough::DesignOutcome>(); problem.valid_outcome(outcome))
+                *calls[i].answer = std::move(outcome);
             else
-                *calls[i].answer = j.get<DesignOutcome>();
+                cluster::expect_message(false);
         };
         job.stopped = [&] { return watch.expired(); };
         cluster::hand_out(job);
@@ -72,7 +72,7 @@ cluster::Work designs_under(const json& setup) {
     return [problem](const json& task) -> json {
         if (task.size() > 1) {
             ga::Slope<DesignProblem> slope;
-            slope.genome = task[0].get<Genome>();
+            slope.genome = task[0].get<rough::Genome>();
             slope.objective = ga::Name(task[1].get<std::string>());
             ga::differentiate(*problem, slope);
             if (!slope.sensitivity)
@@ -80,8 +80,8 @@ cluster::Work designs_under(const json& setup) {
             const auto& [residuals, jacobian] = *slope.sensitivity;
             return {residuals, Eigen::VectorXd(jacobian.reshaped())};
         }
-        const auto found = ga::evaluated(*problem, task.at(0).get<Genome>());
-        const DesignOutcome* outcome = std::get_if<DesignOutcome>(&found);
+        const auto found = ga::evaluated(*problem, task.at(0).get<rough::Genome>());
+        const auto* outcome = std::get_if<rough::DesignOutcome>(&found);
         return outcome ? json(*outcome) : json(*std::get<ga::Reason>(found));
     };
 }
@@ -101,16 +101,15 @@ cluster::Work responses_under(const json& setting) {
 
 rough::Computing computing_on_ranks(int threads) {
     return [threads](const rough::DatabaseSetup& setup, const rough::Orders& orders) {
-        cluster::hand_out({.kind = "responses",
-                           .setting = rough::fields(setup),
-                           .threads = threads,
-                           .count = orders.count,
-                           .task = [&](std::size_t) -> std::optional<json> { return orders.next(); },
-                           .take =
-                               [&](std::size_t, const json& answer) {
-                                   orders.take(answer.at(0), answer.at(1).get<rough::Response>());
-                               },
-                           .stopped = orders.ended});
+        cluster::Job job{"responses", rough::fields(setup), threads, orders.count, {}, {}, orders.ended};
+        job.task = [&](std::size_t) -> std::optional<json> { return orders.next(); };
+        job.take = [&](std::size_t, const json& answer) {
+            auto found = answer.at(1).get<rough::Response>();
+            for (const auto* column : {&found.pressure, &found.contact_fraction, &found.tangent_stiffness})
+                cluster::expect_message(column->size() == setup.model.loading.steps);
+            orders.take(answer.at(0), std::move(found));
+        };
+        cluster::hand_out(job);
     };
 }
 

@@ -13,7 +13,6 @@ using Eigen::VectorXd;
 using rough::Body;
 using rough::Index;
 using rough::Kernel;
-using rough::Profile;
 
 constexpr double length = 0.84942;
 constexpr Index usual_nodes = 128;
