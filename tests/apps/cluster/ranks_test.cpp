@@ -1,3 +1,4 @@
+#include "apps/cluster/cluster.hpp"
 #include "domain/database/store.hpp"
 #include "domain/numerics/vector_loops.hpp"
 #include "ga/base/stopwatch.hpp"
@@ -20,13 +21,13 @@ bool has_no_mpi() {
     return true;
 }
 
+const std::string mpirun =
+    "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    "timeout -k 20 200 " RUGOSA_MPIRUN " -n ";
+
 /// Runs `program` on ranks, e.g. "3" or "1 PROGRAM WORDS : -n 1".
 Ended under_mpirun(const std::string& ranks, const std::string& words, const fs::path& where) {
-    return app::testing::rugosa(
-        words, where,
-        "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-        "timeout -k 20 200 " RUGOSA_MPIRUN " -n " +
-            ranks);
+    return app::testing::rugosa(words, where, mpirun + ranks);
 }
 
 /// One rank runs without mpirun.
@@ -185,4 +186,28 @@ TEST_CASE("only rank 0 prints and refuses", "[ranks]") {
     const Ended wrong = on_ranks(2, "design --target none.csv", folder.path());
     CHECK(wrong.code == 2);
     CHECK(program_lines(wrong).size() == 1);
+}
+
+TEST_CASE("one of two ranks takes texts, then refuses them for numbers", "[.][a-rank]") {
+    namespace cluster = app::cluster;
+    if (cluster::join(
+            {{"echo", [](const json&) { return cluster::Work([](const json& task) { return task; }); }}}))
+        return cluster::leave(0);
+    cluster::Job job{"echo", {}, 1, 40, {}, {}};
+    job.task = [](std::size_t i) -> std::optional<json> { return std::to_string(i); };
+    std::vector<std::string> taken(job.count);
+    job.take = [&](std::size_t i, const json& answer) { taken[i] = answer.get<std::string>(); };
+    cluster::hand_out(job);
+    for (std::size_t i = 0; i < job.count; ++i)
+        CHECK(taken[i] == std::to_string(i));
+    job.take = [](std::size_t, const json& answer) { static_cast<void>(answer.get<double>()); };
+    CHECK_THROWS_WITH(cluster::hand_out(job), Catch::Contains("a message has another form"));
+    cluster::leave(0);
+}
+
+TEST_CASE("an answer of another form ends a job on several ranks with the reason", "[ranks]") {
+    if (has_no_mpi())
+        return;
+    const std::string self = fs::read_symlink("/proc/self/exe").string();
+    CHECK(std::system((mpirun + "2 '" + self + "' '[a-rank]' >/dev/null 2>&1").c_str()) == 0);
 }
