@@ -6,6 +6,10 @@
 
 namespace rough::testing {
 
+constexpr double paper_length = 0.84942; ///< length of the paper's profiles, mm
+constexpr double two_mm = 2;             ///< length of other profiles, mm
+constexpr double p_max = 1.6e-4;         ///< highest pressure of the paper, MPa
+
 inline double uniform(std::mt19937_64& random, double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
 }

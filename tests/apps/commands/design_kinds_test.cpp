@@ -36,7 +36,7 @@ void write_scan(const Folder& folder) {
     folder.write("scan.txt", text);
 }
 
-const std::string brief =
+const std::string from_scan =
     "design --like scan.txt --nodes 128 --reach-similarity -1 --pipeline 'own 1 | score | "
     "refine lm 4' ";
 
@@ -135,7 +135,7 @@ TEST_CASE("a design like a scan has the targets stiffness and area, or a given o
          {std::pair<std::string, std::vector<std::string>>("", {"stiffness_MPa_per_mm", "contact_fraction"}),
           {" --quantity area", {"contact_fraction"}},
           {" --quantity interface_stiffness", {"interface_stiffness_MPa_per_mm"}}}) {
-        const json result = result_of(folder, brief + "--pictures off --force" + flag);
+        const json result = result_of(folder, from_scan + "--pictures off --force" + flag);
         REQUIRE(result["targets"].size() == quantities.size());
         for (std::size_t t = 0; t < quantities.size(); ++t)
             CHECK(result["targets"][t]["points"][0].contains(quantities[t]));
@@ -145,7 +145,7 @@ TEST_CASE("a design like a scan has the targets stiffness and area, or a given o
 TEST_CASE("the error in quantities that were not requested is on terminal, page and in result.json") {
     const Folder folder;
     write_scan(folder);
-    const Ended ended = answered(rugosa(brief + "--quantity stiffness --out r", folder.path()));
+    const Ended ended = answered(rugosa(from_scan + "--quantity stiffness --out r", folder.path()));
     const json result = result_in(folder / "r"), summary = result["summary"];
     rough::ScanOptions options;
     const rough::Profile scan = rough::open_scan(folder / "scan.txt", options).measured;

@@ -12,7 +12,7 @@ using testing::uniform;
 
 namespace {
 
-constexpr double length = 0.84942;
+using testing::paper_length;
 
 struct Scene {
     Body body;
@@ -27,11 +27,11 @@ Scene random_scene(std::mt19937_64& random) {
     Scene scene;
     scene.body.kernel = static_cast<Kernel>(std::uniform_int_distribution<int>(0, 2)(random));
     scene.body.strip_width = uniform(random, 0.0005, 0.5);
-    scene.body.datum = length * uniform(random, 0.3, 4);
+    scene.body.datum = paper_length * uniform(random, 0.3, 4);
     const bool periodic = scene.body.kernel == Kernel::periodic;
-    scene.grid = {std::uniform_int_distribution<Index>(40, 160)(random), length, periodic};
-    const Genome genome = random_genome(random, 1 + static_cast<int>(random() % 2), 1 + random() % 3, length,
-                                        4 * scene.grid.spacing());
+    scene.grid = {std::uniform_int_distribution<Index>(40, 160)(random), paper_length, periodic};
+    const Genome genome = random_genome(random, 1 + static_cast<int>(random() % 2), 1 + random() % 3,
+                                        paper_length, 4 * scene.grid.spacing());
     const double chance = uniform(random, 0.1, 0.6);
     Genome reduced = filtered(genome, [&](std::size_t s, std::size_t c) {
         return (s == 0 && c == 0) || uniform(random, 0, 1) > chance;

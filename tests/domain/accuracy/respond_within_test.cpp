@@ -15,13 +15,13 @@ using rough::testing::random_genome;
 
 namespace {
 
-constexpr double length = 0.84942;
+using testing::paper_length;
 
 Model model_on(Kernel kernel, const Genome& genome) {
     Model model;
     model.body.kernel = kernel;
-    model.body.strip_width = length / 511;
-    model.grid = resolved_grid(genome, length, kernel == Kernel::periodic);
+    model.body.strip_width = paper_length / 511;
+    model.grid = resolved_grid(genome, paper_length, kernel == Kernel::periodic);
     return model;
 }
 
@@ -91,18 +91,18 @@ Coverage coverage_of(unsigned first, unsigned count, double accuracy, int steps,
 }
 
 /// Number of curves whose stated errors hold.
-struct Held {
+struct CurvesHeld {
     int curves = 0, pressure = 0, area = 0, tangent = 0;
 };
 
 /// Compares contact fractions and tangents of genomes within an accuracy with 8 times the nodes, at equal
 /// pressures. Compares pressures and secants with the resolved grid. In every third genome all crests meet.
-Held held_by(unsigned first, unsigned count, double accuracy) {
-    Held held;
+CurvesHeld held_by(unsigned first, unsigned count, double accuracy) {
+    CurvesHeld held;
     for (unsigned seed = first; seed < first + count; ++seed, ++held.curves) {
         std::mt19937_64 random(seed);
-        Genome genome = random_genome(random, 1, 1 + random() % 2, length, length / 8);
-        const double crest = rough::testing::uniform(random, 0, length);
+        Genome genome = random_genome(random, 1, 1 + random() % 2, paper_length, paper_length / 8);
+        const double crest = rough::testing::uniform(random, 0, paper_length);
         for (Chromosome& chromosome : genome.series[0].chromosomes)
             if (seed % 3 == 0)
                 for (double& phase : chromosome.phases)
@@ -110,7 +110,7 @@ Held held_by(unsigned first, unsigned count, double accuracy) {
         Model model;
         const bool periodic = seed / 3 % 3 == 1;
         model.body.kernel = static_cast<Kernel>(seed / 3 % 3);
-        model.grid = {periodic ? 512 : 513, length, periodic};
+        model.grid = {periodic ? 512 : 513, paper_length, periodic};
         model.loading = {12, rough::testing::uniform(random, 0.1, 0.9)};
         const Response exact = respond(genome, model);
         const AccountedResponse cheap = respond_within(genome, within(model, accuracy));
@@ -150,8 +150,8 @@ Profile random_map(std::mt19937_64& random, unsigned kind, const Grid& grid) {
 
 /// Compares maps within an accuracy with their exact curves at every load step. The second result counts the
 /// maps that a line replaces. The interface stiffness counts with the tangent.
-std::array<Held, 2> maps_held_by(unsigned first, unsigned count, double accuracy) {
-    std::array<Held, 2> all;
+std::array<CurvesHeld, 2> maps_held_by(unsigned first, unsigned count, double accuracy) {
+    std::array<CurvesHeld, 2> all;
     for (unsigned seed = first; seed < first + count; ++seed) {
         std::mt19937_64 random(seed);
         const Index nodes = 32 + static_cast<Index>(random() % 65),
@@ -180,7 +180,7 @@ std::array<Held, 2> maps_held_by(unsigned first, unsigned count, double accuracy
         const auto holds = [](double error, double stated) { return !(error > stated + 1e-9); };
         const Eigen::ArrayXd K_i = interface_stiffness(cheap), exact_K_i = interface_stiffness(exact),
                              allowed = account.tangent_error * K_i / cheap.tangent_stiffness.array() + 1e-9;
-        Held& held = all[account.by_line];
+        CurvesHeld& held = all[account.by_line];
         ++held.curves;
         held.pressure += holds(pressure, account.estimated_error);
         held.area +=
@@ -237,11 +237,11 @@ TEST_CASE("interpolated rows are within their bound on every kernel") {
     int spared = 0;
     for (int trial = 0; trial < 12; ++trial) {
         const auto kernel = static_cast<Kernel>(trial % 3);
-        const Grid grid{200, length, kernel == Kernel::periodic};
-        const Profile profile = sample(random_genome(random, 1, 1, length, 12 * grid.spacing()), grid);
+        const Grid grid{200, paper_length, kernel == Kernel::periodic};
+        const Profile profile = sample(random_genome(random, 1, 1, paper_length, 12 * grid.spacing()), grid);
         Body body;
         body.kernel = kernel;
-        body.strip_width = length / 511;
+        body.strip_width = paper_length / 511;
         const auto displacements =
             load_displacements(displacement_range(profile, kernel), {1500, 0.9}, kernel);
         const LoadRows exact = solve_rows(profile, body, displacements, {});
@@ -263,7 +263,7 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
     std::mt19937_64 random(22);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
         for (int trial = 0; trial < 3; ++trial) {
-            const Genome genome = random_genome(random, 1, 1, length, length / 16);
+            const Genome genome = random_genome(random, 1, 1, paper_length, paper_length / 16);
             Model model = model_on(kernel, genome);
             model.grid.nodes = kernel == Kernel::periodic ? 1024 : 1025;
             const AccountedResponse exact = respond_within(genome, model);
@@ -278,7 +278,7 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
 }
 
 TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted within their bound") {
-    Genome genome{1, {{1, 1, 1.5, length, {{1, {0.3}}}}}};
+    Genome genome{1, {{1, 1, 1.5, paper_length, {{1, {0.3}}}}}};
     const AccountedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
     CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
@@ -295,7 +295,8 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
 
 TEST_CASE("the resolved model is solved if no coarser grid suffices, or no accuracy is set") {
     std::mt19937_64 random(24);
-    const Genome genome = random_genome(random, 1, 1, length, length / 511); // waves down to the spacing
+    const Genome genome =
+        random_genome(random, 1, 1, paper_length, paper_length / 511); // waves down to the spacing
     for (const double accuracy : {1e-4, 0.0}) {
         const AccountedResponse found = respond_within(genome, within({}, accuracy));
         CHECK_FALSE(found.account.extrapolated());
@@ -363,7 +364,7 @@ TEST_CASE("a scan within an accuracy carries the given pressures at any solver's
 
 TEST_CASE("stated errors of genomes' curves hold against eight times the nodes") {
     for (const double accuracy : {1e-5, 1e-2, 1e-1}) {
-        const Held held = held_by(1, 30, accuracy);
+        const CurvesHeld held = held_by(1, 30, accuracy);
         INFO("accuracy " << accuracy << ": area " << held.area << ", tangent " << held.tangent);
         CHECK(held.pressure >= 29);
         CHECK(held.area >= 28);
@@ -374,7 +375,7 @@ TEST_CASE("stated errors of genomes' curves hold against eight times the nodes")
 // Printed for the README.
 TEST_CASE("stated errors of 95 % of 500 genomes' curves hold against eight times the nodes", "[long]") {
     for (const double accuracy : {1e-5, 1e-2, 3e-2, 1e-1}) {
-        const Held held = held_by(100000, 500, accuracy);
+        const CurvesHeld held = held_by(100000, 500, accuracy);
         std::cout << "accuracy " << accuracy << ": held in " << held.pressure << " (pressure, secant), "
                   << held.area << " (contact fraction), " << held.tangent << " (tangent) of " << held.curves
                   << "\n";
@@ -387,7 +388,7 @@ TEST_CASE("stated errors of 95 % of 300 maps' curves hold at every load step", "
     for (const double accuracy : {1e-2, 3e-2, 1e-1}) {
         const auto all = maps_held_by(1, 300, accuracy);
         for (std::size_t by_line = 0; by_line < 2; ++by_line) {
-            const Held& held = all[by_line];
+            const CurvesHeld& held = all[by_line];
             std::cout << "accuracy " << accuracy << (by_line ? ", lines for maps" : ", maps") << ": held in "
                       << held.pressure << " (pressure, secant), " << held.area << " (contact fraction), "
                       << held.tangent << " (tangent, interface) of " << held.curves << "\n";

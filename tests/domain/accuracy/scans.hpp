@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-namespace testing {
+namespace rough::testing {
 
 /// A profile as workshops measure them, in mm.
 struct NamedScan {
@@ -77,4 +77,4 @@ inline NamedScan random_scan(std::mt19937_64& random, int which, rough::Index le
     return scan;
 }
 
-} // namespace testing
+} // namespace rough::testing

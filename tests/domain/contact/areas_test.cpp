@@ -13,7 +13,7 @@ using maps::map_of;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Heights between 0 and 1e-3 mm without any order: every node is a summit.
 Profile noise(Extent shape, double spacing, double row_spacing, unsigned seed) {

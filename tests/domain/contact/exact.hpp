@@ -27,7 +27,7 @@ struct HalfPlane {
     double datum = 1;             ///< mm
 };
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <typename F>
 inline double integral(const F& f, double from, double to) {

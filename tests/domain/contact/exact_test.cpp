@@ -7,7 +7,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const exact::HalfPlane half_plane{1.3, 1.0};
 
 /// Worst relative errors over many contact widths and positions of the summit between nodes.

@@ -10,7 +10,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double on_rigid_base(double nu, double s) { return static_cast<double>(layer_on_rigid_base(nu, s)); }
 

@@ -8,27 +8,27 @@ using namespace rough;
 
 namespace {
 
-struct Pressed {
+struct Pressing {
     Profile profile;
     Body body;
     std::vector<double> displacements; ///< mm
 };
 
 /// A random profile or map, pressed to `reach` of its height.
-Pressed random_scene(std::mt19937_64& random, const Body& body, int ridges, double shortest, Grid grid,
-                     double reach) {
+Pressing random_scene(std::mt19937_64& random, const Body& body, int ridges, double shortest, Grid grid,
+                      double reach) {
     grid.periodic = body.kernel == Kernel::periodic;
-    Pressed scene{sample(testing::random_genome(random, 1, ridges, 0.84942, shortest), grid), body, {}};
+    Pressing scene{sample(testing::random_genome(random, 1, ridges, 0.84942, shortest), grid), body, {}};
     scene.displacements = step_displacements(scene.profile, scene.body, {.reach = reach});
     return scene;
 }
 
-Pressed random_line(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest, double reach) {
+Pressing random_line(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest, double reach) {
     return random_scene(random, {.kernel = kernel, .strip_width = 0.002}, 1, shortest, {.nodes = nodes},
                         reach);
 }
 
-Pressed random_area(std::mt19937_64& random, Kernel kernel, double reach) {
+Pressing random_area(std::mt19937_64& random, Kernel kernel, double reach) {
     return random_scene(random, {.kernel = kernel}, 3, 0.2, {.nodes = 16, .rows = 14, .width = 0.8}, reach);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("derivatives of a smooth contact fraction agree with differences") {
         for (int scene = 0; scene < 6; ++scene) {
             if (scene >= 3 && kernel == Kernel::strip)
                 break;
-            const Pressed pressing =
+            const Pressing pressing =
                 scene < 3 ? random_line(random, kernel, 128, 0.05, 0.8) : random_area(random, kernel, 0.8);
             const Profile& profile = pressing.profile;
             const Body& body = pressing.body;
@@ -117,7 +117,7 @@ TEST_CASE("derivatives of a smooth contact fraction agree with differences") {
 TEST_CASE("the smooth contact fraction of a map does not jump when a node enters", "[areas]") {
     std::mt19937_64 random(46);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
-        Pressed scene = random_area(random, kernel, 0.5);
+        Pressing scene = random_area(random, kernel, 0.5);
         // From just below to just above the displacement at which a node enters, by bisection.
         const auto count = [&](double displacement) {
             return pressed(scene.profile, scene.body, {displacement}).states[0].nodes.size();

@@ -9,7 +9,8 @@ using namespace rough;
 
 namespace {
 
-constexpr double L = 0.84942, infinity = std::numeric_limits<double>::infinity();
+using testing::paper_length;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<int> outwards(Index nodes, double centre) {
     std::vector<int> order(static_cast<std::size_t>(nodes));
@@ -19,8 +20,8 @@ std::vector<int> outwards(Index nodes, double centre) {
     return order;
 }
 
-Profile line_of(Index nodes, bool periodic = false) {
-    return {Eigen::VectorXd(nodes), L / static_cast<double>(periodic ? nodes : nodes - 1)};
+Profile paper_line(Index nodes, bool periodic = false) {
+    return {Eigen::VectorXd(nodes), paper_length / static_cast<double>(periodic ? nodes : nodes - 1)};
 }
 
 } // namespace
@@ -31,8 +32,8 @@ TEST_CASE("any order of nodes and any advance have a surface", "[areas]") {
         for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip})
             for (int scene = 0; scene < (!is_map ? 10 : kernel == Kernel::strip ? 0 : 4); ++scene) {
                 const Index nodes = is_map ? 42 : 24 + 3 * scene;
-                const Body body{kernel, 1.7, L, 0.002};
-                Profile surface = line_of(nodes, kernel == Kernel::periodic);
+                const Body body{kernel, 1.7, paper_length, 0.002};
+                Profile surface = paper_line(nodes, kernel == Kernel::periodic);
                 if (is_map)
                     surface.spacing = 0.1, surface.rows = 6, surface.row_spacing = 0.13;
                 std::vector<int> order = outwards(nodes, 0);
@@ -72,8 +73,8 @@ TEST_CASE("the inverse of a rising stiffness curve has that curve, for every ker
     for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
         const bool periodic = kernel == Kernel::periodic;
         const Index nodes = 256;
-        const Body body{kernel, 1, L, 0.0016};
-        const Profile surface = line_of(nodes, periodic);
+        const Body body{kernel, 1, paper_length, 0.0016};
+        const Profile surface = paper_line(nodes, periodic);
         double least = 0, most = 0;
         const auto order = outwards(nodes, 110.3);
         inverse_profile(
@@ -136,7 +137,7 @@ TEST_CASE("the inverse meets interface stiffness, load and contact fraction") {
                    : quantity == Quantity::interface_stiffness ? Eigen::VectorXd(0.5 + 2.5 * t)
                                                                : Eigen::VectorXd(0.05 + 0.5 * t);
         const InverseProfile inverse = inverse_profile(
-            line_of(nodes), body, outwards(nodes, 120), advance_for(target, nodes),
+            paper_line(nodes), body, outwards(nodes, 120), advance_for(target, nodes),
             target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
@@ -154,16 +155,16 @@ TEST_CASE("waves fitted to a surface of these waves reproduce it", "[areas]") {
               1e-4 * (surface.heights.maxCoeff() - surface.heights.minCoeff()));
     };
     for (int scene = 0; scene < 5; ++scene) {
-        const Genome genome = testing::random_genome(random, 2, 1, L, 0.03);
-        check({512, L}, genome, [&](const Profile& profile) {
+        const Genome genome = testing::random_genome(random, 2, 1, paper_length, 0.03);
+        check({512, paper_length}, genome, [&](const Profile& profile) {
             const Genome found = shaped_as(profile, genome.series, 0.03, 1e-14);
             CHECK(shortest_wave(found) >= 0.03 * (1 - 1e-9));
             return found;
         });
     }
     for (const bool periodic : {false, true}) {
-        const Grid grid{14, L, periodic, 0, 12, 0.8};
-        const Genome genome = testing::random_genome(random, 1, 4, L, 0.3);
+        const Grid grid{14, paper_length, periodic, 0, 12, 0.8};
+        const Genome genome = testing::random_genome(random, 1, 4, paper_length, 0.3);
         check(grid, genome,
               [&](const Profile& map) { return shaped_as(map, genome.series[0], 4, grid, 0.3, 1e-12); });
     }

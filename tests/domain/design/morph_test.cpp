@@ -1,6 +1,6 @@
 #include "domain/design/morph.hpp"
 #include "domain/errors.hpp"
-#include "domain/mwm/test_surfaces.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -10,16 +10,16 @@ using namespace rough;
 
 namespace {
 
-constexpr double L = 2;
+using testing::two_mm;
 
 Genome surface() {
-    return {0.01, {{1, 0.9, 1.6, L, {{1, {0.3}}, {2, {1.9}}, {3, {4.0}}, {4, {2.2}}, {5, {5.1}}}}}};
+    return {0.01, {{1, 0.9, 1.6, two_mm, {{1, {0.3}}, {2, {1.9}}, {3, {4.0}}, {4, {2.2}}, {5, {5.1}}}}}};
 }
 
 /// The response of `wanted` as target.
 DesignSetup like_another(const Genome& wanted, std::optional<double> max_pressure = {}) {
     DesignSetup setup;
-    setup.model.grid = {128, L};
+    setup.model.grid = {128, two_mm};
     setup.model = completed(setup.model);
     setup.targets = {target_like(sample(wanted, setup.model.grid), setup.model, "wanted")};
     setup.max_pressure = max_pressure;

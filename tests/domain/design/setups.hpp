@@ -1,13 +1,12 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
 /// Genomes and set-ups of the tests of designs.
 namespace rough::testing {
-
-constexpr double two_mm = 2; ///< length of the profiles of these genomes, mm
 
 inline Genome two_waves(double first = 0.3, double second = 1, double scale = 0.01) {
     return {scale, {{1, 0.8, 1.5, two_mm, {{1, {first}}, {2, {second}}}}}};
@@ -34,7 +33,7 @@ inline DesignSetup drawn(Index nodes, bool area = false) {
         setup.model.grid.width = setup.model.grid.length;
     }
     setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-    setup.max_pressure = 1.6e-4;
+    setup.max_pressure = p_max;
     return completed(setup);
 }
 

@@ -1,5 +1,6 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <Eigen/Cholesky>
 #include <catch2/catch.hpp>
@@ -10,7 +11,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double L = 2;
+using testing::two_mm;
 
 struct Case {
     DesignSetup setup;
@@ -23,9 +24,10 @@ Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size
     ga::Stream random(ga::fold(seed, "case"));
     const auto phase = [&] { return random.uniform(0, 2 * std::numbers::pi); };
     Case one;
-    one.genome = {random.uniform(0.001, 0.02),
-                  {{1, random.uniform(0.6, 1), 1.5, L, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
-    one.setup.model.grid = {nodes, L};
+    one.genome = {
+        random.uniform(0.001, 0.02),
+        {{1, random.uniform(0.6, 1), 1.5, two_mm, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
+    one.setup.model.grid = {nodes, two_mm};
     one.setup.model.body.kernel = Kernel(seed % 3);
     one.setup.model = completed(one.setup.model);
     const Profile profile = sample(one.genome, one.setup.model.grid);
@@ -56,7 +58,7 @@ bool holds_for_new_draws(const Case& one, const Tolerance& found) {
     for (Index i = 0; i < grid.nodes; ++i)
         for (Index j = 0; j < grid.nodes; ++j) {
             const double d = std::abs(static_cast<double>(i - j)) * grid.spacing(),
-                         nearest = grid.periodic ? std::min(d, L - d) : d;
+                         nearest = grid.periodic ? std::min(d, two_mm - d) : d;
             covariance(i, j) = std::exp(-std::pow(nearest / found.noise_length, 2)) + (i == j ? 1e-9 : 0);
         }
     const Eigen::MatrixXd factor = covariance.llt().matrixL();
@@ -82,7 +84,7 @@ bool holds_for_new_draws(const Case& one, const Tolerance& found) {
 /// not.
 void check_tilts_and_scales(const Case& one, const Tolerance& found) {
     const Profile profile = sample(one.genome, one.setup.model.grid);
-    const double last = static_cast<double>(profile.nodes() - 1) * profile.spacing / L;
+    const double last = static_cast<double>(profile.nodes() - 1) * profile.spacing / two_mm;
     const Eigen::VectorXd slope = Eigen::VectorXd::LinSpaced(profile.nodes(), 0, last);
     for (const ToleranceLevel& level : found.levels)
         for (const auto& [size, shape] :
@@ -102,7 +104,8 @@ void check_tilts_and_scales(const Case& one, const Tolerance& found) {
 
 TEST_CASE("height noise has rms 1 and a Gaussian autocorrelation, on lines and maps") {
     const double l = 0.25; // nodes are l/2 apart
-    for (const Grid& grid : {Grid{17, L}, Grid{16, L, true}, Grid{17, L, false, 0, 9, L / 2}}) {
+    for (const Grid& grid :
+         {Grid{17, two_mm}, Grid{16, two_mm, true}, Grid{17, two_mm, false, 0, 9, two_mm / 2}}) {
         std::vector<Eigen::VectorXd> fields;
         for (std::uint64_t seed = 0; seed < 4000; ++seed)
             fields.push_back(height_noise(grid, l, seed));
@@ -124,7 +127,8 @@ TEST_CASE("height noise has rms 1 and a Gaussian autocorrelation, on lines and m
 }
 
 TEST_CASE("height noise of one seed is one field on every grid") {
-    for (const Grid& grid : {Grid{17, L}, Grid{16, L, true}, Grid{9, L, false, 0, 17, 2 * L}}) {
+    for (const Grid& grid :
+         {Grid{17, two_mm}, Grid{16, two_mm, true}, Grid{9, two_mm, false, 0, 17, 2 * two_mm}}) {
         const Grid fine = refined(grid, 2);
         const Eigen::VectorXd coarse = height_noise(grid, 0.2, 5), finer = height_noise(fine, 0.2, 5);
         for (Index j = 0; j < grid.rows; ++j)
@@ -158,7 +162,7 @@ TEST_CASE("the tolerance is the same on one thread and on three") {
     const Tolerance a = tolerance_of(one.setup, one.genome, {.threads = 1}),
                     b = tolerance_of(one.setup, one.genome, {.threads = 3});
     CHECK(a.draws == 1000);
-    CHECK(a.noise_length == L / 60);
+    CHECK(a.noise_length == two_mm / 60);
     CHECK(column(a.levels, &ToleranceLevel::similarity) == std::vector<double>{0.99, 0.95, 0.9});
     for (const auto value : {&ToleranceLevel::noise_rms, &ToleranceLevel::tilt, &ToleranceLevel::scale})
         CHECK(column(a.levels, value) == column(b.levels, value));

@@ -10,7 +10,7 @@ using testing::two_waves;
 
 namespace {
 
-constexpr double L = testing::two_mm;
+using testing::two_mm;
 
 /// One wave of length `wave` (mm), a hill at the place that its phase gives.
 Genome hill(double phase, double wave) { return {0.01, {{1, 0.8, 1.5, wave, {{1, {phase}}}}}}; }
@@ -79,15 +79,15 @@ TEST_CASE("the datum moves at the genome's amplitude when Eq. 11 applies") {
 
 TEST_CASE("targets moved with their datum are what a solve with that datum gives") {
     Model model;
-    model.grid = {129, L};
+    model.grid = {129, two_mm};
     model.body.effective_modulus = 2.5;
-    model.body.datum = L;
+    model.body.datum = two_mm;
     const Profile profile = sample(two_waves(), model.grid);
     const double most = respond(profile, model).pressure.tail(1)[0];
     for (double share = 0.1; share < 0.85; share += 0.1)
         model.loading.pressures.push_back(share * most);
     Model far = model;
-    far.body.datum = 4 * L;
+    far.body.datum = 4 * two_mm;
     const Response near_by = respond(profile, model), far_off = respond(profile, far);
     const auto check = [](const Response& from, const Response& to, const Model& of, double factor) {
         const Curve own = secant_stiffness(from), other = secant_stiffness(to);
@@ -155,14 +155,14 @@ TEST_CASE("contact at an end is flagged, except on a periodic body") {
         return trust_in(like_itself(genome, 0.05, kernel), genome, without_draws());
     };
     for (const Kernel kernel : {Kernel::free, Kernel::strip})
-        for (const auto& [genome, at_end] : {std::pair(hill(pi, 2 * L), true), // highest at x = 0
-                                             std::pair(hill(0, 2 * L), true),  // at x = L
-                                             std::pair(hill(0, L), false)}) {  // at x = L/2
+        for (const auto& [genome, at_end] : {std::pair(hill(pi, 2 * two_mm), true), // highest at x = 0
+                                             std::pair(hill(0, 2 * two_mm), true),  // at the other end
+                                             std::pair(hill(0, two_mm), false)}) {  // in the middle
             const Trust trust = trusted(genome, kernel);
             CHECK(trust.contact_at_ends == at_end);
             CHECK(flagged(trust, "ends") == at_end);
         }
-    CHECK(!trusted(hill(pi, L), Kernel::periodic).contact_at_ends);
+    CHECK(!trusted(hill(pi, two_mm), Kernel::periodic).contact_at_ends);
 }
 
 TEST_CASE("redrawn phases give the same similarities on any number of threads") {

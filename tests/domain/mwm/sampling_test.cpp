@@ -9,7 +9,7 @@ using testing::random_genome;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Grid area(Index columns, Index rows, bool periodic) { return {columns, 0.84942, periodic, 0, rows, 0.7}; }
 

@@ -9,7 +9,7 @@ using testing::random_genome;
 
 namespace {
 
-constexpr double p_max = 1.6e-4;
+using testing::p_max;
 
 Model paper_model(Index nodes = 512) { return {{nodes, 0.84942, false}, {}, {}, {}}; }
 

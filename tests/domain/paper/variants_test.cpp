@@ -1,5 +1,6 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/variants.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -7,7 +8,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double p_max = 1.6e-4;
+using testing::p_max;
 
 /// A coarse set-up of the paper's experiment: 64 nodes, 30 genomes.
 struct Coarse {

@@ -6,7 +6,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double length = 0.84942;
+using testing::paper_length;
 
 DesignSetup periodic_setup() {
     DesignSetup setup = rough::testing::drawn_setup(128);
@@ -17,7 +17,7 @@ DesignSetup periodic_setup() {
 
 /// The height at L minus that at 0, over the range.
 double jump(const Genome& genome) {
-    const Profile profile = sample(genome, {1025, length});
+    const Profile profile = sample(genome, {1025, paper_length});
     return std::abs(profile.heights[1024] - profile.heights[0]) /
            (profile.heights.maxCoeff() - profile.heights.minCoeff());
 }
@@ -42,8 +42,8 @@ TEST_CASE("starts on a periodic body repeat without a jump, also after a mutatio
 TEST_CASE("a genome moved to harmonics keeps amplitudes and phases and has no jump") {
     std::mt19937_64 random(5);
     for (int i = 0; i < 10; ++i) {
-        const Genome genome = rough::testing::random_genome(random, 2, 2, length, 0.02);
-        const Genome moved = in_harmonics(genome, length);
+        const Genome genome = rough::testing::random_genome(random, 2, 2, paper_length, 0.02);
+        const Genome moved = in_harmonics(genome, paper_length);
         CHECK(jump(moved) < 1e-12);
         const auto before = waves(genome), after = waves(moved);
         REQUIRE(before.size() == after.size());
@@ -51,7 +51,7 @@ TEST_CASE("a genome moved to harmonics keeps amplitudes and phases and has no ju
             CHECK(after[w].amplitude == Approx(before[w].amplitude).epsilon(1e-12));
             CHECK(after[w].phase == before[w].phase);
         }
-        CHECK(genes(in_harmonics(moved, length)) == genes(moved));
+        CHECK(genes(in_harmonics(moved, paper_length)) == genes(moved));
     }
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("a search on a periodic body begins at harmonics, from given genomes o
     for (const bool given : {true, false}) {
         options.starts.clear();
         for (int i = 0; given && i < 2; ++i)
-            options.starts.push_back(rough::testing::random_genome(random, 1, 2, length, 0.02));
+            options.starts.push_back(rough::testing::random_genome(random, 1, 2, paper_length, 0.02));
         for (const Genome& start : options.starts)
             CHECK(jump(start) > 0.01);
         const SearchResult found = search(setup, options);

@@ -3,7 +3,6 @@
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/problem.hpp"
 #include "tests/domain/design/setups.hpp"
-#include "tests/domain/random_genome.hpp"
 
 namespace rough::testing {
 

@@ -1,4 +1,5 @@
 #include "domain/problem/limits.hpp"
+#include "tests/domain/random_genome.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -6,10 +7,10 @@ using namespace rough;
 
 namespace {
 
-constexpr double L = 2;
-const Grid grid{513, L, false};
+using testing::two_mm;
+const Grid grid{513, two_mm, false};
 
-Genome one_wave(double lambda = L / 4) { return {0.02, {{1, 0.8, 1.5, lambda, {{1, {0.4}}}}}}; }
+Genome one_wave(double lambda = two_mm / 4) { return {0.02, {{1, 0.8, 1.5, lambda, {{1, {0.4}}}}}}; }
 
 /// Slope, height and radius of one cosine are a k, 2 a and 1/(a k^2).
 struct Exact {
@@ -26,11 +27,11 @@ Exact exact() {
 TEST_CASE("margins of one wave are those of a cosine, on the safe side") {
     const auto found = margins(one_wave(), grid, {});
     const Exact wave = exact();
-    CHECK(found[0].value == Approx(L / 4).epsilon(1e-9));
+    CHECK(found[0].value == Approx(two_mm / 4).epsilon(1e-9));
     CHECK(found[1].value == Approx(wave.slope).epsilon(1e-4));
     CHECK(found[2].value == Approx(wave.height).epsilon(1e-4));
     CHECK(found[3].value == Approx(wave.radius).epsilon(1e-4));
-    CHECK(found[0].value >= L / 4);
+    CHECK(found[0].value >= two_mm / 4);
     CHECK(found[1].value >= wave.slope);
     CHECK(found[2].value >= wave.height);
     CHECK(found[3].value <= wave.radius);

@@ -11,7 +11,8 @@ using maps::map_of;
 
 namespace {
 
-constexpr double pi = std::numbers::pi, a = 0.002;
+using std::numbers::pi;
+constexpr double a = 0.002;
 
 /// A cosine with these numbers of waves along x and y on 1 mm x 0.8 mm.
 Profile wave(int along_x, int along_y, Index n = 128) {

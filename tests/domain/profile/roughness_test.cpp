@@ -7,7 +7,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Profile cosine(double amplitude, int waves, double length, Index nodes) {
     return sampled({nodes, length, true},

@@ -8,7 +8,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The integral over q of a spectrum whose wavenumbers are evenly spaced.
 double integral(const Spectrum& spectrum) { return spectrum.density.sum() * spectrum.wave_number[0]; }

@@ -9,7 +9,7 @@ using testing::uniform;
 
 namespace {
 
-constexpr double length = 0.84942;
+using testing::paper_length;
 
 Response pressed(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                  Solver solver) {
@@ -30,8 +30,9 @@ TEST_CASE("full contact is as stiff as a flat profile by the direct solver, on a
     for (const Index nodes : {2, 3, 17, 100, 511, 2048})
         for (const double datum : {0.26 + 0.5 / static_cast<double>(nodes - 1), 1.0, 40.0})
             for (const Kernel kernel : {Kernel::free, Kernel::strip}) {
-                const Profile flat{Eigen::VectorXd::Zero(nodes), length / static_cast<double>(nodes - 1)};
-                const Body body{kernel, 3, datum * length, 0.1 * datum * length};
+                const Profile flat{Eigen::VectorXd::Zero(nodes),
+                                   paper_length / static_cast<double>(nodes - 1)};
+                const Body body{kernel, 3, datum * paper_length, 0.1 * datum * paper_length};
                 const double direct = solve_contact(flat, body, {1}, {.solver = Solver::nested, .stop = {}})
                                           .steps[0]
                                           .tangent_stiffness;
@@ -49,17 +50,17 @@ TEST_CASE("interface stiffness does not depend on the datum, tangents and secant
     double worst = 0;
     for (int trial = 0; trial < 30; ++trial) {
         const Solver solver = trial % 3 ? Solver::nested : Solver::nnls;
-        const Grid grid{std::uniform_int_distribution<Index>(40, 400)(random), length, false};
-        const Profile profile = sample(random_genome(random, 1, 1, length, 8 * grid.spacing()), grid);
-        const Body near{Kernel::free, 1, length * uniform(random, 0.3, 2), 0};
+        const Grid grid{std::uniform_int_distribution<Index>(40, 400)(random), paper_length, false};
+        const Profile profile = sample(random_genome(random, 1, 1, paper_length, 8 * grid.spacing()), grid);
+        const Body near{Kernel::free, 1, paper_length * uniform(random, 0.3, 2), 0};
         Body far = near;
-        far.datum = length * std::pow(10, uniform(random, -0.5, 4));
+        far.datum = paper_length * std::pow(10, uniform(random, -0.5, 4));
         const std::vector<double> displacements =
             load_displacements(displacement_range(profile, near.kernel), {}, near.kernel);
         const Response one = pressed(profile, near, displacements, solver);
         std::vector<double> moved;
         for (Index j = 0; j < one.steps(); ++j) // equal contact sets
-            moved.push_back(one.displacement[j] - one.pressure[j] * datum_sensitivity(1, length, 1) *
+            moved.push_back(one.displacement[j] - one.pressure[j] * datum_sensitivity(1, paper_length, 1) *
                                                       std::log(far.datum / near.datum));
         const Response other = pressed(profile, far, moved, solver);
         REQUIRE(one.contact_fraction == other.contact_fraction);
@@ -78,15 +79,15 @@ TEST_CASE("interface stiffness does not depend on the datum, tangents and secant
 TEST_CASE("interface stiffness is K on a periodic half-plane and infinite at full contact") {
     std::mt19937_64 random(32);
     Model model;
-    model.grid = {128, length, true};
+    model.grid = {128, paper_length, true};
     model.body.kernel = Kernel::periodic;
     model.loading.reach = 0.9;
-    const Response periodic = respond(random_genome(random, 1, 1, length, 0.1), model);
+    const Response periodic = respond(random_genome(random, 1, 1, paper_length, 0.1), model);
     CHECK(interface_stiffness(periodic) == periodic.tangent_stiffness);
     CHECK(interface_secants(periodic).y == secant_stiffness(periodic).y);
-    const Profile bowl{1e-6 * Eigen::VectorXd::LinSpaced(64, -1, 1).cwiseAbs2(), length / 63};
+    const Profile bowl{1e-6 * Eigen::VectorXd::LinSpaced(64, -1, 1).cwiseAbs2(), paper_length / 63};
     for (const Solver solver : {Solver::nested, Solver::active_set}) {
-        const Response full = pressed(bowl, {Kernel::free, 1, length, 0}, {1e-8, 1, 2}, solver);
+        const Response full = pressed(bowl, {Kernel::free, 1, paper_length, 0}, {1e-8, 1, 2}, solver);
         REQUIRE(full.contact_fraction[1] == 1);
         CHECK(std::isfinite(interface_stiffness(full)[0]));
         CHECK(std::isinf(interface_stiffness(full)[1]));
@@ -100,11 +101,11 @@ TEST_CASE("the interface's secants follow central differences in every gene") {
     std::mt19937_64 random(33);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic, Kernel::strip}) {
         Model model;
-        model.grid = {128, length, kernel == Kernel::periodic};
+        model.grid = {128, paper_length, kernel == Kernel::periodic};
         model.body.kernel = kernel;
         model.body.strip_width = 0.002;
         model.loading = {10, 0.6};
-        const Genome genome = random_genome(random, 1, 1, length, 8 * model.grid.spacing());
+        const Genome genome = random_genome(random, 1, 1, paper_length, 8 * model.grid.spacing());
         const Response response = respond(genome, model);
         const CurveJacobian jacobian =
             interface_jacobian(secant_jacobian(response, testing::jacobian_of(genome, model)),

@@ -13,7 +13,7 @@ using namespace rough;
 /// Files in the formats of instruments, byte by byte from their descriptions. They hold a map of 2 rows of 9
 /// points, 2 µm and 3 µm apart, with heights in steps of 10 nm. The last but one point of the second row was
 /// not measured.
-namespace testing {
+namespace rough::testing {
 namespace {
 
 constexpr int map_columns = 9, map_rows = 2;
@@ -113,7 +113,7 @@ std::string x3p_file(char type = 'I') {
 }
 
 } // namespace
-} // namespace testing
+} // namespace rough::testing
 
 namespace {
 

@@ -11,7 +11,7 @@ using namespace rough;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A/A0 x rms slope x E* / p at light load.
 const double persson_slope = std::sqrt(8 / pi), asperity_slope = std::sqrt(2 * pi);
