@@ -271,15 +271,13 @@ struct CmaEs : Operator {
                 "Ostermeier)"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.sigma, number("sigma", "0.3", above_zero, no_limit,
+        visit(self.sigma, number("sigma", above_zero, no_limit,
                                  "first step, as a fraction of the distance between bounds")
                               .keyed());
-        visit(self.population, whole("population", "0", 0, "children of the first run; 0 for 4 + 3 ln n")
-                                   .up_to(1e6)
-                                   .keyed()
-                                   .quiet());
-        visit(self.restarts,
-              word("restarts", "bipop", "restarts after a run has ended: bipop, ipop or none").keyed());
+        visit(
+            self.population,
+            whole("population", 0, "children of the first run; 0 for 4 + 3 ln n").up_to(1e6).keyed().quiet());
+        visit(self.restarts, word("restarts", "restarts after a run has ended: bipop, ipop or none").keyed());
     }
     void validate() const {
         if (restarts != "bipop" && restarts != "ipop" && restarts != "none")

@@ -75,11 +75,10 @@ struct DifferentialEvolution : Operator {
                 "a trial replaces each individual by differential evolution; duel follows the score"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.base, word("base", "rand", "rand, best or current-to-best"));
-        visit(self.F, number("F", "0.5", above_zero, 2, "weight of differences").keyed());
-        visit(self.CR, number("CR", "0.9", 0, 1, "a gene's chance to be the mutant's").keyed());
-        visit(self.crossing,
-              word("crossing", "bin", "bin: each gene by itself, or exp: in a row").keyed().quiet());
+        visit(self.base, word("base", "rand, best or current-to-best"));
+        visit(self.F, number("F", above_zero, 2, "weight of differences").keyed());
+        visit(self.CR, number("CR", 0, 1, "a gene's chance to be the mutant's").keyed());
+        visit(self.crossing, word("crossing", "bin: each gene by itself, or exp: in a row").keyed().quiet());
     }
     void validate() const {
         if (base != "rand" && base != "best" && base != "current-to-best")

@@ -31,10 +31,9 @@ struct Epsilon : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.generations, whole("generations", std::nullopt, 1, "generations until the levels are 0"));
-        visit(
-            self.share,
-            number("share", "0.2", 0, 1, "share of the first population within the levels").keyed().quiet());
-        visit(self.power, number("power", "5", above_zero, no_limit, "decay of the levels").keyed().quiet());
+        visit(self.share,
+              number("share", 0, 1, "share of the first population within the levels").keyed().quiet());
+        visit(self.power, number("power", above_zero, no_limit, "decay of the levels").keyed().quiet());
     }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 

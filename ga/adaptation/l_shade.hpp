@@ -89,15 +89,12 @@ struct LShade : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.evaluations,
-              whole("evaluations", "0", 0, "when the population has shrunk to 4; 0 for the run's budget")
+              whole("evaluations", 0, "when the population has shrunk to 4; 0 for the run's budget")
                   .keyed()
                   .quiet());
-        visit(self.memory,
-              whole("memory", "6", 1, "entries of the success history").up_to(1e6).keyed().quiet());
-        visit(self.archive,
-              number("archive", "2.6", 0, 100, "size of the archive, in populations").keyed().quiet());
-        visit(self.p,
-              number("p", "0.11", above_zero, 1, "share of the best in current-to-pbest").keyed().quiet());
+        visit(self.memory, whole("memory", 1, "entries of the success history").up_to(1e6).keyed().quiet());
+        visit(self.archive, number("archive", 0, 100, "size of the archive, in populations").keyed().quiet());
+        visit(self.p, number("p", above_zero, 1, "share of the best in current-to-pbest").keyed().quiet());
     }
     void check(CheckState& known) const {
         known.need_repetition(text_of(*this));

@@ -26,9 +26,9 @@ struct SelfAdaptive : Operator {
                 "adds normal steps with sizes that are inherited and mutate too"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.sigma, number("sigma", "0.1", above_zero, no_limit,
+        visit(self.sigma, number("sigma", above_zero, no_limit,
                                  "first step, as a fraction of the distance between bounds"));
-        visit(self.steps, word("steps", "each", "a size for each gene, or one for all: each or one").keyed());
+        visit(self.steps, word("steps", "a size for each gene, or one for all: each or one").keyed());
     }
     void validate() const {
         if (steps != "each" && steps != "one")

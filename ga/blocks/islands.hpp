@@ -30,10 +30,9 @@ struct Islands : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", std::nullopt, 2, "islands").up_to(10000));
-        visit(self.migration.rounds, whole("rounds", "10", 1, "generations of each island").keyed());
+        visit(self.migration.rounds, whole("rounds", 1, "generations of each island").keyed());
         visit(self.migration.migrants,
-              whole("migrants", "1", 0, "the best of each island, copied to the next after each round")
-                  .keyed());
+              whole("migrants", 0, "the best of each island, copied to the next after each round").keyed());
     }
 
     template <Problem P>

@@ -38,7 +38,7 @@ struct MapElites : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
-        visit(self.cells, whole("cells", "10", 1, "per descriptor").up_to(1e6).keyed().quiet());
+        visit(self.cells, whole("cells", 1, "per descriptor").up_to(1e6).keyed().quiet());
     }
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const {
@@ -105,8 +105,7 @@ struct Emit : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", std::nullopt, 1, "number of children"));
         visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
-        visit(self.sigma,
-              number("sigma", "0.1", above_zero, no_limit, "length of a step, in widths").keyed());
+        visit(self.sigma, number("sigma", above_zero, no_limit, "length of a step, in widths").keyed());
     }
     void check(CheckState& known) const {
         known.need_one_objective(text_of(*this));

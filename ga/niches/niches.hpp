@@ -54,7 +54,7 @@ struct Clearing : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
                                   "niche radius: rms of genes in widths, or share of bits that differ"));
-        visit(self.capacity, whole("capacity", "1", 1, "individuals per niche").keyed().quiet());
+        visit(self.capacity, whole("capacity", 1, "individuals per niche").keyed().quiet());
     }
     void check(CheckState& known) const { known.need_score(text_of(*this)); }
 
@@ -172,7 +172,7 @@ struct Sharing : ByFitness {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
                                   "niche radius: rms of genes in widths, or share of bits that differ"));
         visit(self.alpha,
-              number("alpha", "1", above_zero, no_limit, "exponent of the sharing function").keyed().quiet());
+              number("alpha", above_zero, no_limit, "exponent of the sharing function").keyed().quiet());
     }
 };
 

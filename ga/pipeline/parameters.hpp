@@ -31,6 +31,7 @@ struct Parameter {
     std::string meaning = {};            ///< meaning in one line, for the listing
     bool is_keyed = false;               ///< whether it is written as KEY=VALUE in a stage's text
     bool is_quiet = false;               ///< whether it is omitted from the text if it has its default
+    bool is_of_operator = false;         ///< whether the default is the value that a new operator has
 
     /// A copy that is written as KEY=VALUE.
     Parameter keyed() const { return with(&Parameter::is_keyed, true); }
@@ -66,10 +67,15 @@ struct Parameter {
     }
 };
 
-/// A parameter that takes a real number in [lower, upper].
+/// A parameter that takes a real number in [lower, upper]. Without `standard`, the default is the value that
+/// a new operator has.
 [[gnu::cold]] inline Parameter number(std::string name, std::optional<std::string> standard, double lower,
                                       double upper, std::string meaning) {
     return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
+}
+inline Parameter number(std::string name, double lower, double upper, std::string meaning) {
+    return number(std::move(name), "", lower, upper, std::move(meaning))
+        .with(&Parameter::is_of_operator, true);
 }
 /// A parameter that takes a whole number, `lower` or more.
 [[gnu::cold]] inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
@@ -77,11 +83,17 @@ struct Parameter {
     return {std::move(name), Parameter::Kind::whole, std::move(standard),
             lower,           Parameter::most,        std::move(meaning)};
 }
+inline Parameter whole(std::string name, double lower, std::string meaning) {
+    return whole(std::move(name), "", lower, std::move(meaning)).with(&Parameter::is_of_operator, true);
+}
 /// A parameter that takes a word.
 [[gnu::cold]] inline Parameter word(std::string name, std::optional<std::string> standard,
                                     std::string meaning) {
     return {std::move(name), Parameter::Kind::word, std::move(standard), -no_limit,
             no_limit,        std::move(meaning)};
+}
+inline Parameter word(std::string name, std::string meaning) {
+    return word(std::move(name), "", std::move(meaning)).with(&Parameter::is_of_operator, true);
 }
 /// A parameter that takes all remaining words.
 [[gnu::cold]] inline Parameter word_list(std::string name, std::string meaning) {
@@ -98,7 +110,7 @@ struct Words {
 /// An operator describes its parameters once:
 /// @code
 ///     static Words words();
-///     static void describe(auto& self, auto visit) { visit(self.k, whole("k", "2", 1, "how many")); ... }
+///     static void describe(auto& self, auto visit) { visit(self.k, whole("k", 1, "how many")); ... }
 /// @endcode
 /// The engine derives the operator's text, parser, value checks and listing entry from this description.
 template <class T>
@@ -152,14 +164,26 @@ struct Field {
     }
 };
 
+/// The fields, with the values of a new operator, `usual`, as defaults where these are meant.
+[[gnu::cold]] inline std::vector<Field> with_defaults(std::vector<Field> fields,
+                                                      const std::vector<Field>& usual) {
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        if (fields[i].parameter.is_of_operator)
+            fields[i].parameter.standard = usual[i].in_words();
+    return fields;
+}
 /// The parameters of an object that describes itself, with pointers to its values.
 template <class T>
 [[gnu::cold]] std::vector<Field> fields_of(T& described) {
-    std::vector<Field> fields;
-    T::describe(described, [&](auto& value, Parameter parameter) {
-        fields.push_back({std::move(parameter), Field::Place(&value)});
-    });
-    return fields;
+    const auto fields_in = [](T& object) {
+        std::vector<Field> fields;
+        T::describe(object, [&](auto& value, Parameter parameter) {
+            fields.push_back({std::move(parameter), Field::Place(&value)});
+        });
+        return fields;
+    };
+    T usual{};
+    return with_defaults(fields_in(described), fields_in(usual));
 }
 /// The values of these parameters, as they are written after the name in a pipeline's text.
 [[gnu::cold]] inline std::string values_in_words(const std::vector<Field>& fields) {

@@ -13,7 +13,7 @@ struct Score : Operator {
         return {"score", "selection", "evaluates the individuals without a fitness under the objective"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.objective, word("objective", "", "one of the problem's; by default its first"));
+        visit(self.objective, word("objective", "one of the problem's; by default its first"));
     }
     void check(CheckState& known) const { known.scored = known.objective(text_of(*this), objective); }
 
@@ -47,8 +47,8 @@ struct Average : Operator {
     }
     static void describe(auto& self, auto visit) {
         visit(self.n, whole("n", std::nullopt, 1, "replicates that are added each time").up_to(1e6));
-        visit(self.objective, word("objective", "", "one of the problem's; by default its first"));
-        visit(self.limit, whole("limit", "0", 0, "maximum replicates of one individual in total; 0 for n")
+        visit(self.objective, word("objective", "one of the problem's; by default its first"));
+        visit(self.limit, whole("limit", 0, "maximum replicates of one individual in total; 0 for n")
                               .up_to(1e6)
                               .keyed()
                               .quiet());

@@ -70,8 +70,8 @@ struct BestPoint {
 };
 
 /// The parameter that every method has.
-inline Parameter evaluations_parameter(std::optional<std::string> standard = std::nullopt) {
-    return whole("evaluations", std::move(standard), 1, "at most, after the start").up_to(1e8);
+inline Parameter evaluations_parameter() {
+    return whole("evaluations", std::nullopt, 1, "at most, after the start").up_to(1e8);
 }
 
 } // namespace ga

@@ -20,11 +20,10 @@ struct LevenbergMarquardt {
 
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.evaluations, evaluations_parameter("30"));
-        visit(self.sharpen,
-              whole("sharpen", "0", 0, "after this many, the largest residual counts; 0 for never")
-                  .keyed()
-                  .quiet());
+        visit(self.evaluations, whole("evaluations", 1, "at most, after the start").up_to(1e8));
+        visit(
+            self.sharpen,
+            whole("sharpen", 0, "after this many, the largest residual counts; 0 for never").keyed().quiet());
     }
 
     Eigen::VectorXd improve(const Landscape& land) const {

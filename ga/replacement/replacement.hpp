@@ -12,7 +12,7 @@ struct Elite : Operator {
     static Words words() {
         return {"elite", "replacement", "brings back the k best of the generation's start for the worst"};
     }
-    static void describe(auto& self, auto visit) { visit(self.k, whole("k", "1", 1, "how many")); }
+    static void describe(auto& self, auto visit) { visit(self.k, whole("k", 1, "how many")); }
     std::size_t reads_of_start() const { return k; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
@@ -46,7 +46,7 @@ struct Plus : Operator {
         return {"plus", "replacement", "the mu best of the generation's start and its children"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.mu, whole("mu", "0", 0, "how many; 0 for as many as at the start").quiet());
+        visit(self.mu, whole("mu", 0, "how many; 0 for as many as at the start").quiet());
     }
     std::size_t reads_of_start() const { return everyone; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }

@@ -22,7 +22,7 @@ struct Random : Operator {
     std::size_t n = 0; ///< number of individuals that stay; 0 for all
     static Words words() { return {"random", "selection", "keeps n at random, none twice, in random order"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.n, whole("n", "0", 0, "how many; 0 for all").quiet());
+        visit(self.n, whole("n", 0, "how many; 0 for all").quiet());
     }
     void check(CheckState&) const {}
 
@@ -47,8 +47,8 @@ struct Tournament : Operator {
         return {"tournament", "selection", "each place goes to the best of k drawn at random"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.k, whole("k", "2", 1, "how many are drawn"));
-        visit(self.size, whole("size", "0", 0, "places; 0 for as many as there are").keyed().quiet());
+        visit(self.k, whole("k", 1, "how many are drawn"));
+        visit(self.size, whole("size", 0, "places; 0 for as many as there are").keyed().quiet());
     }
     void check(CheckState& known) const { known.need_score(text_of(*this)); }
 
@@ -134,9 +134,7 @@ struct Threshold : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.threshold, number("threshold", std::nullopt, -no_limit, no_limit, "a fitness"));
         visit(self.least.count,
-              whole("at_least", "0", 0, "if fewer pass, this number nearest to passing is taken")
-                  .keyed()
-                  .quiet());
+              whole("at_least", 0, "if fewer pass, this number nearest to passing is taken").keyed().quiet());
     }
     void check(CheckState& known) const { known.need_one_objective(text_of(*this)); }
 
@@ -225,7 +223,7 @@ struct ByRank {
     static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
     /// Describes the parameter.
     static void describe(auto& self, auto visit) {
-        visit(self.pressure, number("pressure", "1.5", 1.0001, 2, "expected places of the best"));
+        visit(self.pressure, number("pressure", 1.0001, 2, "expected places of the best"));
     }
 };
 

@@ -27,7 +27,7 @@ struct Cross : Operator {
     }
     static void describe(auto& self, auto visit) {
         Way::describe(self.way, visit);
-        visit(self.rate, number("rate", "1", 0, 1, "a pair's chance to be crossed").keyed().quiet());
+        visit(self.rate, number("rate", 0, 1, "a pair's chance to be crossed").keyed().quiet());
     }
     void check(CheckState& known) const { known.scored.reset(); }
 
@@ -151,7 +151,7 @@ struct Points {
 
     static constexpr const char* needs = "genes at positions: a random-access range";
     static Words words() { return {"n_points", "cross-over", "exchanges every other piece between n cuts"}; }
-    static void describe(auto& self, auto visit) { visit(self.n, whole("n", "2", 1, "cuts")); }
+    static void describe(auto& self, auto visit) { visit(self.n, whole("n", 1, "cuts")); }
 
     template <Problem P>
     requires(CrossesAtPoints<P> || Positional<typename P::Genome>) void
@@ -251,7 +251,7 @@ struct Blend {
         return {"blend", "cross-over", "draws each gene uniformly around the parents' (BLX-alpha)"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.alpha, number("alpha", "0.5", 0, no_limit, "how far beyond, in their distance"));
+        visit(self.alpha, number("alpha", 0, no_limit, "how far beyond, in their distance"));
     }
 
     template <HasGenes P>
@@ -276,7 +276,7 @@ struct SimulatedBinary {
         return {"sbx", "cross-over", "simulated binary cross-over, symmetric about the parents' mean"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.eta, number("eta", "15", 0, no_limit, "the greater, the nearer to the parents"));
+        visit(self.eta, number("eta", 0, no_limit, "the greater, the nearer to the parents"));
     }
 
     template <HasGenes P>

@@ -102,7 +102,7 @@ struct GeneStep {
                 normal ? "adds a normal step" : "adds a uniform step"};
     }
     static void describe(auto& self, auto visit) {
-        visit(self.size, number(normal ? "sigma" : "step", "0.1", above_zero, no_limit,
+        visit(self.size, number(normal ? "sigma" : "step", above_zero, no_limit,
                                 normal ? "standard deviation, in widths between bounds"
                                        : "largest step, in widths between bounds"));
     }
@@ -127,7 +127,7 @@ struct Polynomial {
     static constexpr const char* needs = "real genes with bounds";
     static Words words() { return {"polynomial", "mutation", "adds a step of polynomial density"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.eta, number("eta", "20", above_zero, no_limit, "greater values give smaller steps"));
+        visit(self.eta, number("eta", above_zero, no_limit, "greater values give smaller steps"));
     }
 
     template <HasGenes P>
