@@ -25,6 +25,8 @@ struct OutsideProblem {
     std::vector<ga::Variable> range;         ///< bounds of real genes
     std::vector<ga::Objective<Answer>> list; ///< f1, f2, ...
     Genes genes = {};                        ///< kinds of the genes
+    /// Derivatives of the first objective with respect to real genes; empty if they are unknown.
+    std::function<std::vector<double>(const G&)> slopes = {};
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
                    const std::vector<bool>& minimise)
@@ -66,6 +68,11 @@ struct OutsideProblem {
     }
     const std::vector<ga::Variable>& bounds(const G&) const requires std::same_as<G, std::vector<double>> {
         return range;
+    }
+    bool has_gradient() const { return static_cast<bool>(slopes); }
+    std::vector<double> gradient(const G& genome,
+                                 const std::string&) const requires std::same_as<G, std::vector<double>> {
+        return slopes(genome);
     }
     G sample(ga::Stream& stream) const {
         if constexpr (std::same_as<G, ga::Permutation>) {

@@ -177,7 +177,7 @@ struct Emit : Operator {
                                                       const std::vector<std::size_t>& chosen,
                                                       Context<P>& context) {
         std::vector<std::vector<double>> all(chosen.size());
-        if constexpr (Sensitive<P> || Differentiable<P>) {
+        if (Sensitive<P> || has_gradient(context.problem())) {
             std::vector<Slope<P>> slopes;
             for (const std::size_t i : chosen) {
                 const auto& each = population[i];

@@ -35,6 +35,7 @@ template <Problem P>
     CheckState known;
     for (const auto& objective : problem.objectives())
         known.objectives.push_back(objective.name);
+    known.has_gradient = has_gradient(problem);
     if (known.objectives.empty())
         throw UsageError("the problem has no objective; define at least one");
     return known;

@@ -15,6 +15,7 @@ struct CheckState {
     std::optional<std::string> start_scored; ///< policy under which the generation's start is scored
     bool nobody = false;                     ///< whether the population is still empty
     bool on_islands = false;                 ///< whether the point is inside `islands`
+    bool has_gradient = false;               ///< whether the problem has derivatives of its fitness
     /// Whether the population is scored under several objectives.
     bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
 
@@ -99,7 +100,6 @@ struct Step {
 ///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
 ///                                             the operator reads, or `everyone`
 ///     static constexpr bool begins = true;    if the operator works without a population
-///     template <Problem P> void check_problem() const;   checks needs that concepts cannot express
 /// @endcode
 /// A block is an operator that contains pipelines. Instead of check and operator() it has
 /// @code
@@ -263,8 +263,6 @@ class Stage {
     }
     template <class Op>
     [[gnu::cold]] void take(const Op& op) {
-        if constexpr (requires { op.template check_problem<P>(); })
-            op.template check_problem<P>();
         if constexpr (requires { op.template step<P>(); }) {
             add(op.template step<P>());
         } else if constexpr (!requires { typename Op::State; } && !Callable<Op, P>) {

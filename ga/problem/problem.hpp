@@ -140,6 +140,14 @@ concept Differentiable = HasGenes<P> &&
     { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
 };
 
+/// Whether the fitness's derivatives are known. A member `has_gradient()` says so of one problem of a type.
+template <class P>
+bool has_gradient(const P& problem) {
+    if constexpr (requires { problem.has_gradient(); })
+        return problem.has_gradient();
+    return Differentiable<P>;
+}
+
 /// Optional: the violation of the problem's constraints by an outcome, as one number or one per constraint. A
 /// number is 0 or less if its constraints hold. Individuals are then compared by Deb's rules (2000). Feasible
 /// ones are better than infeasible ones. Infeasible ones are compared by the sum of violations, feasible ones

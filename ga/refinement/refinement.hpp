@@ -65,7 +65,7 @@ class Search {
                 }
                 return std::pair(seen_fitness_.known() ? seen_fitness_.merit() : -HUGE_VAL, violations_);
             };
-        if constexpr (Differentiable<P>)
+        if (has_gradient(problem_))
             land.gradient = [this](const Eigen::VectorXd& x) { return gradient(x); };
         if constexpr (Sensitive<P>)
             land.sensitivity = [this](const Eigen::VectorXd& x) { return sensitivity(x); };
@@ -173,11 +173,9 @@ struct Refine : Operator {
     Choice variables; ///< genes that may move: Variables<G>, or EveryGene
 
     std::string text() const { return "refine " + method.text + " genes=" + variables.name; }
-    void check(CheckState& known) const { known.need_one_objective(text()); }
-
-    template <Problem P>
-    void check_problem() const {
-        if (method.needs_gradient && !Differentiable<P>)
+    void check(CheckState& known) const {
+        known.need_one_objective(text());
+        if (method.needs_gradient && !known.has_gradient)
             throw UsageError(
                 "stage '" + text() +
                 "' needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");

@@ -1,8 +1,323 @@
-#include "apps/python/module/optimise.hpp"
-
-#include "ga/text/whole_vocabulary.hpp"
+#include "apps/python/module/engine.hpp"
+#include "ga/pipeline/ask_tell.hpp"
 
 namespace rugosa::python {
+
+/// The type of a gene in NumPy.
+template <class G>
+using Gene = std::conditional_t<std::same_as<G, std::vector<double>>, double,
+                                std::conditional_t<std::same_as<G, std::vector<bool>>, bool, long>>;
+
+/// The genomes of some items as rows of an array.
+template <class G, class Items, class GenomeOf>
+py::array_t<Gene<G>> rows_of(const Items& items, std::size_t columns, GenomeOf genome_of) {
+    py::array_t<Gene<G>> rows({items.size(), columns});
+    Gene<G>* cell = rows.mutable_data();
+    for (const auto& item : items)
+        for (const auto gene : std::invoke(genome_of, item))
+            *cell++ = static_cast<Gene<G>>(gene);
+    return rows;
+}
+template <class G>
+py::array_t<Gene<G>> genes_of(const ga::Population<G>& population, std::size_t columns) {
+    return rows_of<G>(population, columns, &ga::Individual<G>::genome);
+}
+
+/// The fitness of each individual, NaN if it has none or several.
+template <class G>
+py::array_t<double> fitness_of(const ga::Population<G>& population) {
+    py::array_t<double> fitness(population.size());
+    for (std::size_t i = 0; i < population.size(); ++i)
+        fitness.mutable_at(i) = population[i].fitness.has_value() ? population[i].value() : std::nan("");
+    return fitness;
+}
+
+/// A genome from a row. Throws InputError if it has another number of genes.
+template <class G>
+G genome_of(const py::object& row, std::size_t count) {
+    const auto values = row.cast<std::vector<Gene<G>>>();
+    if (values.size() != count)
+        rough::refuse("genes: an operator returned ", values.size(), " genes; return ", count);
+    if constexpr (std::same_as<G, ga::Permutation>) {
+        ga::Permutation permutation;
+        for (const long value : values) // one outside 0 .. count - 1 becomes one that is not valid
+            permutation.order.push_back(static_cast<std::uint32_t>(std::clamp<long>(value, -1, 0x7fffffff)));
+        return permutation;
+    } else
+        return G(values.begin(), values.end());
+}
+
+/// The answer that `evaluate` returned: a number, several, or (numbers, violation), the violation a number or
+/// one per constraint.
+inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
+    const auto has_length = [](const py::object& value) { return py::hasattr(value, "__len__"); };
+    const auto numbers = [&](const py::object& value) {
+        return has_length(value) ? value.cast<std::vector<double>>()
+                                 : std::vector<double>{value.cast<double>()};
+    };
+    const auto whole = py::reinterpret_borrow<py::object>(given);
+    app::Answer answer;
+    if (py::isinstance<py::tuple>(whole) && py::len(whole) == 2 && has_length(whole[py::int_(0)]))
+        answer = {numbers(whole[py::int_(0)]), numbers(whole[py::int_(1)])};
+    else
+        answer = {numbers(whole)};
+    if (answer.objectives.size() != objectives)
+        rough::refuse("evaluate: ", answer.objectives.size(), " objectives returned; return ", objectives);
+    return answer;
+}
+
+/// The problem of a search, with the gradient if Python has one. Python's objects are pointed at, because the
+/// engine copies problems without the interpreter's lock.
+template <class G>
+app::OutsideProblem<G> problem_of(const Optimisation& search, Callback& callback) {
+    app::OutsideProblem<G> problem(search.genes, search.minimise);
+    if constexpr (std::same_as<G, std::vector<double>>)
+        if (py::hasattr(search.problem, "gradient"))
+            problem.slopes = [object = &search.problem, call = &callback](const G& genome) {
+                std::vector<double> slopes;
+                (*call)([&] {
+                    slopes =
+                        object->attr("gradient")(py::array(py::cast(genome))).cast<std::vector<double>>();
+                });
+                if (slopes.size() != genome.size())
+                    throw std::runtime_error("the gradient has " + std::to_string(slopes.size()) +
+                                             " numbers");
+                return slopes;
+            };
+    return problem;
+}
+
+/// Throws InputError if there are more or fewer answers than genomes.
+inline void expect_answers(const char* where, std::size_t given, std::size_t genomes) {
+    if (given != genomes)
+        rough::refuse(where, ": ", given, " answers given for ", genomes, " genomes; give one for each");
+}
+
+/// Evaluations by Python, with the interpreter's lock: a whole batch if the problem has `evaluate_batch`,
+/// else one after the other.
+template <class P>
+class ByPython : public ga::Evaluator<P> {
+  public:
+    ByPython(Callback& callback, Optimisation& search) : callback_(callback), search_(search) {}
+
+    void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
+        using G = typename P::Genome;
+        callback_([&] {
+            const auto rows =
+                rows_of<G>(calls, problem.count, [](const auto& call) -> const G& { return *call.genome; });
+            const py::object& own = search_.problem;
+            const std::size_t objectives = problem.objectives().size();
+            const auto take = [&](ga::Call<P>& call, const py::handle& given) {
+                app::Answer answer = answer_of(given, objectives);
+                search_.record.take({app::genes_text(*call.genome), answer});
+                *call.answer = std::move(answer);
+            };
+            if (py::hasattr(own, "evaluate_batch")) {
+                const py::list answers(own.attr("evaluate_batch")(rows));
+                expect_answers("evaluate_batch", answers.size(), calls.size());
+                for (std::size_t i = 0; i < calls.size(); ++i)
+                    take(calls[i], answers[i]);
+                return;
+            }
+            const py::object evaluate = py::hasattr(own, "evaluate") ? py::object(own.attr("evaluate")) : own;
+            for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i)
+                take(calls[i], evaluate(rows[py::int_(i)]));
+        });
+    }
+
+  private:
+    Callback& callback_;
+    Optimisation& search_;
+};
+
+/// An operator written in Python. It is called with (genes, fitness, random) and returns a new array of genes
+/// or the positions of the individuals to keep.
+struct PythonOperator : ga::Operator {
+    const py::object* object;
+    std::string name;
+    Callback* callback;
+
+    std::string text() const { return name; }
+    void check(ga::CheckState& known) const { known.scored.reset(); }
+
+    template <ga::Problem P>
+    ga::Population<typename P::Genome> operator()(ga::Population<typename P::Genome> population,
+                                                  ga::Context<P>& context) const {
+        using G = typename P::Genome;
+        ga::Population<G> made;
+        (*callback)([&] {
+            const std::size_t columns = context.problem().count;
+            const auto seed = static_cast<std::uint64_t>(context.stream(0).uniform(0, 0x1p53));
+            const py::object random = py::module_::import("numpy.random").attr("default_rng")(seed);
+            const py::array answer =
+                py::array::ensure((*object)(genes_of(population, columns), fitness_of(population), random));
+            if (answer && answer.ndim() == 1) {
+                for (const long i : answer.cast<std::vector<long>>())
+                    made.push_back(population.at(static_cast<std::size_t>(i)));
+                return;
+            }
+            if (!answer || answer.ndim() != 2)
+                rough::refuse("operator ", name, ": it returned no array; return genes or positions");
+            for (py::ssize_t i = 0; i < answer.shape(0); ++i) {
+                ga::Individual<G> child;
+                child.genome = genome_of<G>(answer[py::int_(i)], columns);
+                if (!ga::is_valid(context.problem(), child.genome))
+                    rough::refuse("operator ", name, ": row ", i + 1,
+                                  " is not a genome; return finite numbers or each of 0 to ", columns - 1,
+                                  " once");
+                context.make_child(child, {});
+                made.push_back(std::move(child));
+            }
+        });
+        if (made.empty())
+            throw ga::NothingLeft("operator " + name +
+                                  " returned an empty population; return at least one individual");
+        return made;
+    }
+};
+
+/// A search that is ready to run. It only points at Python's objects, because it is copied and destroyed
+/// without the interpreter's lock.
+template <class G>
+struct Prepared {
+    using P = app::OutsideProblem<G>;
+    Optimisation& search;
+    Callback callback;
+    P problem;
+    ga::Stage<P> stage;
+    ga::RunOptions run;
+
+    Prepared(Optimisation& of, std::atomic<bool>& stop)
+        : search(of), callback(stop), problem(problem_of<G>(of, callback)), stage(parsed()) {
+        search.searched = stage.text();
+        run.variant = search.variant;
+        run.seed = search.seed;
+        run.budget = {search.evaluations, search.seconds, &stop};
+    }
+
+    ga::Stage<P> parsed() {
+        auto registry = ga::whole_vocabulary<P>();
+        for (const py::object& each : search.operators) {
+            const auto name = each.attr("name").template cast<std::string>();
+            registry.add(name, "yours", "written in Python", PythonOperator{{}, &each, name, &callback});
+        }
+        return app::stage_of(search, search.minimise.size(), std::move(registry));
+    }
+
+    std::vector<ga::Observer<G>> observers() {
+        using namespace py::literals;
+        std::vector<ga::Observer<G>> all;
+        for (const py::object& each : search.observers)
+            all.push_back([this, one = &each](const ga::Event<G>& event) {
+                callback([&] {
+                    (*one)(py::dict("path"_a = event.path, "generation"_a = event.generation,
+                                    "genes"_a = genes_of(event.population, problem.count),
+                                    "fitness"_a = fitness_of(event.population),
+                                    "evaluations"_a = event.counters.asked));
+                });
+            });
+        return all;
+    }
+
+    /// Runs without the interpreter's lock and stores the result. Rethrows an exception of Python's.
+    template <class Run>
+    void finish(Run result_of_run) {
+        ga::Result<G> found;
+        try {
+            const py::gil_scoped_release unlocked;
+            found = result_of_run();
+        } catch (const std::exception&) {
+            callback.rethrow();
+            throw;
+        }
+        callback.rethrow();
+        search.population = genes_of(found.population, problem.count);
+        search.spent = found.counters.evaluations;
+        search.stopped = found.stopped;
+        search.notes = found.notes;
+    }
+};
+
+template <class G>
+void optimise(Optimisation& search) {
+    Interruptible interrupt;
+    Prepared<G> prepared(search, interrupt.stop());
+    ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
+    prepared.finish([&] {
+        return ga::run_by(evaluator, prepared.stage, prepared.problem, {}, prepared.run,
+                          prepared.observers());
+    });
+    search.interrupted = interrupt.requested();
+}
+
+template <class G>
+class AskTell : public Search {
+    using Engine = ga::AskTell<app::OutsideProblem<G>>;
+
+  public:
+    explicit AskTell(Optimisation search)
+        : search_(std::move(search)), prepared_(search_, stop_),
+          engine_(prepared_.stage, prepared_.problem, {}, prepared_.run, prepared_.observers()) {}
+    ~AskTell() override {
+        const py::gil_scoped_release unlocked; // its thread may call Python
+        engine_.stop();
+        stop_ = true;
+        try {
+            engine_.result();
+        } catch (...) { // thrown before by ask() or result(), or not needed any more
+        }
+    }
+
+    py::array ask() override {
+        prepared_.callback.rethrow();
+        std::vector<typename Engine::Question> open;
+        {
+            const py::gil_scoped_release unlocked;
+            try {
+                open = engine_.ask();
+            } catch (...) {
+                if (!prepared_.callback.failed())
+                    throw;
+            }
+        }
+        prepared_.callback.rethrow();
+        open_ = std::move(open);
+        asker_ = std::this_thread::get_id();
+        return rows_of<G>(open_, prepared_.problem.count, &Engine::Question::genome);
+    }
+    void tell(const py::object& iterable) override {
+        const py::list given(iterable);
+        expect_answers("tell", given.size(), open_.size());
+        if (asker_ != std::this_thread::get_id() && !open_.empty())
+            rough::refuse("tell: another thread has asked since; use a search in one thread");
+        std::vector<app::Answer> answers;
+        for (const py::handle& each : given)
+            answers.push_back(answer_of(each, search_.minimise.size()));
+        const auto open = std::exchange(open_, {}); // another thread may ask
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            search_.record.take({app::genes_text(open[i].genome), answers[i]});
+        const py::gil_scoped_release unlocked;
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            engine_.tell(open[i].id, std::move(answers[i]));
+    }
+    Optimisation result() override {
+        prepared_.finish([&] { return engine_.result(); });
+        return search_;
+    }
+
+  private:
+    Optimisation search_;
+    std::atomic<bool> stop_ = false;
+    Prepared<G> prepared_;
+    Engine engine_;
+    std::vector<typename Engine::Question> open_; ///< used only with the interpreter's lock
+    std::thread::id asker_;                       ///< the thread that has asked last
+};
+
+template <class G>
+std::unique_ptr<Search> begin_search(Optimisation search) {
+    return std::make_unique<AskTell<G>>(std::move(search));
+}
 
 template void optimise<std::vector<double>>(Optimisation&);
 template void optimise<std::vector<bool>>(Optimisation&);

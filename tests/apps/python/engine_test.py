@@ -122,9 +122,11 @@ class Engine(WithFolder):
             def gradient(self, x):
                 return -2 * (x - 1)
 
-        found = rugosa.optimise(Bowl(), lower=[-5] * 6, upper=[5] * 6,
-                                pipeline="sample 3 | score | best 1 | refine nlopt LD_LBFGS 40 | best 1")
-        self.assertLess(abs(found.best - 1).max(), 1e-6)
+        search = {"lower": [-5] * 6, "upper": [5] * 6,
+                  "pipeline": "sample 3 | score | best 1 | refine nlopt LD_LBFGS 40 | best 1"}
+        self.assertLess(abs(rugosa.optimise(Bowl(), **search).best - 1).max(), 1e-6)
+        with self.assertRaisesRegex(ValueError, "needs the problem's gradient"):
+            rugosa.optimise(lambda x: self.fail("evaluated"), **search)
 
     def test_operators_written_in_python(self):
         class Halve:
