@@ -69,6 +69,7 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
              {"score | front", "stage 'front' needs a population ranked by pareto"},
              {"refine lm 3", "stage 'refine lm 3 genes=all' needs a scored population"},
              {"islands 2 rounds=2 { turn genes }", "needs a scored population"},
+             {"score | pair(best 2, best 2, mean) | best 1", "'best 1' needs a scored population"},
              {"until fitness 1 { turn genes }", "stage 'until fitness 1' needs a scored population"},
              {"score low | repeat 2 { score high | elite 1 }",
               "stage 'elite 1' compares the population, scored by 'high', with the generation's start, "

@@ -85,3 +85,14 @@ TEST_CASE("only a fully scored, better population counts as an improvement, with
     CHECK_FALSE(improves(Progress<Vector>{3, 0, 0, better}, memory));
     CHECK(memory[2] == 2);
 }
+
+TEST_CASE("whether a population is an improvement does not depend on its order") {
+    Numbers memory, other;
+    for (std::size_t generation = 0; generation < 20; ++generation) {
+        auto now = run("sample 5 | score", Reals{}, {}, {.seed = generation}).population;
+        const bool better = improves(Progress<Vector>{generation, 0, 0, now}, memory);
+        std::ranges::reverse(now);
+        CHECK(improves(Progress<Vector>{generation, 0, 0, now}, other) == better);
+        CHECK(memory == other);
+    }
+}

@@ -250,7 +250,34 @@ TEST_CASE("the listing names every operator under its group, with its unmet need
         next("  " + entry.name);
         CHECK(list.find(entry.meaning, at) != std::string::npos);
     }
+    next("  pair(left, right, name) ");
+    for (const auto& [combine, meaning] : curve_registry().combines())
+        next("  " + combine.name);
     CHECK(list.find("not for this genome: it needs a permutation for a genome") != std::string::npos);
     CHECK(list.find("a number from 0 to 1, by default 1: a pair's chance to be crossed") !=
           std::string::npos);
+}
+
+TEST_CASE("operators have the default parameters of their publications") {
+    for (const auto& [name, parameter, value] : std::vector<std::array<std::string, 3>>{
+             {"cross blend", "alpha", "0.5"}, // Eshelman and Schaffer 1993
+             {"cross sbx", "eta", "15"},      // Deb et al. 2002, NSGA-II, real-coded: 15 to 20
+             {"mutate polynomial", "eta", "20"},
+             {"rank", "pressure", "1.5"}, // Baker 1985: between 1 and 2
+             {"share", "alpha", "1"},     // Goldberg and Richardson 1987: the triangular function
+             {"clear", "capacity", "1"},  // Petrowski 1996: the winner takes all
+             {"cma-es", "sigma", "0.3"},  // Hansen 2016: 0.3 of the range
+             {"de", "F", "0.5"},          // Storn and Price 1997
+             {"de", "CR", "0.9"},
+             {"l-shade", "memory", "6"}, // Tanabe and Fukunaga 2014
+             {"l-shade", "archive", "2.6"},
+             {"l-shade", "p", "0.11"},
+             {"epsilon", "share", "0.2"}, // Takahama and Sakai 2006
+             {"epsilon", "power", "5"},
+             {"map-elites", "cells", "10"}}) {
+        INFO(name << ' ' << parameter);
+        const auto& parameters = registry().find(name)->parameters;
+        const auto found = std::ranges::find(parameters, parameter, &Parameter::name);
+        CHECK(found->standard == value);
+    }
 }

@@ -202,6 +202,12 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline})
         CHECK((finer(slope, 4, by).heights - Eigen::VectorXd::LinSpaced(21, 0, 5)).cwiseAbs().maxCoeff() <
               1e-12);
+    for (const double nodes : {3., 4., 5., 9.}) { // splines are exact for parabolas
+        const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(Index(nodes), 0, nodes - 1),
+                              at = Eigen::VectorXd::LinSpaced(Index(4 * nodes - 3), 0, nodes - 1);
+        const Profile parabola{x.cwiseAbs2(), 0.1};
+        CHECK((finer(parabola, 4, Interpolation::spline).heights - at.cwiseAbs2()).norm() < 1e-12);
+    }
     // Splines do not oscillate at a jump at the ends of a periodic surface.
     CHECK(finer(slope, 4, Interpolation::spline, true).heights.maxCoeff() == Approx(5));
 }

@@ -193,3 +193,20 @@ TEST_CASE("ranges of caps without sense are refused") {
     setup.radii = {0, 1, 0};
     CHECK_THROWS_AS(CapProblem(setup), InputError);
 }
+
+TEST_CASE("a mutation of caps keeps steps and ranges, and reports whether it changed a gene") {
+    CapSetup setup = made_of_pdms(3);
+    setup.targets = {hidden_law(setup, 2)};
+    const CapProblem problem(setup);
+    ga::Stream random(11);
+    int unchanged = 0;
+    for (int i = 0; i < 200; ++i) {
+        CapGenome genome = problem.sample(random);
+        const CapGenome before = genome;
+        const bool changed = problem.mutate(genome, 0.05, random);
+        CHECK(changed == (genome != before));
+        CHECK(is_on_steps(setup, genome));
+        unchanged += !changed;
+    }
+    CHECK((unchanged > 50 && unchanged < 190)); // 0.95^9 of 200 are 126
+}

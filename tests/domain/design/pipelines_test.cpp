@@ -100,3 +100,24 @@ TEST_CASE("islands refuse a block that changes the problem") {
         expect_searchable(drawn(64), "shape 8 | score | islands 2 { corrected { score } | score | best 4 }"),
         Catch::Contains("islands"));
 }
+
+TEST_CASE("a body that cannot work is refused in every block before anything is evaluated") {
+    const DesignSetup setup = drawn(64);
+    const auto refused = [&](const std::string& pipeline) {
+        CHECK_THROWS_WITH(expect_searchable(setup, "shape 8 | " + pipeline),
+                          Catch::Contains("'best 1' needs a scored population"));
+    };
+    const auto registry = design_registry(setup);
+    for (const auto& entry : registry.entries())
+        if (entry.bodies > 0) {
+            INFO(entry.name);
+            std::string block = entry.name == "until" ? "until generations 2" : entry.name;
+            for (const auto& parameter : entry.parameters)
+                block += parameter.standard ? "" : " 2";
+            refused(block + " { best 1 }");
+        }
+    for (const std::string block : {"corrected", "coarser 2"}) { // other problems, whose fitness is another
+        refused("score | " + block + " { best 1 }");
+        refused("score | " + block + " { score } | best 1");
+    }
+}

@@ -226,3 +226,22 @@ TEST_CASE("a one-point cross-over exchanges only the short waves") {
     if (chromosomes(a) >= chromosomes(b))
         CHECK(a.series[1].chromosomes.back().phases == shortest);
 }
+
+TEST_CASE("a genome with a number that is not finite is refused by its name") {
+    using Place = double& (*)(Genome&);
+    const std::vector<std::pair<std::string, Place>> places{
+        {"scale", [](Genome& g) -> double& { return g.scale; }},
+        {"A", [](Genome& g) -> double& { return g.series[1].A; }},
+        {"H", [](Genome& g) -> double& { return g.series[1].H; }},
+        {"gamma", [](Genome& g) -> double& { return g.series[1].gamma; }},
+        {"lambda", [](Genome& g) -> double& { return g.series[1].lambda; }},
+        {"a phase", [](Genome& g) -> double& { return g.series[1].chromosomes[0].phases[0]; }}};
+    std::mt19937_64 random(5);
+    for (const auto& [name, place] : places)
+        for (const double wrong : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+            Genome genome = random_genome(random, 2, 2, 0.84942, 0.1);
+            CHECK_NOTHROW(validate(genome, "G"));
+            place(genome) = wrong;
+            CHECK_THROWS_WITH(validate(genome, "G"), Catch::Contains(name + " is "));
+        }
+}

@@ -23,10 +23,11 @@ TEST_CASE("a comma before a blank separates columns, a decimal comma does not") 
     CHECK(cells("1,") == Cells{"1"});
 }
 
-TEST_CASE("UTF-16 beyond 65536 is read as UTF-8, and an unpaired surrogate as a replacement") {
-    std::string clef("\xFE\xFF\xD8\x34\xDD\x1E\x00!", 8), half("\xFF\xFE\x34\xD8!\x00", 6);
+TEST_CASE("UTF-16 and Latin-1 are read as UTF-8, and an unpaired surrogate as a replacement") {
+    std::string clef("\xFE\xFF\xD8\x34\xDD\x1E\x00!", 8), half("\xFF\xFE\x34\xD8!\x00", 6), latin("\xB5\xE9");
     CHECK(text_lines(clef, "clef")[0] == "\xF0\x9D\x84\x9E!");
     CHECK(text_lines(half, "half")[0] == "\xEF\xBF\xBD!");
+    CHECK(text_lines(latin, "latin")[0] == "µé");
 }
 
 TEST_CASE("bytes outside UTF-8 become replacement characters in JSON, other text stays") {
