@@ -5,7 +5,7 @@
 
 All mutants are built at once (sites.py), in a copy of the tree. The environment variable RUGOSA_MUTANT chooses one. Each
 test first runs without a mutant, which measures its time and the mutants that it reaches. A mutant is then tried on these
-tests until one fails: first those of the mirrored folder, then the quick ones. A mutant is caught if a test fails, crashes
+tests until one fails: first those of the mirrored folder, then those of its own program, the quick ones first. A mutant is caught if a test fails, crashes
 or takes far longer than before.
 """
 
@@ -29,9 +29,11 @@ import sites
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORK = ROOT / ".build-mutation"
 HOOK = '#include "tests/mutation/mutant.hpp"\n#line 1\n'
-# The test programs of each folder, without [long] and hidden tests. The tests of the Python module are files.
+# The test programs of each folder in the order of trying, without [long] and hidden tests. The tests of the Python module
+# are files.
 PYTHON = "rugosa_python"
-PROGRAMS = {"ga": ["tests_ga"], "domain": ["tests_domain"], "apps": ["tests_apps", PYTHON]}
+PROGRAMS = {"ga": ["tests_ga", "tests_domain", "tests_fuzz", "tests_apps"], "domain": ["tests_domain", "tests_fuzz", "tests_apps"],
+            "apps": ["tests_apps", PYTHON]}
 SPEC = "~[long]~[.]"
 REMARK = re.compile(r"\bprogress\.|\.reserve\(")  # terminal output and reserved memory
 MEMORY = 6 << 30  # maximum bytes of a test
@@ -191,7 +193,7 @@ def tried(number, name, tests, limit):
     """The test that catches a mutant, or None, and the number of tests tried."""
     folder = ROOT / "tests" / pathlib.Path(name).parent
     candidates = sorted((test for test in tests if number in test.reached),
-                        key=lambda test: (test.file.parent != folder, test.seconds))
+                        key=lambda test: (test.file.parent != folder, PROGRAMS[name.split("/")[0]].index(test.program), test.seconds))
     spent, runs = 0.0, 0
     for test in candidates:
         if spent + test.seconds > limit:
