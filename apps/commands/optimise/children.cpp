@@ -276,7 +276,12 @@ void Children::bound_log() {
     if (fstat(log_, &there) != 0 || there.st_size <= max_log)
         return;
     const std::lock_guard lock(trouble_mutex_);
-    const std::string tail = "(the beginning is left out)\n" + log_tail();
+    std::string tail;
+    off_t seen = 0; // what a child writes between the reading and the cut is lost
+    for (int tries = 0; tries < 100 && fstat(log_, &there) == 0 && there.st_size != seen; ++tries) {
+        seen = there.st_size;
+        tail = "(the beginning is left out)\n" + log_tail();
+    }
     if (ftruncate(log_, 0) == 0) [[maybe_unused]]
         const ssize_t kept = write(log_, tail.data(), tail.size());
 }
