@@ -13,8 +13,7 @@ struct Answer {
     std::vector<double> violation = {}; ///< one number per constraint; 0 or less if it holds
 };
 
-/// The answer's "violation", a number or an array; empty if it is missing. Throws nlohmann's exceptions on
-/// other types.
+/// The answer's "violation", a number or an array, or empty. Throws nlohmann's exceptions on other types.
 std::vector<double> violation_from(const nlohmann::json& answer);
 /// Whether it has this many objectives, and all its numbers are finite.
 bool is_valid(const Answer& answer, std::size_t objectives);
@@ -41,8 +40,7 @@ class BestKnown {
     std::vector<bool> minimise;
 
     void take(const Solution& solution);
-    /// The best by Deb's rules (less violation is better), then by the first objective; null before the
-    /// first.
+    /// The best by Deb's rules (less violation is better), then by the first objective; or null.
     const Solution* best() const { return front_.empty() ? nullptr : &front_.front(); }
     /// The non-dominated solutions, sorted by the first objective; at most one for one objective.
     const std::vector<Solution>& front() const { return front_; }

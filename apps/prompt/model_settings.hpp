@@ -93,8 +93,7 @@ struct AreaScene {
     rough::Model model;             ///< complete, with the map's grid
     std::vector<std::string> notes; ///< how the map was read or sampled, one line each
 };
-/// The map of --genome or of the file that the flag names. Throws rough::InputError on settings that only a
-/// profile has.
+/// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
 AreaScene area_from(const Settings& settings, const std::string& map = "surface");
 
 } // namespace app

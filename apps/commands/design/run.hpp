@@ -30,8 +30,7 @@ struct Production {
     double largest_change = 0; ///< maximum change of a phase, over a turn
 };
 
-/// The outcome of a design: the report's first screen, `summary` of result.json and the last lines on the
-/// terminal.
+/// The outcome of a design on the report's first screen, in `summary` of result.json and on the terminal.
 struct Summary {
     bool found = false;
     /// The answer's lowest similarity, also under given noise, tilt and hardness; NaN: not verified.

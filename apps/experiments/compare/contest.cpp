@@ -83,8 +83,7 @@ void add_shares(Findings& found, Group& group, const Contest& contest) {
     }
 }
 
-/// Friedman's test, signed ranks over the problems, and rank sums over each problem's seeds. Returns the rows
-/// of tests.csv.
+/// Friedman's test, signed ranks over problems, and rank sums over a problem's seeds, as rows of tests.csv.
 std::vector<json> add_tests(Findings& found, const Group& group) {
     Csv& table = found.table("tests.csv", "group,problem,first,second,area_difference,p,p_corrected", 6);
     json& result = found.result["groups"][group.name];

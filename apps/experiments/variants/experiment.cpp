@@ -66,8 +66,7 @@ struct RaceTarget {
     }
 };
 
-/// Every target on every grid of model.nodes. On the first grid the name is the target's, on others the grid
-/// follows.
+/// Every target on every grid of model.nodes. Names have the grid after the target's, but for the first grid.
 std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
     if (grids.empty())
