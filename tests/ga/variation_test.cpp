@@ -213,14 +213,18 @@ TEST_CASE("reset draws each other value of a whole number with equal chance") {
 }
 
 TEST_CASE("mutations of real genes have their published densities") {
-    const auto steps = [](const auto& way) {
+    const auto steps = [](const auto& way, double from = 0.25) {
         Vector genes;
         for (std::uint64_t seed = 0; seed < 8000; ++seed)
-            genes.push_back(mutated(way, Box{{}, -1, 1}, Vector{0.25}, 1, seed)[0] - 0.25);
+            genes.push_back(mutated(way, Box{{}, -1, 1}, Vector{from}, 1, seed)[0] - from);
         return genes;
     };
-    CHECK(distance(steps(gaussian(0.05)), [](double x) { return 0.5 * std::erfc(-x / 0.1 / std::sqrt(2)); }) <
-          1.95);
+    const auto normal = [](double x) { return 0.5 * std::erfc(-x / 0.1 / std::sqrt(2)); };
+    CHECK(distance(steps(gaussian(0.05)), normal) < 1.95);
+    Vector up = steps(gaussian(0.05), 0.95), down = steps(gaussian(0.05), -0.95); // 0.05 before a bound
+    std::ranges::transform(down, down.begin(), std::negate());
+    for (const Vector& reflected : {up, down})
+        CHECK(distance(reflected, [&](double x) { return normal(x) + normal(x - 0.1); }) < 1.95);
     CHECK(distance(steps(uniform_step(0.05)), [](double x) { return (x + 0.1) / 0.2; }) < 1.95);
     CHECK(distance(steps(reset()), [](double x) { return (x + 1.25) / 2; }) < 1.95);
     for (const double eta : {3.0, 20.0}) // Deb and Goyal 1996
