@@ -1,3 +1,4 @@
+#include "ga/observers/coco.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
 #include "tests/folder.hpp"
@@ -143,4 +144,29 @@ TEST_CASE("a summary has count, best, median and share of different individuals"
     CHECK_FALSE(unscored.median);
     CHECK(unscored.diversity == 1);
     CHECK(none.diversity == 0);
+}
+
+TEST_CASE("COCO's files have every improvement of a run and its evaluations") {
+    const tests::Folder folder;
+    CocoFunction sphere{3, 6, {{1, {}}, {2, {}}}};
+    for (CocoRun& one : sphere.runs) {
+        const auto result =
+            run("sample 4 | score | repeat 20 { tournament 2 | mutate 0.3 gaussian | score | plus }", Reals{},
+                {}, {.seed = std::uint64_t(one.instance)}, {coco_observer<Vector>(one, 0)});
+        CHECK(one.evaluations == result.counters.evaluations);
+        REQUIRE(one.found.size() > 3);
+        CHECK(one.found.back().second == std::abs(result.best->value()));
+        for (std::size_t i = 1; i < one.found.size(); ++i) {
+            CHECK(one.found[i].first >= one.found[i - 1].first);
+            CHECK(one.found[i].second < one.found[i - 1].second);
+        }
+    }
+    write_coco(folder / "coco", "ga", {sphere});
+    const auto [first, second] = std::pair(sphere.runs[0], sphere.runs[1]);
+    CHECK_THAT(contents(folder / "coco/bbobexp_f3.info"),
+               Catch::Contains("DIM = 6") && Catch::Contains(", 2:" + std::to_string(second.evaluations) +
+                                                             "|" + number(second.found.back().second)));
+    for (const auto& [evaluations, precision] : first.found)
+        CHECK_THAT(contents(folder / "coco/data_f3/bbobexp_f3_DIM6.dat"),
+                   Catch::Contains("\n" + std::to_string(evaluations) + " " + number(precision) + " "));
 }

@@ -329,5 +329,8 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
     refused("LN_COBYLE", "refine nlopt: unknown algorithm 'LN_COBYLE'; use one of NLopt's, e.g. LN_COBYLA");
     refused("LN_AUGLAG", "refine nlopt: algorithm 'LN_AUGLAG' needs a second optimiser; use one that "
                          "works alone, e.g. LN_COBYLA");
+    for (const int none : {0, -1})
+        CHECK_THROWS_WITH(mma(none), "stage 'refine mma': evaluations is '" + std::to_string(none) +
+                                         "'; give a whole number from 1 to 100000000");
     refused("LD_LBFGS", "needs the problem's gradient; use a method without one, e.g. nlopt LN_COBYLA");
 }

@@ -42,6 +42,14 @@ TEST_CASE("JSON deeper than 64 brackets or broken is refused in one line") {
     const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
     CHECK_NOTHROW(rough::parsed_json(nested(64), "g.json"));
     CHECK_THROWS_WITH(rough::parsed_json(nested(65), "g.json"), Catch::Contains("g.json: brackets"));
+    const auto objects = [](std::size_t depth) {
+        std::string text = "1";
+        while (depth-- > 0)
+            text = "{\"a\":" + text + "}";
+        return text;
+    };
+    CHECK_NOTHROW(rough::parsed_json(objects(64), "g.json"));
+    CHECK_THROWS_WITH(rough::parsed_json(objects(65), "g.json"), Catch::Contains("g.json: brackets"));
     CHECK_THROWS_AS(rough::parsed_json(std::string(1'000'000, '['), "g.json"), rough::InputError);
     CHECK(rough::parsed_json(R"(["[[\"[[", "]"])", "g.json").size() == 2); // brackets in words do not count
     CHECK_THROWS_WITH(rough::parsed_json("[\"a\"," + nested(64) + "]", "g.json"),
