@@ -303,6 +303,8 @@ TEST_CASE("a population beyond its memory ends the run with its last population"
         CHECK(result.population.size() == left);
     };
     ends("sample 300 | score | pair(score, score, mean) | score", "pair.1: a population of 25600", 300);
+    ends("sample 9 | score | repeat 50 { mutate 1 | parents | score }",
+         "repeat.1/parents.1: a population of 36864", 18432);
     ends("sample 10 | score | tournament 2 size=1000000000 | score",
          "tournament.1: a population of 1000000000", 10);
     ends("sample 1000000000 | score", "sample.1: a population of 1000000000", 0);

@@ -91,6 +91,14 @@ TEST_CASE("parts are dominant by the correlation of their curves, by pressure or
     CHECK(std::isnan(dominant_parts(whole, stretched).correlation[0]));
 }
 
+TEST_CASE("parts are compared by secants, and by tangents only in the raw reading") {
+    const Response response = respond(Genome{1, {{1, 0.8, 1.5, 0.84942, {{1, {2.0}}}}}}, paper_model(64));
+    for (const auto reading :
+         {DominanceReading::same_pressure, DominanceReading::same_step, DominanceReading::raw})
+        CHECK(compared_curve(response, reading).y ==
+              (reading == DominanceReading::raw ? response.tangent_stiffness : secant_stiffness(response).y));
+}
+
 TEST_CASE("the coarsest chromosome of a smooth genome is dominant, and a single one always") {
     const DominanceRule rule(paper_model(256));
     const Genome one{1, {{1, 0.8, 1.5, 0.84942, {{1, {2.0}}}}}};
