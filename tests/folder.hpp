@@ -8,8 +8,7 @@
 
 namespace tests {
 
-/// A temporary folder that is removed after the test. Tests run at the same time, so each needs a separate
-/// one.
+/// A temporary folder of one test, removed after it. Tests run at the same time.
 class Folder {
   public:
     Folder() {

@@ -154,7 +154,6 @@ TEST_CASE("COCO's files have every improvement of a run and its evaluations") {
             run("sample 4 | score | repeat 20 { tournament 2 | mutate 0.3 gaussian | score | plus }", Reals{},
                 {}, {.seed = std::uint64_t(one.instance)}, {coco_observer<Vector>(one, 0)});
         CHECK(one.evaluations == result.counters.evaluations);
-        REQUIRE(one.found.size() > 3);
         CHECK(one.found.back().second == std::abs(result.best->value()));
         for (std::size_t i = 1; i < one.found.size(); ++i) {
             CHECK(one.found[i].first >= one.found[i - 1].first);

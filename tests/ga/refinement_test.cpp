@@ -9,8 +9,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Residuals as a method sees them, in a box of that half width about the start, with as many questions as it
-/// likes.
+/// Residuals as a method sees them, in a box of that half width about the start. Questions are not limited.
 Landscape landscape(const VectorXd& start, double half,
                     std::function<std::optional<Sensitivity>(const VectorXd&)> sensitivity) {
     Landscape land;

@@ -90,8 +90,7 @@ Heights made(const std::string& kind, Index nodes, bool is_map, unsigned seed) {
     return z * (2e-3 / (z.maxCoeff() - z.minCoeff()));
 }
 
-/// Every `step`-th node of a surface. A surface that is not periodic ends at the last node of its
-/// measurement.
+/// Every `step`-th node of a surface. One that is not periodic ends at its measurement's last node.
 Profile measured_at(const Heights& z, Index step, bool periodic) {
     const Index n = periodic ? z.rows() / step : (z.rows() - finest) / step + 1;
     const bool is_map = z.cols() > 1;

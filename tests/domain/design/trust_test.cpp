@@ -229,3 +229,19 @@ TEST_CASE("an error budget is how far the curve moves under each change") {
     CHECK(budget[4].size == Approx(0.1));
     CHECK(budget[5].size == Approx(0.2));
 }
+
+TEST_CASE("a steep slope and a wave of fewer than eight nodes are flagged") {
+    for (const double scale : {0.05, 0.5})
+        for (const int nodes : {17, 19, 65}) { // 7.1, 8 and 28 nodes for the shortest wave
+            Genome genome = two_waves(0.3, 1, scale);
+            genome.series[0].chromosomes.push_back({3, {0.5}});
+            DesignSetup setup = like_itself(genome);
+            setup.model.grid.nodes = nodes;
+            const Trust trust = trust_in(setup, genome, without_draws());
+            const Eigen::VectorXd z = sample(genome, {4097, two_mm}).heights;
+            const double slope = 32 * (z.tail(4096) - z.head(4096)).norm(); // of all, spacing 1/2048 mm
+            CHECK(trust.rms_slope == Approx(slope).epsilon(0.05));
+            CHECK(flagged(trust, "assumes small slopes") == (slope > 0.1));
+            CHECK(flagged(trust, "the grid is part of the answer") == (nodes == 17));
+        }
+}

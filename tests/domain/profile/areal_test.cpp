@@ -34,8 +34,7 @@ TEST_CASE("a wave on a map has the parameters of textbooks", "[areal]") {
 }
 
 TEST_CASE("heights are positive above the mean plane, depths below it, as in ISO 25178-2", "[areal]") {
-    // A plateau with one pit in every tenth of 20 x 20 nodes, 9 um deep: the mean is 0.9 um under the
-    // plateau.
+    // A plateau with a pit of 9 um in every tenth of 20 x 20 nodes: the mean is 0.9 um under the plateau.
     const Profile pits = map_of({20, 20}, 0.1, 0.1,
                                 [](double x, double) { return std::lround(10 * x) % 10 == 3 ? 1 : 1.009; });
     const ArealParameters s = areal_parameters(pits);
