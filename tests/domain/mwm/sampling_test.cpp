@@ -45,8 +45,7 @@ TEST_CASE("a genome jumps at the ends of a length that its waves do not divide")
     wave.series = {Series{.A = 1e-3, .H = 1, .gamma = 1.5, .lambda = 2, .chromosomes = {{1, {0.4}}}}};
     const Profile whole = sample(wave, {2001, 2});
     const double range = whole.heights.maxCoeff() - whole.heights.minCoeff();
-    // Half a turn after cos(0.4): the jump is twice that part of the amplitude, the range twice the
-    // amplitude.
+    // Half a turn after cos(0.4): the jump is twice that part of the amplitude, and the range twice all.
     CHECK(jump_at_ends(wave, 1) == Approx(range * std::cos(0.4)).epsilon(1e-5));
     CHECK(std::abs(jump_at_ends(wave, 2)) < 1e-12 * range);
     CHECK(std::abs(jump_at_ends(wave, 6)) < 1e-12 * range);

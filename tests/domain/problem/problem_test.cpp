@@ -138,6 +138,7 @@ TEST_CASE("a genome moved within its bounds has no wave shorter than allowed") {
         ga::Stream random(start);
         Genome genome = start % 2 ? shaped_start(setup, random) : drawn_start(setup, random);
         auto values = problem.genes(genome);
+        CHECK(problem.bounds(genome).size() + 4 * genome.series.size() >= values.size()); // all phases move
         for (const ga::Variable& variable : problem.bounds(genome))
             values[variable.gene] = random.chance(0.5) ? variable.lower : variable.upper;
         genome = problem.with_genes(genome, values);
