@@ -5,8 +5,8 @@
 
 All mutants are built at once (sites.py), in a copy of the tree. The environment variable RUGOSA_MUTANT chooses one. Each
 test first runs without a mutant, which measures its time and the mutants that it reaches. A mutant is then tried on these
-tests until one fails: first those of the mirrored folder, then those of its own program, the quick ones first. A mutant is caught if a test fails, crashes
-or takes far longer than before.
+tests until one fails: those of the mirrored folder, of the same library, and of libraries above it, the quick ones first.
+A mutant is caught if a test fails, crashes or takes far longer than before.
 """
 
 import argparse
