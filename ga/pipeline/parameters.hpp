@@ -67,12 +67,12 @@ struct Parameter {
     }
 };
 
-/// A parameter that takes a real number in [lower, upper]. Without `standard`, the default is the value that
-/// a new operator has.
+/// A parameter that takes a real number in [lower, upper].
 [[gnu::cold]] inline Parameter number(std::string name, std::optional<std::string> standard, double lower,
                                       double upper, std::string meaning) {
     return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
 }
+/// A real number whose default is the value that a new operator has.
 inline Parameter number(std::string name, double lower, double upper, std::string meaning) {
     return number(std::move(name), "", lower, upper, std::move(meaning))
         .with(&Parameter::is_of_operator, true);
@@ -83,6 +83,7 @@ inline Parameter number(std::string name, double lower, double upper, std::strin
     return {std::move(name), Parameter::Kind::whole, std::move(standard),
             lower,           Parameter::most,        std::move(meaning)};
 }
+/// A whole number whose default is the value that a new operator has.
 inline Parameter whole(std::string name, double lower, std::string meaning) {
     return whole(std::move(name), "", lower, std::move(meaning)).with(&Parameter::is_of_operator, true);
 }
@@ -92,6 +93,7 @@ inline Parameter whole(std::string name, double lower, std::string meaning) {
     return {std::move(name), Parameter::Kind::word, std::move(standard), -no_limit,
             no_limit,        std::move(meaning)};
 }
+/// A word whose default is the value that a new operator has.
 inline Parameter word(std::string name, std::string meaning) {
     return word(std::move(name), "", std::move(meaning)).with(&Parameter::is_of_operator, true);
 }

@@ -13,8 +13,7 @@ struct Roughness {
     std::uint64_t seed;
 };
 /// A map under one load. By Persson's theory the load gives the contact fraction `contact`. On a periodic
-/// body it is at most 0.999 times the load of full contact. Throws InputError if the grid is too coarse for
-/// the waves.
+/// body it is at most 0.999 times the load of full contact. Throws InputError if the grid is too coarse.
 ContactScene map_scene(const std::string& name, const rough::Body& body, rough::Extent shape,
                        const Roughness& roughness, double contact);
 
