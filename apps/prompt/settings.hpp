@@ -163,8 +163,7 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 using rough::names_of;
 /// Throws rough::InputError on the first of these that was given: its place and `problem`.
 void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
-/// The one of these settings that is given. Throws rough::InputError that begins with `what` unless exactly
-/// one is.
+/// The one of these settings that is given. Throws rough::InputError, `what` first, unless exactly one is.
 std::string the_given(const Settings& settings, const std::vector<std::string>& names,
                       const std::string& what);
 /// The message of a rough::InputError, after the place of the setting whose value it is about, if there is

@@ -37,6 +37,8 @@ struct Parameter {
     Parameter keyed() const { return with(&Parameter::is_keyed, true); }
     /// A copy that is not written in a stage's text if it has its default.
     Parameter quiet() const { return with(&Parameter::is_quiet, true); }
+    /// A copy whose default is the value that a new operator has.
+    Parameter optional() const { return with(&Parameter::is_of_operator, true); }
     /// A copy with another upper limit.
     Parameter up_to(double limit) const { return with(&Parameter::upper, limit); }
     /// A copy with another value of one member.
@@ -74,8 +76,7 @@ struct Parameter {
 }
 /// A real number whose default is the value that a new operator has.
 inline Parameter number(std::string name, double lower, double upper, std::string meaning) {
-    return number(std::move(name), "", lower, upper, std::move(meaning))
-        .with(&Parameter::is_of_operator, true);
+    return number(std::move(name), std::nullopt, lower, upper, std::move(meaning)).optional();
 }
 /// A parameter that takes a whole number, `lower` or more.
 [[gnu::cold]] inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
@@ -85,7 +86,7 @@ inline Parameter number(std::string name, double lower, double upper, std::strin
 }
 /// A whole number whose default is the value that a new operator has.
 inline Parameter whole(std::string name, double lower, std::string meaning) {
-    return whole(std::move(name), "", lower, std::move(meaning)).with(&Parameter::is_of_operator, true);
+    return whole(std::move(name), std::nullopt, lower, std::move(meaning)).optional();
 }
 /// A parameter that takes a word.
 [[gnu::cold]] inline Parameter word(std::string name, std::optional<std::string> standard,
@@ -95,7 +96,7 @@ inline Parameter whole(std::string name, double lower, std::string meaning) {
 }
 /// A word whose default is the value that a new operator has.
 inline Parameter word(std::string name, std::string meaning) {
-    return word(std::move(name), "", std::move(meaning)).with(&Parameter::is_of_operator, true);
+    return word(std::move(name), std::nullopt, std::move(meaning)).optional();
 }
 /// A parameter that takes all remaining words.
 [[gnu::cold]] inline Parameter word_list(std::string name, std::string meaning) {
@@ -166,7 +167,7 @@ struct Field {
     }
 };
 
-/// The fields, with the values of a new operator, `usual`, as defaults where these are meant.
+/// The fields, whose optional parameters get the values of a new operator, `usual`, as defaults.
 [[gnu::cold]] inline std::vector<Field> with_defaults(std::vector<Field> fields,
                                                       const std::vector<Field>& usual) {
     for (std::size_t i = 0; i < fields.size(); ++i)

@@ -140,7 +140,7 @@ concept Differentiable = HasGenes<P> &&
     { problem.gradient(genome, objective) } -> std::same_as<std::vector<double>>;
 };
 
-/// Whether the fitness's derivatives are known. A member `has_gradient()` says so of one problem of a type.
+/// Whether derivatives of the fitness are known: the member `has_gradient()`, or else Differentiable.
 template <class P>
 bool has_gradient(const P& problem) {
     if constexpr (requires { problem.has_gradient(); })

@@ -20,7 +20,7 @@ struct LevenbergMarquardt {
 
     static Words words() { return {"lm", "refinement", "Levenberg-Marquardt on the residuals' squares"}; }
     static void describe(auto& self, auto visit) {
-        visit(self.evaluations, whole("evaluations", 1, "at most, after the start").up_to(1e8));
+        visit(self.evaluations, evaluations_parameter().optional());
         visit(
             self.sharpen,
             whole("sharpen", 0, "after this many, the largest residual counts; 0 for never").keyed().quiet());

@@ -353,7 +353,7 @@ class Ledger : public EvaluationQueue<P> {
         if constexpr (Weighed<P>)
             return problem_.bytes(outcome);
         else if constexpr (std::ranges::sized_range<Outcome>)
-            return std::ranges::size(outcome) * sizeof(std::ranges::range_value_t<Outcome>);
+            return std::size_t(std::ranges::size(outcome)) * sizeof(std::ranges::range_value_t<Outcome>);
         else
             return 0;
     }

@@ -119,7 +119,7 @@ int repeat_verdict(const std::filesystem::path& result);
 void write_page(const std::filesystem::path& folder, double seconds_left);
 
 /// Runs `work(output, interrupt)` in the folder of a design, with its checkpoints. Then draws the page,
-/// prints the summary and returns the exit code. Of a finished design, prints the verdict only.
+/// prints the summary and returns the exit code. If the design was finished, only prints the verdict.
 template <class Run, class Work>
 int run_in_folder(const char* kind, const std::string& line, const Settings& settings, Run& run, Work work) {
     run.origin = {kind, line, run.options.seed, ga::thread_count(run.options.threads),

@@ -277,7 +277,7 @@ void Children::bound_log() {
         return;
     const std::lock_guard lock(trouble_mutex_);
     std::string tail;
-    off_t seen = 0; // what a child writes between the reading and the cut is lost
+    off_t seen = 0; // text that a child writes between reading and cut is lost
     for (int tries = 0; tries < 100 && fstat(log_, &there) == 0 && there.st_size != seen; ++tries) {
         seen = there.st_size;
         tail = "(the beginning is left out)\n" + log_tail();

@@ -17,8 +17,7 @@ struct Group {
     std::string name;
     std::vector<const Bout*> bouts = {};
     /// For each problem: the mean share of targets that a run has reached, over the evaluations on a
-    /// logarithmic scale. At 1 all targets are reached at once, at 0 none ever. Ranks and tests compare these
-    /// areas.
+    /// logarithmic scale. At 1 all targets are reached at once, at 0 none ever. Ranks and tests use these.
     std::vector<Areas> areas = {};
 
     const Contestants& variants() const { return bouts.front()->variants; }

@@ -66,7 +66,7 @@ struct RaceTarget {
     }
 };
 
-/// Every target on every grid of model.nodes. Names have the grid after the target's, but for the first grid.
+/// Every target on every grid of model.nodes. A name is the target's, with the grid from the second on.
 std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
     if (grids.empty())

@@ -26,9 +26,10 @@ py::array_t<Gene<G>> genes_of(const ga::Population<G>& population, std::size_t c
 /// The fitness of each individual, NaN if it has none or several.
 template <class G>
 py::array_t<double> fitness_of(const ga::Population<G>& population) {
-    py::array_t<double> fitness(population.size());
-    for (std::size_t i = 0; i < population.size(); ++i)
-        fitness.mutable_at(i) = population[i].fitness.has_value() ? population[i].value() : std::nan("");
+    py::array_t<double> fitness(std::ssize(population));
+    double* cell = fitness.mutable_data();
+    for (const auto& each : population)
+        *cell++ = each.fitness.has_value() ? each.value() : std::nan("");
     return fitness;
 }
 
@@ -49,7 +50,7 @@ G genome_of(const py::object& row, std::size_t count) {
 
 /// The answer that `evaluate` returned: a number, several, or (numbers, violation), the violation a number or
 /// one per constraint.
-inline app::Answer answer_of(const py::handle& given, std::size_t objectives) {
+app::Answer answer_of(const py::handle& given, std::size_t objectives) {
     const auto has_length = [](const py::object& value) { return py::hasattr(value, "__len__"); };
     const auto numbers = [&](const py::object& value) {
         return has_length(value) ? value.cast<std::vector<double>>()
@@ -88,7 +89,7 @@ app::OutsideProblem<G> problem_of(const Optimisation& search, Callback& callback
 }
 
 /// Throws InputError if there are more or fewer answers than genomes.
-inline void expect_answers(const char* where, std::size_t given, std::size_t genomes) {
+void expect_answers(const char* where, std::size_t given, std::size_t genomes) {
     if (given != genomes)
         rough::refuse(where, ": ", given, " answers given for ", genomes, " genomes; give one for each");
 }

@@ -140,7 +140,7 @@ TEST_CASE("refined waves of a scan have its stiffness and contact area") {
                            "own 1 | score | refine lm 30 sharpen=8 | score verified | refine lm 30 sharpen=4",
                        .alternatives = 1})
             .best;
-    CHECK(answer.lowest() > 0.8); // 0.88 by GCC 12, 0.83 by clang 14
+    CHECK(answer.lowest() > 0.85);
     CHECK(answer.within_limits);
 }
 
