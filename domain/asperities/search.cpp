@@ -15,7 +15,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapSetup, array, effective_modulus, heights, 
 
 namespace {
 
-using Designs = ga::Population<CapGenome>;
+using CapDesigns = ga::Population<CapGenome>;
 using CapStage = ga::Stage<CapProblem>;
 
 constexpr double search_share = 0.6;       ///< share of the time that is not for boundary elements
@@ -81,7 +81,7 @@ CapStage round_stage(std::size_t evaluations) {
         known.need_one_objective(text);
         known.scored.reset();
     };
-    step.apply = [evaluations](Designs designs, ga::Context<CapProblem>& context) {
+    step.apply = [evaluations](CapDesigns designs, ga::Context<CapProblem>& context) {
         const CapProblem& problem = context.problem();
         const ga::Method rounding{
             "round", [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
@@ -125,7 +125,7 @@ struct ExchangeCaps : ga::NoParameters {
 /// first individual.
 CapStage independent_stage(const std::string& name, const CapStage& body, bool corrected) {
     return ga::derived_step<CapProblem>(
-        name, body, [corrected](Designs designs, const CapStage& stages, ga::Context<CapProblem>& context) {
+        name, body, [corrected](CapDesigns designs, const CapStage& stages, ga::Context<CapProblem>& context) {
             const CapGenome* like = corrected && !designs.empty() ? &designs.front().genome : nullptr;
             const CapProblem problem(with_independent_caps(context.problem().setup(), like));
             if (like) // its curves by both models

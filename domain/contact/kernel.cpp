@@ -9,7 +9,7 @@ namespace rough {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// 2 integral of asinh(b/|x|) over the element at distance r (in spacings); b is half the strip's width.
 double strip_entry(double r, double b) {

@@ -43,12 +43,12 @@ std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file, int 
     return sqlite;
 }
 
-std::uint64_t number(const SQLite::Statement& row, int column) {
+std::uint64_t number_in(const SQLite::Statement& row, int column) {
     return static_cast<std::uint64_t>(row.getColumn(column).getInt64());
 }
 
 /// Text or blob of a row, valid until the next row.
-std::string_view bytes(const SQLite::Statement& row, int column) {
+std::string_view bytes_in(const SQLite::Statement& row, int column) {
     const SQLite::Column cell = row.getColumn(column);
     return {static_cast<const char*>(cell.getBlob()), static_cast<std::size_t>(cell.getBytes())};
 }
@@ -80,7 +80,7 @@ template <class... Values>
 std::uint64_t run(SQLite::Database& sqlite, const std::string& sql, const Values&... values) {
     std::uint64_t first = 0;
     each(
-        sqlite, sql, [&](const SQLite::Statement& row) { first = number(row, 0); }, values...);
+        sqlite, sql, [&](const SQLite::Statement& row) { first = number_in(row, 0); }, values...);
     return first;
 }
 
@@ -144,7 +144,7 @@ void expect_ours(SQLite::Database& sqlite) {
                "; build it again");
     std::vector<std::string> there;
     each(sqlite, "SELECT sql FROM sqlite_master WHERE name <> 'sqlite_autoindex_setup_1' ORDER BY sql",
-         [&](const SQLite::Statement& row) { there.emplace_back(bytes(row, 0)); });
+         [&](const SQLite::Statement& row) { there.emplace_back(bytes_in(row, 0)); });
     if (there != schema())
         refuse_changed(sqlite, "holds other tables than a genome database");
     if (run(sqlite, "SELECT count(*) FROM batch WHERE typeof(count) <> 'integer' OR count < 1 OR count > "
@@ -164,10 +164,10 @@ Fields stored_fields(SQLite::Database& sqlite) {
     Fields fields;
     std::string sum;
     each(sqlite, "SELECT name, value FROM setup ORDER BY name", [&](const SQLite::Statement& row) {
-        if (bytes(row, 0) == "checksum")
-            sum = bytes(row, 1);
+        if (bytes_in(row, 0) == "checksum")
+            sum = bytes_in(row, 1);
         else
-            fields.emplace_back(bytes(row, 0), bytes(row, 1));
+            fields.emplace_back(bytes_in(row, 0), bytes_in(row, 1));
     });
     if (sum != std::to_string(checksum_of(fields)))
         refuse_changed(sqlite, "its set-up was altered");
@@ -263,8 +263,8 @@ std::vector<Span> GenomeStore::gaps(const Span& of) const {
         "SELECT first, count FROM batch WHERE first >= (SELECT ifnull(max(first), 0) FROM batch WHERE first "
         "<= ?) AND first < ? ORDER BY first",
         [&](const SQLite::Statement& row) {
-            skip_to(number(row, 0));
-            next = std::max(next, number(row, 0) + number(row, 1));
+            skip_to(number_in(row, 0));
+            next = std::max(next, number_in(row, 0) + number_in(row, 1));
         },
         of.first, end);
     skip_to(end);
@@ -330,7 +330,7 @@ bool GenomeStore::add(const Span& span, const std::vector<Response>& responses) 
 std::vector<Span> GenomeStore::batches() const {
     std::vector<Span> all;
     each(*sqlite_, "SELECT first, count FROM batch ORDER BY first", [&](const SQLite::Statement& row) {
-        all.push_back({number(row, 0), number(row, 1)});
+        all.push_back({number_in(row, 0), number_in(row, 1)});
     });
     return all;
 }
@@ -340,7 +340,7 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
     each(
         *sqlite_, "SELECT first, count FROM batch WHERE first <= ? ORDER BY first DESC LIMIT 1",
         [&](const SQLite::Statement& row) {
-            span = {number(row, 0), number(row, 1)};
+            span = {number_in(row, 0), number_in(row, 1)};
         },
         index);
     if (index < span.first + span.count)
@@ -354,12 +354,12 @@ Eigen::MatrixXd GenomeStore::numbers(const std::string& table, const Span& span,
     Eigen::MatrixXd values;
     const std::size_t size = span.count * static_cast<std::size_t>(per_genome) * sizeof(double);
     const auto read = [&](const SQLite::Statement& row) {
-        if (number(row, 1) != checksum_of(table, span, bytes(row, 0)))
+        if (number_in(row, 1) != checksum_of(table, span, bytes_in(row, 0)))
             return;
-        if (bytes(row, 0).size() != size)
-            refuse_changed(*sqlite_, "a batch of ", bytes(row, 0).size(), " bytes in place of ", size);
+        if (bytes_in(row, 0).size() != size)
+            refuse_changed(*sqlite_, "a batch of ", bytes_in(row, 0).size(), " bytes in place of ", size);
         values.resize(per_genome, static_cast<Index>(span.count));
-        std::memcpy(values.data(), bytes(row, 0).data(), size);
+        std::memcpy(values.data(), bytes_in(row, 0).data(), size);
     };
     each(*sqlite_, "SELECT numbers, checksum FROM " + table + " WHERE first = ?", read, span.first);
     if (values.size() == 0)
@@ -377,7 +377,7 @@ Eigen::MatrixXd GenomeStore::numbers(const std::string& table, const Span& span,
 void GenomeStore::expect_genomes(const Span& span) const {
     bool there = false;
     const auto compare = [&](const SQLite::Statement& row) {
-        std::string_view rest = bytes(row, 0);
+        std::string_view rest = bytes_in(row, 0);
         for (std::uint64_t genome = span.first; genome < span.first + span.count; ++genome) {
             const auto numbers = numbers_of(drawn(setup_.law, genome));
             if (!rest.starts_with(packed(numbers)))

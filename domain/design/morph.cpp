@@ -16,7 +16,7 @@ namespace {
 constexpr int first_try = 20, second_try = 12;
 /// A try that has not met the targets ends after this many curves without a better worst misfit. Tries that
 /// cannot meet the targets would otherwise take longest.
-constexpr int patience = 6;
+constexpr int patient_gradients = 6;
 constexpr double min_improvement = 0.02; ///< relative, of the worst misfit
 /// The second try continues from another point only if its worst misfit is smaller by this share.
 constexpr double worth_another_try = 0.01;
@@ -92,7 +92,7 @@ class LeastChange {
             using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
             Eigen::Map<Eigen::VectorXd> values(c, 2 * rows);
             values.setZero();
-            if (gradients >= (meets() ? last : std::min(last, last_better_ + patience))) {
+            if (gradients >= (meets() ? last : std::min(last, last_better_ + patient_gradients))) {
                 search->force_stop();
                 return;
             }

@@ -10,7 +10,7 @@ namespace rough {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 constexpr double golden_angle = 2.399963; // its multiples fill the turn evenly and never repeat
 
@@ -30,7 +30,7 @@ Genome random_genome(const Uniform& uniform, int series, std::size_t ridges, dou
         for (int n = 1; n <= last_chromosome(length, one.gamma, shortest); ++n) {
             one.chromosomes.push_back({n, std::vector<double>(ridges)});
             for (double& phase : one.chromosomes.back().phases)
-                phase = uniform(0, turn);
+                phase = uniform(0, full_turn);
         }
         genome.series.push_back(one);
     }
@@ -43,7 +43,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
     for (int n = 0; n < count; ++n) {
         const double number = std::pow(ratio, n);
         waves.push_back({-amplitude * std::pow(ratio, -n * hurst),
-                         turn * (periodic ? std::floor(number) : number) / length, golden_angle * n, 0});
+                         full_turn * (periodic ? std::floor(number) : number) / length, golden_angle * n, 0});
     }
     return waves;
 }
@@ -51,7 +51,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count) {
     std::vector<Wave> waves;
     for (int n = 1; n <= count; ++n)
-        waves.push_back({-amplitude * std::pow(n, -(hurst + 0.5)), turn * n / length,
+        waves.push_back({-amplitude * std::pow(n, -(hurst + 0.5)), full_turn * n / length,
                          golden_angle * (n - 1) * (n - 1), 0}); // if they grew evenly, crests would meet
     return waves;
 }

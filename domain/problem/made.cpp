@@ -11,7 +11,7 @@ namespace rough {
 namespace {
 
 /// The number of fixed draws of noise. Searches begin on coarser grids, with fewer draws.
-std::uint64_t draws_for(const Grid& grid) {
+std::uint64_t fixed_draws(const Grid& grid) {
     return static_cast<std::uint64_t>(std::clamp<Index>(3 * grid.shape().nodes() / 4, 48, 384));
 }
 
@@ -90,7 +90,7 @@ std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid) {
 CommonErrors::CommonErrors(const DesignSetup& setup) {
     const MakingErrors& errors = setup.errors;
     const Grid& grid = setup.model.grid;
-    for (std::uint64_t draw = 0; errors.noise > 0 && draw < draws_for(grid); ++draw)
+    for (std::uint64_t draw = 0; errors.noise > 0 && draw < fixed_draws(grid); ++draw)
         noise.push_back(errors.noise *
                         height_noise(grid, errors.noise_length, ga::fold(ga::fold(0, "common draws"), draw)));
     if (errors.tilt > 0)

@@ -14,7 +14,7 @@ constexpr Index max_factored = 2049;
 constexpr double reported_tolerance = 1e-10;
 constexpr int area_ridges = 8;
 /// A target's last pressure may be rounded.
-constexpr double rounding = 1 + 1e-9;
+constexpr double rounded_up = 1 + 1e-9;
 
 /// Minimum number of nodes in contact at a target's first point, because contact fractions are counts.
 constexpr double first_nodes = 32;
@@ -82,7 +82,7 @@ void validate(const DesignSetup& setup) {
         expect_recorded(target, setup.model);
         if (!(target.weight > 0) || target.weight > 1)
             refuse(target.name, ": weight ", target.weight, " is out of range (above 0, at most 1)");
-        if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * rounding)
+        if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * rounded_up)
             refuse(target.name, ": its pressures up to ", target.last(), " MPa exceed max-pressure, ",
                    *setup.max_pressure, " MPa; raise max-pressure");
         if (setup.max_pressure && !target.against_pressure())

@@ -257,7 +257,7 @@ Roughness roughness(const Profile& profile, double section_length) {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int directions = 180; ///< one degree apart
 constexpr double decayed = 0.2; ///< ISO 25178-3's default
 

@@ -9,7 +9,7 @@
 namespace rough {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing_height = std::numeric_limits<double>::quiet_NaN();
 
 /// A type of numbers: its size in bytes, its reader, and its mark of a missing value.
 struct NumberType {
@@ -18,7 +18,7 @@ struct NumberType {
     double missing;
 };
 template <class T>
-constexpr NumberType number_type(double missing = none) {
+constexpr NumberType number_type(double missing = missing_height) {
     return {sizeof(T),
             [](std::string_view bytes, std::size_t at) -> double { return little_endian<T>(bytes, at); },
             missing};
@@ -108,7 +108,7 @@ HeightMap digital_surf(const std::string& bytes, const std::string& file) {
         map.row_spacing = little_endian<float>(bytes, 124) * unit_field(bytes, 196, file).in_mm;
         expect_spacing(map.row_spacing, "spacing of rows", file);
     }
-    const double missing = half(86) != 0 ? whole(100) - 2. : none; // two below the lowest height
+    const double missing = half(86) != 0 ? whole(100) - 2. : missing_height; // two below the lowest height
     const std::size_t data =
         header + little_endian<std::uint16_t>(bytes, 334) + little_endian<std::uint16_t>(bytes, 336);
     take_heights(map, bytes, data, columns, half(98) == 16 ? 5 : 6, missing, file);
@@ -154,7 +154,7 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
     map.rows = static_cast<Index>(rows);
     map.spacing = (width > 0 ? width : columns) / columns * unit;
     map.row_spacing = (height > 0 ? height : rows) / rows * unit;
-    take_heights(map, bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), 3, none, file);
+    take_heights(map, bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), 3, missing_height, file);
     return map;
 }
 
@@ -178,7 +178,7 @@ void expect_points(std::int64_t columns, std::int64_t rows, const std::string& f
         refuse(file, ": ", rows, " rows of ", columns, " heights; give 1 to ", max_points, " heights in all");
 }
 
-double missing_mark(int type) { return type < 0 || type > 7 ? none : number_types[type].missing; }
+double missing_mark(int type) { return type < 0 || type > 7 ? missing_height : number_types[type].missing; }
 
 Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int type, double missing,
                                const std::string& file) {
@@ -193,7 +193,7 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
         const double number = of.load(bytes, static_cast<std::size_t>(of.size * i));
         // The largest float marks missing values, too.
         const bool measured = number != missing && std::abs(number) < std::numeric_limits<float>::max();
-        numbers[i] = measured ? number : none;
+        numbers[i] = measured ? number : missing_height;
     }
     return numbers;
 }

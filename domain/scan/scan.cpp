@@ -119,7 +119,7 @@ Profile resampled(const std::vector<double>& x, const std::vector<double>& heigh
 }
 
 /// One line on what was read and done; numbers to six digits.
-struct Account {
+struct ScanAccount {
     PlainStream text;
     template <class... Parts>
     void say(const Parts&... parts) {
@@ -176,7 +176,7 @@ Layout layout_of(const Table& table, const Header& header, bool spacing_given, c
 }
 
 /// Makes one column of a row of many heights: the only row, or the requested one (from 1).
-void take_row(Table& table, Index requested, const std::string& file, Account& account) {
+void take_row(Table& table, Index requested, const std::string& file, ScanAccount& account) {
     if (requested == 0 && !(table.columns > 3 && table.rows() == 1))
         return;
     const auto row = static_cast<std::size_t>(std::max<Index>(requested, 1)) - 1;
@@ -216,7 +216,7 @@ void agree(const LengthUnit& named, const LengthUnit& given, const char* what, c
 
 /// The unit of each column: from its header, else the given one, else mm.
 Units units_of(const Header& header, const Layout& layout, const ScanOptions& options,
-               const std::string& file, Account& account) {
+               const std::string& file, ScanAccount& account) {
     const std::optional<Units> given = given_units(options);
     const bool has_x = layout.x != no_column;
     const auto named = [&](std::size_t column, const std::optional<LengthUnit>& by_key) {
@@ -270,7 +270,7 @@ double spacing_of(const Header& header, const ScanOptions& options, std::size_t 
 
 /// The points of a map: its only row, or the requested one.
 Points points_of(const HeightMap& map, const ScanOptions& options, const std::string& file,
-                 Account& account) {
+                 ScanAccount& account) {
     if (const auto units = given_units(options))
         agree(map.height_unit, units->height, "heights", file);
     agree(map.spacing, spacing_given(options), file);
@@ -294,7 +294,7 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     return points;
 }
 
-Points points_of(const Lines& lines, const ScanOptions& options, const std::string& file, Account& account) {
+Points points_of(const Lines& lines, const ScanOptions& options, const std::string& file, ScanAccount& account) {
     bool one_column = options.spacing > 0;
     for (std::size_t i = 0; i < lines.size() && !one_column; ++i)
         one_column = names_spacing(lines[i]);
@@ -328,7 +328,7 @@ Points points_of(const Lines& lines, const ScanOptions& options, const std::stri
 }
 
 /// The points without gaps, x growing from the first to the last.
-Points in_order(Points points, bool fills, const std::string& file, Account& account) {
+Points in_order(Points points, bool fills, const std::string& file, ScanAccount& account) {
     if (!fills)
         refuse_missing(points, file);
     const std::size_t all = points.size();
@@ -345,7 +345,7 @@ Points in_order(Points points, bool fills, const std::string& file, Account& acc
     return points;
 }
 
-Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, Account& account) {
+Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, ScanAccount& account) {
     const Evenness fit =
         points.spacing > 0 ? Evenness{0, points.spacing, 0, true} : evenness(points.x, points.last_digit);
     const Index all = static_cast<Index>(points.size());
@@ -376,7 +376,7 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
 }
 
 /// Finds outliers and, if `remove` is set, replaces them. Returns the ones that are kept.
-std::vector<Index> take_outliers(Profile& profile, bool remove, Account& account) {
+std::vector<Index> take_outliers(Profile& profile, bool remove, ScanAccount& account) {
     std::vector<Index> found = outliers(profile.heights);
     if (found.empty())
         return found;
@@ -413,7 +413,7 @@ Source open_scan(const std::filesystem::path& path, const ScanOptions& options) 
         if (!is_binary_map(head))
             expect_text(head, file);
     });
-    Account account;
+    ScanAccount account;
     Points points;
     if (const auto map = binary_map(bytes, file)) {
         points = points_of(*map, options, file, account);

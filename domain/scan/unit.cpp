@@ -16,7 +16,7 @@ struct KnownUnit {
     std::string_view spellings;
 };
 
-constexpr std::string_view known = "m, cm, mm, µm, nm, pm, Å, in, mil, µin";
+constexpr std::string_view known_lengths = "m, cm, mm, µm, nm, pm, Å, in, mil, µin";
 
 constexpr std::array<KnownUnit, 11> known_units{{
     {"m", 1e3, " m meter metre "},
@@ -94,7 +94,7 @@ std::optional<LengthUnit> length_unit(std::string_view word) {
 LengthUnit length_unit_named(std::string_view word, const std::string& where) {
     if (const auto unit = length_unit(word))
         return *unit;
-    refuse(where, ": '", word, "' is not a length unit; use a known one: ", known);
+    refuse(where, ": '", word, "' is not a length unit; use a known one: ", known_lengths);
 }
 
 std::vector<LengthUnit> length_units_in(std::string_view header, const std::string& where) {
@@ -113,7 +113,7 @@ std::vector<LengthUnit> length_units_in(std::string_view header, const std::stri
         if (!inside.empty()) {
             unit = length_unit(inside);
             if (is_in(other_quantities, lower(inside)))
-                refuse(where, ": a column in '", inside, "', which is not a length; use ", known);
+                refuse(where, ": a column in '", inside, "', which is not a length; use ", known_lengths);
         } else if (slash != std::string_view::npos && slash > 0) {
             unit = length_unit(word.substr(slash + 1));
         } else if (units_only || !ambiguous(word) || is_announced(words, i)) {

@@ -12,7 +12,7 @@
 namespace rough {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const char* what, int error) {
+[[noreturn]] void refuse_path(const std::filesystem::path& path, const char* what, int error) {
     throw InputError(path.string() + ": cannot be " + what + " (" + std::strerror(error) +
                      "); check the path");
 }
@@ -39,7 +39,7 @@ void write_all(int file, std::string_view content, const std::filesystem::path& 
         if (written < 0 && errno == EINTR)
             continue;
         if (written < 0)
-            refuse(target, "written", errno);
+            refuse_path(target, "written", errno);
         content.remove_prefix(static_cast<std::size_t>(written));
     }
 }
@@ -68,7 +68,7 @@ std::filesystem::path without_links(std::filesystem::path path) {
     std::error_code none;
     for (int k = 0; std::filesystem::is_symlink(path, none); ++k) {
         if (k == max_links)
-            refuse(path, "written", ELOOP);
+            refuse_path(path, "written", ELOOP);
         const auto next = std::filesystem::read_symlink(path, none);
         path = path.parent_path() / next;
     }
@@ -81,19 +81,19 @@ void write_atomically(const std::filesystem::path& name, std::string_view conten
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
         const Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
         if (device.get() < 0)
-            refuse(name, "written", errno);
+            refuse_path(name, "written", errno);
         return write_all(device.get(), content, name);
     }
     std::string draft = path.string() + ".XXXXXX";
     // mkostemp opens exclusively: it never opens an existing file or link.
     const Descriptor file(mkostemp(draft.data(), O_CLOEXEC));
     if (file.get() < 0)
-        refuse(name, "written", errno);
+        refuse_path(name, "written", errno);
     try {
         write_all(file.get(), content, name);
         if (fchmod(file.get(), mode_for(path)) != 0 || fsync(file.get()) != 0 ||
             std::rename(draft.c_str(), path.c_str()) != 0)
-            refuse(name, "written", errno);
+            refuse_path(name, "written", errno);
     } catch (...) {
         unlink(draft.c_str());
         throw;
@@ -110,7 +110,7 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most,
     const Descriptor file(open(ga::held(path).c_str(), O_RDONLY | O_CLOEXEC));
     struct stat there {};
     if (file.get() < 0 || fstat(file.get(), &there) != 0)
-        refuse(path, "read", errno);
+        refuse_path(path, "read", errno);
     if (S_ISDIR(there.st_mode))
         throw InputError(path.string() + ": is a folder; give a file");
     // Files of /proc and pipes do not state their size.
@@ -127,7 +127,7 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most,
                 (got < 0 && errno == EINTR)))
             held += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
         if (got < 0)
-            refuse(path, "read", errno);
+            refuse_path(path, "read", errno);
         if (held > most)
             refuse_size(path, most);
         if (expect && room == first_bytes)

@@ -28,7 +28,7 @@ double power_integral(double exponent, double from, double to) {
     return std::abs(n) < 1e-12 ? std::log(to / from) : (std::pow(to, n) - std::pow(from, n)) / n;
 }
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double normal_density(double s) { return std::exp(-s * s / 2) / std::sqrt(2 * pi); }
 

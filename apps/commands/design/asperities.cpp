@@ -79,7 +79,7 @@ CapRun cap_run_from(const Settings& settings) {
     if (only_areas(setup) && accuracy_from(settings) >= independent_error)
         setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
-    take(settings, fields_of(run.options));
+    take(settings, app::fields_of(run.options));
     run.out_of_reach = out_of_reach(setup);
     for (const rough::OutOfReach& reason : run.out_of_reach)
         run.bound = std::min(run.bound, reason.bound);

@@ -51,7 +51,7 @@ long budget_from(const Settings& settings, const std::string& text, std::size_t 
 }
 
 /// The parts of a text between its commas; commas within brackets do not count.
-std::vector<std::string> parts_of(const std::string& text) {
+std::vector<std::string> split_at_commas(const std::string& text) {
     std::vector<std::string> parts{""};
     int depth = 0;
     for (const char c : text) {
@@ -73,7 +73,7 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
     };
     Contestants given;
     if (settings.has("compare.variants")) {
-        for (const std::string& part : parts_of(settings.text("compare.variants"))) {
+        for (const std::string& part : split_at_commas(settings.text("compare.variants"))) {
             const std::size_t equals = part.find('=');
             std::string name(rough::trim(part.substr(0, equals)));
             std::string text(rough::trim(equals < part.size() ? part.substr(equals + 1) : part));

@@ -18,10 +18,10 @@ std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Di
     return all;
 }
 
-constexpr double rounding = 1e-12; ///< times M: if |g1| = R, rounding must not affect the result
+constexpr double g1_rounding = 1e-12; ///< times M: if |g1| = R, rounding must not affect the result
 
 bool holds(double g1, double radicand, double ridges) {
-    return std::abs(g1) <= std::sqrt(std::max(radicand, 0.0)) + rounding * ridges;
+    return std::abs(g1) <= std::sqrt(std::max(radicand, 0.0)) + g1_rounding * ridges;
 }
 
 /// g3 = sum over pairs m < l of cos(phi_m - phi_l), as running sums of cosines and sines.

@@ -14,7 +14,7 @@ using rough::Solver;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double longest_wave = 0.84942; ///< mm
 
 bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }

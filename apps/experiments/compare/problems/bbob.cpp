@@ -17,7 +17,7 @@ constexpr long modulus = 2147483647;
 // BBOB's random generator of 2009, which gives instances the optima, rotations and peaks of COCO.
 
 /// n numbers in (0, 1): Park and Miller's generator (1988) through a table of 32 (Bays and Durham 1976).
-std::vector<double> uniform(std::size_t n, long seed) {
+std::vector<double> unif(std::size_t n, long seed) {
     long state = std::max(1L, std::labs(seed));
     const auto step = [&] { return state = 16807 * state % modulus; };
     std::array<long, 32> table{};
@@ -38,7 +38,7 @@ std::vector<double> uniform(std::size_t n, long seed) {
 
 /// n normal numbers (Box and Muller 1958).
 std::vector<double> gauss(std::size_t n, long seed) {
-    const std::vector<double> u = uniform(2 * n, seed);
+    const std::vector<double> u = unif(2 * n, seed);
     std::vector<double> numbers(n);
     for (std::size_t i = 0; i < n; ++i) {
         numbers[i] = std::sqrt(-2 * std::log(u[i])) * std::cos(tau * u[n + i]);
@@ -62,7 +62,7 @@ Eigen::MatrixXd rotation(int dimension, long seed) {
 
 /// The optimum, on a lattice of 8e-4 in [-4, 4]^n.
 Eigen::VectorXd place_of_optimum(int dimension, long seed) {
-    const std::vector<double> u = uniform(static_cast<std::size_t>(dimension), seed);
+    const std::vector<double> u = unif(static_cast<std::size_t>(dimension), seed);
     Eigen::VectorXd place(dimension);
     for (int i = 0; i < dimension; ++i) {
         place[i] = 8 * std::floor(1e4 * u[static_cast<std::size_t>(i)]) / 1e4 - 4;
@@ -195,7 +195,7 @@ Bbob::Bbob(int function, int dimension, int instance)
     }
     if (function == 20 || function == 24) {
         const auto n = static_cast<std::size_t>(dimension);
-        const std::vector<double> drawn = function == 20 ? uniform(n, seed) : gauss(n, seed);
+        const std::vector<double> drawn = function == 20 ? unif(n, seed) : gauss(n, seed);
         const double middle = function == 20 ? 0.5 : 0,
                      distance = function == 20 ? 4.2096874637 / 2 : 2.5 / 2;
         for (Index i = 0; i < dimension; ++i)
@@ -213,8 +213,8 @@ void Bbob::draw_peaks(long seed) {
     const int count = function_ == 21 ? 101 : 21;
     const double width = function_ == 21 ? 10 : 9.8;
     const auto n = static_cast<std::size_t>(dimension_), peaks = static_cast<std::size_t>(count);
-    const std::vector<double> levels = order_of(uniform(peaks - 1, seed));
-    const std::vector<double> places = uniform(n * peaks, seed);
+    const std::vector<double> levels = order_of(unif(peaks - 1, seed));
+    const std::vector<double> places = unif(n * peaks, seed);
     heights_.resize(count);
     peaks_.resize(dimension_, count);
     widths_.resize(dimension_, count);
@@ -225,7 +225,7 @@ void Bbob::draw_peaks(long seed) {
         const double condition = k > 0             ? std::pow(1000, levels[peak - 1] / below)
                                  : function_ == 21 ? std::sqrt(1000)
                                                    : 1000;
-        const std::vector<double> order = order_of(uniform(n, seed + 1000 * k));
+        const std::vector<double> order = order_of(unif(n, seed + 1000 * k));
         Eigen::VectorXd place(dimension_);
         for (Index i = 0; i < dimension_; ++i) {
             widths_(i, k) = std::pow(condition, order[static_cast<std::size_t>(i)] / (dimension_ - 1) - 0.5);
