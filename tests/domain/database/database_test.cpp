@@ -31,6 +31,15 @@ void use(const fs::path& file) {
     }
 }
 
+/// Writes a value into a database's set-up, with the checksum of its lines (store.cpp).
+void set_value(const fs::path& path, const std::string& name, const std::string& value) {
+    SQLite::Database file(path, SQLite::OPEN_READWRITE);
+    file.exec("UPDATE setup SET value = '" + value + "' WHERE name = '" + name + "'");
+    const std::string text = file.execAndGet("SELECT group_concat(name || '=' || value || char(10), '') FROM "
+                                             "(SELECT * FROM setup WHERE name <> 'checksum' ORDER BY name)");
+    file.exec("UPDATE setup SET value = '" + std::to_string(checksum(text)) + "' WHERE name = 'checksum'");
+}
+
 } // namespace
 
 TEST_CASE("a law's genome is valid, within the law, and depends only on its number") {
@@ -62,8 +71,10 @@ TEST_CASE("a set-up is read back from its fields for every kernel") {
         setup.model.body.kernel = kernel;
         setup.model.body.datum = 1.0 / 3;
         setup.model.body.strip_width = 0.1;
-        setup.law.seed = ~0ULL;
-        CHECK(fields(setup_from(fields(setup), "text")) == fields(setup));
+        setup.law = {2, 3, 0.6, 0.7, 1.3, 1.9, 0.9, 0.05, ~0ULL};
+        const DatabaseSetup read = setup_from(fields(setup), "text");
+        CHECK(fields(read) == fields(setup));
+        CHECK(genes(drawn(read.law, 4)) == genes(drawn(setup.law, 4)));
     }
 }
 
@@ -76,8 +87,7 @@ TEST_CASE("a database has the genomes of its law and their responses to the bit"
         const Genome genome = drawn(setup.law, index);
         CHECK(genes(store.genome(index)) == genes(genome));
         const Response computed = respond(genome, setup.model), stored = store.response(index);
-        CHECK(stored.range == computed.range);
-        CHECK(stored.displacement == computed.displacement);
+        CHECK((stored.range == computed.range && stored.displacement == computed.displacement));
         CHECK(stored.pressure == computed.pressure);
         CHECK(stored.contact_fraction == computed.contact_fraction);
         CHECK(stored.tangent_stiffness == computed.tangent_stiffness);
@@ -107,6 +117,15 @@ TEST_CASE("a stopped build resumes to the same database, whatever the pieces") {
     check_same(pieces, built(folder / "whole.db", {.genomes = 50, .batch = 10}));
 }
 
+TEST_CASE("a batch with more than 100 MB in a cell is refused, and nothing of it is stored") {
+    const Folder folder;
+    GenomeStore store = GenomeStore::create(folder / "genomes.db", small_setup());
+    std::vector<Response> responses(1);
+    responses[0].pressure.setZero(12'500'000); // 100 MB, before which the height range is stored
+    CHECK_THROWS_WITH(store.add({0, 1}, responses), Catch::Contains("genomes.db: string or blob too big"));
+    CHECK(store.stored() == 0);
+}
+
 TEST_CASE("two builders of one file share the work and store each genome once") {
     const Folder folder;
     GenomeStore one = GenomeStore::create(folder / "genomes.db", small_setup());
@@ -114,8 +133,7 @@ TEST_CASE("two builders of one file share the work and store each genome once") 
     Span wanted{0, 40};
     const auto first = one.take(wanted, 10), second = two.take(wanted, 10);
     REQUIRE((first && second));
-    CHECK(first->first == 0);
-    CHECK(second->first == 10);
+    CHECK((first->first == 0 && second->first == 10));
     std::uint64_t other = 0;
     build(one, {.genomes = 40, .batch = 10, .go_on = [&](std::uint64_t) {
                     if (other++ == 0)
@@ -261,6 +279,8 @@ TEST_CASE("a database with any alteration is refused") {
         SQLite::Database(bad, SQLite::OPEN_READWRITE).exec(change);
         CHECK_THROWS_AS(use(bad), InputError);
     }
+    set_value(good, "ridges", "0");
+    CHECK_THROWS_WITH(GenomeStore::open(good), Catch::Contains("genome law: ridges 0 is out of range"));
 }
 
 TEST_CASE("databases of different program versions are not merged") {
@@ -268,15 +288,7 @@ TEST_CASE("databases of different program versions are not merged") {
     built(folder / "a.db", {.genomes = 4, .batch = 4});
     built(folder / "b.db", {.genomes = 4, .first = 4, .batch = 4});
     CHECK(merge({folder / "a.db", folder / "b.db"}, folder / "both.db") == 8);
-    {
-        SQLite::Database b(folder / "b.db", SQLite::OPEN_READWRITE);
-        b.exec("UPDATE setup SET value = '0.0.1' WHERE name = 'version'");
-        std::string text; // the checksum is that of the lines (store.cpp)
-        SQLite::Statement rows(b, "SELECT name, value FROM setup WHERE name <> 'checksum' ORDER BY name");
-        while (rows.executeStep())
-            text += rows.getColumn(0).getString() + "=" + rows.getColumn(1).getString() + "\n";
-        b.exec("UPDATE setup SET value = '" + std::to_string(checksum(text)) + "' WHERE name = 'checksum'");
-    }
+    set_value(folder / "b.db", "version", "0.0.1");
     CHECK_NOTHROW(use(folder / "b.db"));
     CHECK_THROWS_WITH(merge({folder / "a.db", folder / "b.db"}, folder / "c.db"),
                       Catch::Contains("b.db: made by version 0.0.1, but "));
@@ -285,14 +297,9 @@ TEST_CASE("databases of different program versions are not merged") {
 
 TEST_CASE("a view with a table's name is not run") {
     const Folder folder;
-    const fs::path file = folder / "view.db";
-    {
-        SQLite::Database sqlite(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-        sqlite.exec("PRAGMA application_id = " + std::to_string(0x52554741));
-        sqlite.exec("PRAGMA user_version = 2");
-        sqlite.exec(
-            "CREATE VIEW batch AS WITH RECURSIVE n(first) AS (SELECT 1 UNION ALL SELECT first + 1 FROM n) "
-            "SELECT first, 1 AS count FROM n"); // has no end
-    }
-    CHECK_THROWS_WITH(GenomeStore::open(file), Catch::Contains("other tables"));
+    SQLite::Database(folder / "view.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+        .exec("PRAGMA application_id = 0x52554741; PRAGMA user_version = 2; CREATE VIEW batch AS WITH "
+              "RECURSIVE n(first) AS (SELECT 1 UNION ALL SELECT first + 1 FROM n) " // has no end
+              "SELECT first, 1 AS count FROM n");
+    CHECK_THROWS_WITH(GenomeStore::open(folder / "view.db"), Catch::Contains("other tables"));
 }
