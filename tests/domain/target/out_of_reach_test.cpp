@@ -147,6 +147,7 @@ TEST_CASE("interface stiffness may exceed full contact, but not fall or be below
     CHECK(out_of_reach({target_of(1.001 * one_node, 1)}, model).empty());
     const auto soft = out_of_reach({target_of(0.5 * (limits.min + one_node), 1)}, model);
     REQUIRE(soft.size() == 1);
+    CHECK(soft[0].bound == Approx(2 - one_node / (0.5 * (limits.min + one_node)))); // with K_i of one node
     CHECK_THAT(soft[0].verdict(), Catch::Contains("on this grid") && Catch::Contains("single node"));
     Target light = target_of(0.5 * limits.min, 1);
     light.x[0] = 1e-4 / 41; // before any first secant: the curve continued there may be 0

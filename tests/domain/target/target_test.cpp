@@ -32,6 +32,8 @@ TEST_CASE("the columns of a target file determine its quantity") {
     const Target swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
     CHECK(swapped.x == Eigen::Vector2d(1, 3));
     CHECK(swapped.y == Eigen::Vector2d(2, 4));
+    const TargetTable table{{}, {"pressure_MPa", "conductance"}, {}};
+    CHECK((table.place_of("conductance") == 1 && table.place_of("lower") == -1));
 }
 
 TEST_CASE("a conductance is read as the interface stiffness with that conductance") {
@@ -40,8 +42,7 @@ TEST_CASE("a conductance is read as the interface stiffness with that conductanc
         read_text("pressure_MPa,conductance,lower,upper\n1,10,8,12\n", {.conductance_to_stiffness = 0.25});
     CHECK(target.quantity == Quantity::interface_stiffness);
     CHECK(target.y[0] == 2.5);
-    CHECK(target.lower[0] == 2);
-    CHECK(target.upper[0] == 3);
+    CHECK((target.lower[0] == 2 && target.upper[0] == 3));
     CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"), Catch::Contains("give a resistivity"));
 }
 
