@@ -109,6 +109,7 @@ std::vector<QuirkFile> headers() {
         {"units in brackets", "x [mm];z [\xC2\xB5m]\n" + two_columns(mixed)},
         {"units in parentheses over blanks",
          "Position (mm)  Height (um)\n" + two_columns({.separator = "  ", .height_unit = 1e-3})},
+        {"names without blanks between", "x[mm]z[um]\n" + two_columns(mixed)},
         {"units after a slash", "x/um,z/nm\n" + two_columns(nano)},
         {"two units by one key", "Units: x mm, z um\n" + two_columns(mixed)},
         {"units in words",
