@@ -122,7 +122,7 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
         refuse(file, ": a Gwyddion simple field whose header has no end; export it again");
     HeightMap map{"Gwyddion simple field"};
     map.height_unit = {"m", 1e3};
-    double columns = 0, rows = 0, width = 0, height = 0, unit = 1e3;
+    double columns = 0, rows = 0, width = 1, height = 1, unit = 1e3; // without sizes 1 m, as in Gwyddion
     const std::pair<std::string_view, double*> numbers[] = {
         {"xres", &columns}, {"yres", &rows}, {"xreal", &width}, {"yreal", &height}};
     std::string_view rest(bytes.data(), end);
@@ -152,8 +152,8 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
         columns != std::floor(columns) || rows != std::floor(rows))
         refuse(file, ": ", columns, " x ", rows, " points; set XRes and YRes to whole numbers from 1");
     map.rows = static_cast<Index>(rows);
-    map.spacing = (width > 0 ? width : columns) / columns * unit;
-    map.row_spacing = (height > 0 ? height : rows) / rows * unit;
+    map.spacing = width / columns * unit;
+    map.row_spacing = height / rows * unit;
     take_heights(map, bytes, end + 4 - end % 4, static_cast<std::int64_t>(columns), 3, missing_height, file);
     return map;
 }

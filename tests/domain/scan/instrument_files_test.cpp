@@ -180,8 +180,7 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
         const bool has_mark = bytes != testing::sdf_file(4); // a byte has no mark of a missing value
         const auto map = binary_map(bytes, "map");
         REQUIRE(map);
-        CHECK(map->rows == 2);
-        CHECK(map->columns() == 9);
+        CHECK((map->rows == 2 && map->columns() == 9));
         CHECK(map->spacing == Approx(2e-3));
         CHECK(map->row_spacing == Approx(3e-3));
         for (Index i = 0; i < map->heights.size(); ++i) {
@@ -203,6 +202,9 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
             CHECK_THAT(refusal(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
         CHECK_THAT(refusal(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
     }
+    const auto metre = binary_map(changed(testing::gsf_file(), "XReal = 1.8e-5\nYReal = 6e-6\n", ""), "map");
+    CHECK(metre->spacing == Approx(1e3 / 9)); // a GSF file without sizes is 1 m x 1 m, as in Gwyddion
+    CHECK(metre->row_spacing == Approx(1e3 / 2));
 }
 
 TEST_CASE("an ASCII surface data file of several profiles is a map") {
