@@ -225,6 +225,7 @@ TEST_CASE("extrapolation is exact on a line and doubts scattered values") {
             end + slope * (std::pow(grids[static_cast<std::size_t>(i)], -1.5) - std::pow(4097, -1.5));
     const Extrapolation clean = extrapolate(grids, values, 4097);
     CHECK((clean.pressure - end).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(clean.doubt.pressure.isApprox(2.3 * (values.col(3) - end).cwiseAbs(), 1e-9));
     values(1, 1) += 0.01;
     values(1, 2) -= 0.01;
     CHECK(extrapolate(grids, values, 4097).doubt.pressure[1] > clean.doubt.pressure[1]);
@@ -294,6 +295,9 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
     CHECK(cheap.account.dropped.size() + cheap.account.used.size() == 12);
     CHECK(cheap.account.dropped_error > 0);
     CHECK(relative_error(cheap.response.pressure, respond(genome, model).pressure) <= 1e-2);
+    genome.series[0].chromosomes = {{1, {0.3}}, {3, {0.5}}, {12, {1.2}}};
+    genome.series[0].H = 2.5; // the second wave matters, the last hardly
+    CHECK(respond_within(genome, within(model, 1e-2)).account.dropped.size() == 1);
 }
 
 TEST_CASE("the resolved model is solved if no coarser grid suffices, or no accuracy is set") {

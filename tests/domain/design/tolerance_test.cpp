@@ -137,6 +137,15 @@ TEST_CASE("height noise of one seed is one field on every grid") {
     }
 }
 
+TEST_CASE("a unit tilt of a map rises by 1 along one side and is level along the other") {
+    const std::vector<Eigen::VectorXd> tilts = unit_tilts({5, 2, false, 0, 4, 3});
+    REQUIRE(tilts.size() == 2);
+    for (Index i = 0; i < 20; ++i) {
+        CHECK(tilts[0][i] == Approx(static_cast<double>(i % 5) / 4));
+        CHECK(tilts[1][i] == Approx(std::floor(static_cast<double>(i) / 5) / 3));
+    }
+}
+
 TEST_CASE("new draws, tilts and scales within the tolerance keep the similarity") {
     const Case one = design_of(1);
     const Tolerance found = tolerance_of(one.setup, one.genome);

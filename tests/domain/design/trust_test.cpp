@@ -64,6 +64,9 @@ TEST_CASE("each check is the similarity under the change that it names") {
     for (const Kernel kernel : {Kernel::strip, Kernel::periodic})
         CHECK(answer(trust.kernels, name_of(kernel)) == under(with_kernel(setup.model, kernel)));
     CHECK(trust.left_out.empty());
+    const Trust of_map = trust_in(testing::drawn(16, true), genome, without_draws());
+    REQUIRE(of_map.kernels.size() == 1); // a map has no strip
+    CHECK(of_map.kernels[0].name == name_of(Kernel::periodic));
 }
 
 TEST_CASE("the datum moves at the genome's amplitude when Eq. 11 applies") {

@@ -65,6 +65,8 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         CHECK(verified.stepped == Approx(stepped).epsilon(1e-6));
         CHECK(verified.reading_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Approx(both).margin(3e-3 * (2 - both)));
+        CHECK(verified.both ==
+              Approx(1 - verified.reading_error - verified.misfits[3][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Verifier(setup, 2).of(genome).both);
         CHECK(verified.on_finer[0].steps() == 20);
     }

@@ -27,6 +27,7 @@ TEST_CASE("derivatives of misfits under noise and tilt agree with differences") 
         const Genome start = random_start(setup), genome = problem.settled(start, problem.evaluate(start));
         const ga::Sensitivity all = problem.sensitivity(genome, "made");
         const CommonErrors errors(setup);
+        CHECK(errors.noise.size() == 72); // three draws for four of 96 nodes
         const auto points = static_cast<std::size_t>(setup.targets[0].points());
         REQUIRE(static_cast<std::size_t>(all.residuals.size()) ==
                 (1 + errors.noise.size() + errors.tilts.size()) * points);

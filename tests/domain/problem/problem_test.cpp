@@ -158,6 +158,42 @@ TEST_CASE("some starts shaped to the drawn target are near it before any search"
     }
 }
 
+TEST_CASE("the amplitude that fits a genome's own curve is the genome's") {
+    std::mt19937_64 random(19);
+    DesignSetup setup = drawn_setup(64);
+    for (int draw = 0; draw < 4; ++draw) {
+        Genome genome = rough::testing::fitted_genome(random, setup);
+        setup.targets = {
+            target_like(sample(genome, setup.model.grid), setup.model, "itself", Quantity::stiffness, 10)};
+        const double scale = std::exchange(genome.scale, 3 * genome.scale);
+        CHECK(with_fitting_amplitude(setup, genome).scale == Approx(scale).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("a design of twice the length and four times the modulus is the same, twice as large") {
+    DesignSetup small;
+    small.model.grid = {64, 0.7};
+    small.targets = {straight(Quantity::stiffness, 6, 2e-5, 1e-4, 0.4, 0.9)};
+    DesignSetup large = small;
+    large.model.grid.length *= 2;
+    large.model.body.effective_modulus *= 4;
+    large.targets[0].x *= 4;
+    large.targets[0].y *= 2;
+    const SearchOptions options{.pipeline = "shape 4 | score", .alternatives = 1};
+    const Answer one = search(small, options).best, other = search(large, options).best;
+    CHECK(other.similarity == Approx(one.similarity).epsilon(1e-9));
+    CHECK(other.lowest() == Approx(one.lowest()).epsilon(1e-9));
+    CHECK(shortest_wave(other.genome) == Approx(2 * shortest_wave(one.genome)));
+    CHECK(completed(large).bounds.lambda_from == 2 * completed(small).bounds.lambda_from);
+}
+
+TEST_CASE("no wave of a start on a free line is longer than twice the length") {
+    const DesignSetup setup = drawn_setup(64);
+    for (std::uint64_t key = 0; key < 40; ++key)
+        for (const Series& series : shaped_start(setup, ga::Stream(key)).series)
+            CHECK(series.lambda <= 2 * setup.model.grid.length);
+}
+
 TEST_CASE("each of several targets has an objective, whose rows are a part of all rows") {
     DesignSetup setup = drawn_with_area();
     const DesignProblem problem(setup);
