@@ -9,23 +9,13 @@
 #include "domain/design/pipelines.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-#include "tests/benchmarks/measure.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <cstdio>
 
 using namespace rough;
-using rough::testing::median;
 
 namespace {
-
-Target answer_of(const Profile& profile, const Model& model, const std::string& name) {
-    const Curve curve = secant_stiffness(respond(profile, model.body, model.loading));
-    Target target;
-    target.name = name;
-    target.x = Eigen::VectorXd::LinSpaced(20, curve.to / 20, curve.to);
-    target.y = target.x.unaryExpr([&](double pressure) { return curve.at(pressure); });
-    return target;
-}
 
 /// Responses of twelve unseen genomes of two series and of six fractal profiles, which are not MWM series,
 /// and a curve like the paper's.
@@ -36,9 +26,9 @@ std::vector<Target> targets(const DatabaseSetup& setup) {
     law.seed = 987654321;
     for (std::uint64_t i = 0; i < 12; ++i)
         targets.push_back(
-            answer_of(sample(drawn(law, i), setup.model.grid), setup.model, "genome " + std::to_string(i)));
+            target_like(sample(drawn(law, i), setup.model.grid), setup.model, "genome " + std::to_string(i)));
     for (int i = 0; i < 6; ++i)
-        targets.push_back(answer_of(
+        targets.push_back(target_like(
             fractal_profile(setup.model.grid, 0.5 + 0.08 * i, 1e-3, 100 + static_cast<std::uint64_t>(i)),
             setup.model, "fractal " + std::to_string(i)));
     for (const char* name : {"target_paper", "target_heldout"}) {
@@ -95,19 +85,24 @@ int main(int count, char** arguments) {
         build(made, {});
     }
     const DatabaseSetup setup = GenomeStore::open(file).setup();
-    std::vector<double> screened, reached, refined, taken, sogs, gcos, ccos;
-    std::printf("%-16s %9s %9s %9s %8s %8s %8s %8s\n", "target", "screened", "reached", "refined", "seconds",
+    std::array<std::vector<double>, 7> columns;
+    const auto print = [](const std::string& name, const std::array<double, 7>& row) {
+        std::printf("%-16s", name.c_str());
+        for (const double value : row)
+            std::printf(" %9.4f", value);
+        std::printf("\n");
+    };
+    std::printf("%-16s %9s %9s %9s %9s %9s %9s %9s\n", "target", "screened", "reached", "refined", "seconds",
                 "sog", "gco", "cco");
     for (const Target& target : targets(setup)) {
         const Reached r = in_line(file, target, seconds);
-        screened.push_back(r.screened), reached.push_back(r.similarity), refined.push_back(r.refined);
-        taken.push_back(r.seconds);
-        sogs.push_back(by_variant("sog", target, setup.model));
-        gcos.push_back(by_variant("gco", target, setup.model));
-        ccos.push_back(by_variant("cco", target, setup.model));
-        std::printf("%-16s %9.4f %9.4f %9.4f %8.3f %8.4f %8.4f %8.4f\n", target.name.c_str(), r.screened,
-                    r.similarity, r.refined, r.seconds, sogs.back(), gcos.back(), ccos.back());
+        const auto by = [&](const char* variant) { return by_variant(variant, target, setup.model); };
+        const std::array row{r.screened, r.similarity, r.refined, r.seconds, by("sog"), by("gco"), by("cco")};
+        for (std::size_t i = 0; i < row.size(); ++i)
+            columns[i].push_back(row[i]);
+        print(target.name, row);
     }
-    std::printf("%-16s %9.4f %9.4f %9.4f %8.3f %8.4f %8.4f %8.4f\n", "median", median(screened),
-                median(reached), median(refined), median(taken), median(sogs), median(gcos), median(ccos));
+    std::array<double, 7> medians;
+    std::ranges::transform(columns, medians.begin(), median);
+    print("median", medians);
 }

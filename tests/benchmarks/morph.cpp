@@ -5,6 +5,7 @@
 
 #include "domain/design/morph.hpp"
 
+#include "domain/numerics/statistics.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <cstdio>
@@ -12,7 +13,6 @@
 #include <numbers>
 
 using namespace rough;
-using rough::testing::median;
 
 namespace {
 
@@ -87,17 +87,13 @@ int main(int count, char** arguments) {
                     places[g].chromosome == one.place.chromosome && places[g].ridge == one.place.ridge)
                     now[g] = one.after;
     }
-    const auto tail = [](std::vector<double> values, double share) {
-        std::sort(values.begin(), values.end());
-        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-    };
     std::printf("\n%-28s %10s %10s %10s\n", "", "median", "5 %", "95 %");
     for (const auto& [name, values, factor] :
          {std::tuple("milliseconds a morph", &seconds, 1e3),
           std::tuple("curves with gradients", &gradients, 1.), std::tuple("similarity before", &before, 1.),
           std::tuple("similarity after", &after, 1.), std::tuple("change, rad", &change, 1.)})
         std::printf("%-28s %10.4f %10.4f %10.4f\n", name, factor * median(*values),
-                    factor * tail(*values, 0.05), factor * tail(*values, 0.95));
+                    factor * quantile(*values, 0.05), factor * quantile(*values, 0.95));
     const auto met = [](const std::vector<double>& values) {
         return std::count_if(values.begin(), values.end(),
                              [](double s) { return s >= default_required_similarity; });
