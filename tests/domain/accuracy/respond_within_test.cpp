@@ -274,9 +274,13 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
                 CHECK(relative_error(cheap.response.pressure, exact.response.pressure) <= accuracy);
                 CHECK(cheap.account.estimated_error <= accuracy);
                 CHECK(cheap.response.displacement == exact.response.displacement);
-                for (const Account& account : {exact.account, cheap.account})
-                    CHECK((in_words(account).find("interpolated") != std::string::npos) ==
-                          (account.solved_rows < account.rows));
+                for (const Account& account : {exact.account, cheap.account}) {
+                    const auto says = [words = in_words(account)](const std::string& what) {
+                        return words.find(what) != std::string::npos;
+                    };
+                    CHECK(says("interpolated") == (account.solved_rows < account.rows));
+                    CHECK(says("no accuracy was requested") == (account.accuracy == 0));
+                }
             }
         }
 }
