@@ -100,7 +100,7 @@ def build(tree, folder, targets, mutants, jobs):
     mutants = {number: (name, site) for number, (name, site) in mutants.items() if (name, site[3]) not in refused_before}
     write_tree(tree, mutants)
     if not (folder / "CMakeCache.txt").exists():
-        subprocess.run(["cmake", "-S", tree, "-B", folder, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DCMAKE_CXX_FLAGS=-w",
+        subprocess.run(["cmake", "-S", tree, "-B", folder, "-DCMAKE_CXX_FLAGS_RELEASE=-O1", "-DCMAKE_CXX_FLAGS=-w",
                         f"-DPython_EXECUTABLE={sys.executable}"],
                        check=True, stdout=subprocess.DEVNULL)
     while True:
