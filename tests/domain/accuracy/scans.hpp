@@ -42,8 +42,8 @@ inline NamedScan random_scan(std::mt19937_64& random, int which, rough::Index le
         for (rough::Index i = 0; i < n; ++i)
             z[i] = height(cycle(i));
     };
-    scan.kind =
-        std::array{"steps", "saw", "Gaussian", "noise", "burrs", "honed", "turned", "spikes"}[which % 8];
+    scan.kind = std::array{"steps", "saw", "Gaussian", "noise", "burrs", "honed", "turned", "spikes"}
+        [static_cast<unsigned>(which) % 8];
     switch (which % 8) {
     case 0:
         at_each([&](double place) { return (place < 0.3) + 0.01 * normal(random); });

@@ -83,7 +83,7 @@ TEST_CASE("a database has the genomes of its law and their responses to the bit"
     const DatabaseSetup setup = small_setup();
     const GenomeStore store = built(folder / "genomes.db", {.genomes = 30, .batch = 8});
     CHECK(store.stored() == 30);
-    for (const std::uint64_t index : {0, 7, 8, 29}) {
+    for (const std::uint64_t index : {0u, 7u, 8u, 29u}) {
         const Genome genome = drawn(setup.law, index);
         CHECK(genes(store.genome(index)) == genes(genome));
         const Response computed = respond(genome, setup.model), stored = store.response(index);

@@ -183,7 +183,7 @@ TEST_CASE("the tolerance of a surface is the same on twice the nodes") {
     coarse.setup.errors.noise_length = fine.setup.errors.noise_length = 0.1;
     const Tolerance a = tolerance_of(coarse.setup, coarse.genome), b = tolerance_of(fine.setup, fine.genome);
     for (const auto value : {&ToleranceLevel::noise_rms, &ToleranceLevel::tilt, &ToleranceLevel::scale})
-        for (const std::size_t level : {1, 2})
+        for (const std::size_t level : {1u, 2u})
             CHECK(a.levels[level].*value == Approx(b.levels[level].*value).epsilon(0.05));
 }
 

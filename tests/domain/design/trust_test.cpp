@@ -124,7 +124,7 @@ TEST_CASE("noise and tilt that are given are checks that decide") {
         setup.errors = {size, 0.1, size};
         const Trust trust = trust_in(setup, genome, without_draws());
         REQUIRE(trust.checks.size() == 7);
-        for (const std::size_t i : {5, 6}) {
+        for (const std::size_t i : {5u, 6u}) {
             CHECK(trust.checks[i].decides);
             CHECK((trust.checks[i].similarity > trust.checks[0].similarity - 1e-4) == (size < 1e-6));
         }

@@ -380,7 +380,7 @@ TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {
                                bytes.rbegin() + long(bytes.size() - first - 8 * k));
         return little_endian<double>(word, 0);
     };
-    for (const std::size_t k : {0, 5, 13, 23}) {
+    for (const std::size_t k : {0u, 5u, 13u, 23u}) {
         CHECK(number(3 * k) == Approx(0.01 * double(k % 6)).margin(1e-18));
         CHECK(number(3 * k + 1) == Approx(0.025 * double(k / 6)).margin(1e-18));
         CHECK(number(3 * k + 2) == relief.heights[Index(k)]);
