@@ -105,6 +105,7 @@ TEST_CASE("interacting caps agree with boundary elements") {
                 CapContact(array, modulus, CapModel::interacting).at_plane(caps, highest - mesh.approach);
             INFO(array.caps() << " caps at " << mesh.approach << " mm");
             CHECK(pressed.load() == Approx(mesh.load).epsilon(0.005));
+            CHECK(mesh.force.sum() == Approx(mesh.load).epsilon(1e-12));
             CHECK(pressed.total_area() == Approx(mesh.area.sum()).epsilon(0.005));
             CHECK(pressed.stiffness == Approx(mesh.stiffness).epsilon(0.05));
             for (Index i = 0; i < array.caps(); ++i) {

@@ -106,6 +106,7 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
     setup.targets = {
         target_of(setup, 0.1, 0.2, [](double force) { return 1.2 * std::pow(force / 0.2, 1.35); })};
     const std::string relaxed = "sample 200 | score | best 8 | refine lm 60 | best 1";
+    double gained = 0; // after two gradients
     for (const std::uint64_t seed : {1, 2, 3}) {
         const auto similarity = [&](const std::string& pipeline) {
             return search(setup, {.pipeline = pipeline, .seed = seed, .threads = 1}).best.similarity;
@@ -113,7 +114,9 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
         const double nearest = similarity(relaxed), rounded = similarity(relaxed + " | round 200 | score");
         CAPTURE(seed, nearest, rounded);
         CHECK(rounded > nearest);
+        gained += rounded - similarity(relaxed + " | round 2 | score");
     }
+    CHECK(gained > 0);
 }
 
 TEST_CASE("corrected targets give interacting caps the law that independent caps miss") {
@@ -132,6 +135,10 @@ TEST_CASE("corrected targets give interacting caps the law that independent caps
         "independent { sample 100 | score | best 4 | refine lm 60 sharpen=20 | best 1 | round 50 } | score";
     CHECK(error(separate + " | corrected { score | refine lm 30 sharpen=5 | round 50 } | score") <
           0.5 * error(separate));
+    const auto evaluations = [&](const std::string& stage) {
+        return search(setup, {.pipeline = "sample 4 | " + stage + " { score } | score"}).counters.evaluations;
+    };
+    CHECK(evaluations("corrected") == evaluations("independent") + 2); // of the first caps by both models
 }
 
 TEST_CASE("a thousand caps follow a line by boundary elements after few evaluations", "[long]") {
@@ -202,9 +209,23 @@ TEST_CASE("ranges of caps without sense are refused") {
         setup.heights = range;
         CHECK_THROWS_AS(CapProblem(setup), InputError);
     }
-    CapSetup setup = good;
-    setup.radii = {0, 1, 0};
-    CHECK_THROWS_AS(CapProblem(setup), InputError);
+    good.radii = {0, 1, 0};
+    CHECK_THROWS_AS(CapProblem(good), InputError);
+}
+
+TEST_CASE("drawn radii are all the largest or even over their range, and heights differ") {
+    CapSetup setup = made_of_pdms(20);
+    setup.radii = {0.1, 0.5, 0};
+    int alike = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const CapGenome genome = random_genome(setup, seed);
+        const Eigen::Map<const Eigen::VectorXd> heights(genome.data(), 400), radii(&genome[400], 400);
+        CHECK(heights.maxCoeff() > heights.minCoeff());
+        const bool largest = radii.minCoeff() == 0.5;
+        CHECK((largest || std::abs(radii.mean() - 0.3) < 0.024)); // four standard errors
+        alike += largest;
+    }
+    CHECK((alike > 7 && alike < 33)); // half of them
 }
 
 TEST_CASE("a mutation of caps keeps steps and ranges, and reports whether it changed a gene") {
