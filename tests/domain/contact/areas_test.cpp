@@ -33,9 +33,9 @@ ContactOptions by(Solver solver) { return {.solver = solver}; }
 double worst_difference(const ContactCurve& one, const ContactCurve& other) {
     double worst = 0;
     for (std::size_t j = 0; j < one.steps.size(); ++j) {
-        worst = std::max(worst, std::abs(one.steps[j].pressure / other.steps[j].pressure - 1));
-        worst =
-            std::max(worst, std::abs(one.steps[j].tangent_stiffness / other.steps[j].tangent_stiffness - 1));
+        const LoadStep &a = one.steps[j], &b = other.steps[j];
+        worst = std::max({worst, std::abs(a.pressure / b.pressure - 1),
+                          std::abs(a.tangent_stiffness / b.tangent_stiffness - 1)});
     }
     return worst;
 }
@@ -51,8 +51,7 @@ TEST_CASE("every solver agrees with the oracle on small maps, under either contr
             const Oracle oracle = consult_oracle(map, on(kernel), displacements);
             for (const Solver solver : {Solver::automatic, Solver::nested, Solver::nnls, Solver::active_set,
                                         Solver::polonsky_keer}) {
-                INFO(static_cast<int>(kernel) << ", " << shape.columns << " x " << shape.rows << ", solver "
-                                              << static_cast<int>(solver));
+                CAPTURE(static_cast<int>(kernel), shape.columns, shape.rows, static_cast<int>(solver));
                 const bool direct = solver != Solver::active_set && solver != Solver::polonsky_keer;
                 const ContactCurve curve = solve_contact(map, on(kernel), displacements, by(solver));
                 const ContactCurve loaded =
@@ -70,6 +69,11 @@ TEST_CASE("every solver agrees with the oracle on small maps, under either contr
                     }
                 }
             }
+            if (kernel == Kernel::free)
+                continue;
+            const double full = full_contact_load(map, on(kernel));
+            const auto loaded = solve_contact_at_pressures(map, on(kernel), {full}, by(Solver::active_set));
+            CHECK(loaded.steps[0].pressure == Approx(full).epsilon(1e-12));
         }
 }
 
@@ -134,8 +138,7 @@ TEST_CASE("one row of square cells on a half-space is the strip", "[contact][are
     const auto displacements = steps_of(profile, Kernel::strip, 10, 1);
     const ContactCurve line = solve_contact(profile, strip, displacements);
     ContactCurve area = solve_contact(row, on(Kernel::free), displacements);
-    const double patches =
-        60.0 / 59; // a map's mean pressure is over its patches, a profile's over its length
+    const double patches = 60.0 / 59; // a map's mean pressure is over patches, a profile's over its length
     for (LoadStep& step : area.steps)
         step.pressure *= patches, step.tangent_stiffness *= patches;
     CHECK(worst_difference(area, line) < 1e-11);
@@ -146,7 +149,7 @@ TEST_CASE("one row of square cells on a half-space is the strip", "[contact][are
 TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in the spacing",
           "[contact][areas]") {
     constexpr double radius = 10, modulus = 1.3;
-    double before = 0;
+    double before = HUGE_VAL;
     for (const Index n : {25, 49}) {
         const double h = 1.0 / static_cast<double>(n - 1);
         double worst = 0;
@@ -164,8 +167,7 @@ TEST_CASE("a sphere on a half-space follows Hertz, with an error of order 2 in t
             CHECK(area * curve.steps[0].tangent_stiffness == Approx(2 * modulus * a).epsilon(2.5 * h));
         }
         CHECK(worst < 4 * h * h / 0.04);
-        if (before > 0)
-            CHECK(worst < before / 2);
+        CHECK(worst < before / 2);
         before = worst;
     }
 }
@@ -223,10 +225,10 @@ TEST_CASE("a transposed map has the same curve", "[contact][areas]") {
 }
 
 TEST_CASE("contact spots join across a periodic edge", "[contact][areas]") {
-    // x x . x
+    // x . x x
     // . . . .
-    // x . x .
-    const std::vector<int> contact{0, 1, 3, 8, 10};
+    // . x . x
+    const std::vector<int> contact{0, 2, 3, 9, 11};
     CHECK(contact_spots(contact, {4, 3}, false) == std::vector<Index>{2, 1, 1, 1});
     CHECK(contact_spots(contact, {4, 3}, true) == std::vector<Index>{4, 1});
     CHECK(contact_spots({0, 1, 2, 5}, {6}, true) == std::vector<Index>{4});
@@ -258,8 +260,7 @@ static void press_at_any_contact(const std::vector<Extent>& shapes, unsigned see
                 const double full = kernel == Kernel::periodic ? full_contact_load(map, on(kernel, 1)) : 1;
                 long before = 0;
                 for (const double units : {0.025, 0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.4, 1.9, 2.4}) {
-                    INFO(shape.columns << " x " << shape.rows << ", kernel " << static_cast<int>(kernel)
-                                       << ", seed " << seed << ", pressure " << units << " E* slope");
+                    CAPTURE(shape.columns, shape.rows, static_cast<int>(kernel), seed, units);
                     const double pressure = units * slope;
                     if (pressure >= full)
                         break;
@@ -269,10 +270,8 @@ static void press_at_any_contact(const std::vector<Extent>& shapes, unsigned see
                     CHECK(step.pressure == Approx(pressure).epsilon(1e-12));
                     CHECK(step.kkt_residual <= 2e-6);
                     CHECK(curve.iterations <= 40);
-                    if (before > 0) {
-                        CHECK(curve.iterations <= 3 * before);
-                        CHECK(before <= 3 * curve.iterations);
-                    }
+                    if (const auto [few, many] = std::minmax({curve.iterations, before}); before > 0)
+                        CHECK(many <= 3 * few);
                     before = curve.iterations;
                 }
             }

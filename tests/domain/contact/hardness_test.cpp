@@ -1,10 +1,9 @@
 #include "domain/contact/kernel.hpp"
+#include "tests/domain/contact/maps.hpp"
 #include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
 #include <catch2/catch.hpp>
-
-#include <numbers>
 
 using namespace rough;
 
@@ -23,7 +22,7 @@ double highest_pressure(const Scene& scene) {
 
 TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[contact]") {
     std::mt19937 random(41);
-    Index held = 0;
+    Index held = 0, measured = 0;
     for (int trial = 0; trial < 24; ++trial) {
         Scene scene = scenes::random_scene(random, trial, 16, 24, 4);
         scene.body.hardness =
@@ -49,10 +48,11 @@ TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[co
                 if (p >= scene.body.hardness * (1 - 1e-15))
                     CHECK(curve.states[j].tangent[static_cast<Index>(k)] == 0);
             }
-            held += step.held_nodes;
+            held += step.held_nodes, measured += step.kkt_residual > 0;
         }
     }
     CHECK(held > 100);
+    CHECK(measured > 80); // of 96 residuals: rounding leaves one
 }
 
 TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]") {
@@ -149,13 +149,17 @@ TEST_CASE("a map with steps carries a load below its hardness", "[contact]") {
 
 TEST_CASE("beyond the approach of full contact nodes sink in at the hardness", "[contact]") {
     std::mt19937 random(44);
-    for (int trial = 0; trial < 4; ++trial) {
+    for (int trial = 0; trial < 5; ++trial) {
         Scene scene = scenes::random_scene(random, trial, 16, 24, 1);
         scene.body.kernel = Kernel::periodic;
+        if (trial == 4)
+            scene.profile = maps::map_of({16, 12}, 1.0 / 16, 1.0 / 12, [](double x, double y) {
+                return std::cos(2 * std::numbers::pi * x) * std::cos(2 * std::numbers::pi * y);
+            });
         const double full = scene.profile.heights.maxCoeff() - scene.profile.heights.mean();
         scene.displacements = {0.99 * full};
-        scene.body.hardness = 3 * highest_pressure(scene);
-        const double beyond = std::array{1e-3, 0.01, 0.1, 1.0}[static_cast<std::size_t>(trial)];
+        scene.body.hardness = 2 * highest_pressure(scene);
+        const double beyond = std::array{1e-3, 0.01, 0.1, 1.0, 1e-4}[static_cast<std::size_t>(trial)];
         const std::vector displacements{full * (1 + beyond)};
         const LoadStep step = solve_contact(scene.profile, scene.body, displacements).steps[0];
         INFO("trial " << trial);

@@ -31,14 +31,12 @@ TEST_CASE("a continued field keeps its values at the nodes and stays within thei
         const Scene scene(shape);
         std::vector<float> field = scene.field();
         std::mt19937 random(3);
-        for (const int i : scene.nodes)
-            field[static_cast<std::size_t>(i)] = static_cast<float>(1 + random() % 100);
-        const std::vector<float> before = field;
         float lowest = 1000, largest = 0;
         for (const int i : scene.nodes) {
-            lowest = std::min(lowest, field[static_cast<std::size_t>(i)]);
-            largest = std::max(largest, field[static_cast<std::size_t>(i)]);
+            float& value = field[static_cast<std::size_t>(i)] = static_cast<float>(1 + random() % 100);
+            lowest = std::min(lowest, value), largest = std::max(largest, value);
         }
+        const std::vector<float> before = field;
         Extension extension(shape);
         extension.know(scene.nodes);
         extension.extend(field.data());
