@@ -37,22 +37,16 @@ TEST_CASE("sharp profiles have no outliers at any position of the nodes") {
         for (const double shift : {0.0, 0.3, 0.77}) {
             const double n = double(nodes);
             INFO(nodes << " nodes, shift " << shift);
-            CHECK(outliers(made(nodes, [&](double i) { return -std::abs(i - n / 2 - shift); })).empty());
-            CHECK(outliers(made(nodes, [&](double i) {
-                      return std::max(0., 9 - std::abs(i - n / 2 - shift));
-                  })).empty());
-            CHECK(outliers(made(nodes, [&](double i) { return i > n / 2 + shift ? 1. : 0.; })).empty());
-            CHECK(outliers(made(nodes, [&](double i) { return i > 2 + shift ? 1. : 0.; })).empty());
-            CHECK(outliers(made(nodes, [&](double i) { return cycle(i / 19 + shift); })).empty());
-            CHECK(outliers(made(nodes, [&](double i) { return -cycle(i / 23 + shift); })).empty());
-            CHECK(outliers(made(nodes, [&](double i) {
-                      return cycle(i / 20 + shift) < 0.4 ? 1. : 0.;
-                  })).empty());
-            CHECK(
-                outliers(made(nodes, [&](double i) { return std::abs(std::cos(i / 30 + shift)); })).empty());
-            CHECK(outliers(made(nodes, [&](double i) {
-                      return std::round(3 * std::sin(i / 40 + shift));
-                  })).empty());
+            const auto expect_none = [&](auto height) { CHECK(outliers(made(nodes, height)).empty()); };
+            expect_none([&](double i) { return -std::abs(i - n / 2 - shift); });
+            expect_none([&](double i) { return std::max(0., 9 - std::abs(i - n / 2 - shift)); });
+            expect_none([&](double i) { return i > n / 2 + shift ? 1. : 0.; });
+            expect_none([&](double i) { return i > 2 + shift ? 1. : 0.; });
+            expect_none([&](double i) { return cycle(i / 19 + shift); });
+            expect_none([&](double i) { return -cycle(i / 23 + shift); });
+            expect_none([&](double i) { return cycle(i / 20 + shift) < 0.4 ? 1. : 0.; });
+            expect_none([&](double i) { return std::abs(std::cos(i / 30 + shift)); });
+            expect_none([&](double i) { return std::round(3 * std::sin(i / 40 + shift)); });
         }
 }
 

@@ -71,6 +71,7 @@ TEST_CASE("a triangle wave has a straight bearing curve, only core") {
     CHECK(r["Pku"] == Approx(1.8).epsilon(1e-3));
     CHECK(r["Pdq"] == Approx(0.02).epsilon(2e-2)); // except at the corners
     CHECK(r["PSm"] == Approx(0.4).epsilon(1e-6));
+    CHECK(material_ratio(profile, -1e-9) == 1);          // all of it is higher
     for (const double level : {-0.0015, -0.001, 0.0005}) // the ratio of a triangle falls evenly
         CHECK(material_ratio({profile.heights.array() - 0.002, 0.001}, level) ==
               Approx(0.5 - level / 0.004).margin(2e-3));
