@@ -80,8 +80,7 @@ class Design(WithFolder):
         design = rugosa.design(PRESSURE, STIFFNESS, pipeline=endless, nodes=64, progress=lambda *a: begun.set())
         self.assertTrue(design.interrupted)
         self.assertGreater(design.similarity, -1e3)
-        with self.assertRaises(KeyboardInterrupt):  # Python has its handler back
-            signal.raise_signal(signal.SIGINT)
+        self.assertRaises(KeyboardInterrupt, signal.raise_signal, signal.SIGINT)  # Python has its handler back
 
     def test_a_target_out_of_reach_is_reported(self):
         design = rugosa.design(PRESSURE, STIFFNESS[::-1], pipeline="shape 2 | score | best 1", nodes=64)
@@ -103,16 +102,13 @@ class Design(WithFolder):
             rugosa.design(PRESSURE, STIFFNESS, like=rough_heights(), spacing=0.004)
 
     def test_mistakes(self):
-        with self.assertRaisesRegex(rugosa.InputError, "same length"):
-            rugosa.design(PRESSURE, STIFFNESS[1:])
-        with self.assertRaisesRegex(TypeError, "no target"):
-            rugosa.design()
-        with self.assertRaisesRegex(rugosa.UsageError, "unknown stage 'scor'"):
-            rugosa.design(PRESSURE, STIFFNESS, pipeline="shape 2 | scor")
-        with self.assertRaises(rugosa.InputError):
-            rugosa.Target(PRESSURE[::-1], STIFFNESS)
-        with self.assertRaisesRegex(TypeError, "unknown keyword 'kernell'"):
-            rugosa.Target.like(rough_heights(), 0.004, kernell="free")
+        refused = self.assertRaisesRegex
+        refused(rugosa.InputError, "same length", rugosa.design, PRESSURE, STIFFNESS[1:])
+        refused(TypeError, "no target", rugosa.design)
+        refused(rugosa.UsageError, "unknown stage 'scor'", rugosa.design, PRESSURE, STIFFNESS,
+                pipeline="shape 2 | scor")
+        self.assertRaises(rugosa.InputError, rugosa.Target, PRESSURE[::-1], STIFFNESS)
+        refused(TypeError, "unknown keyword 'kernell'", rugosa.Target.like, rough_heights(), 0.004, kernell="free")
 
 
 class Database(WithFolder):
@@ -135,8 +131,7 @@ class Database(WithFolder):
     def test_interrupt_keeps_what_is_stored(self):
         file = self.folder / "long.db"
         threading.Timer(1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
-        with self.assertRaises(KeyboardInterrupt):
-            rugosa.Database.create(file, 10_000_000, nodes=256)
+        self.assertRaises(KeyboardInterrupt, rugosa.Database.create, file, 10_000_000, nodes=256)
         self.assertLess(len(rugosa.Database(file)), 10_000_000)
 
 

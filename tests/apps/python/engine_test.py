@@ -78,8 +78,7 @@ class Engine(WithFolder):
                 self.assertEqual(len(search.ask()), 0)
             else:
                 search.ask()
-                with self.assertRaisesRegex(rugosa.InputError, "answers given"):
-                    search.tell([1.0])
+                self.assertRaisesRegex(rugosa.InputError, "answers given", search.tell, [1.0])
             del search
         self.assertTrue(seen)
 
@@ -199,16 +198,14 @@ class Engine(WithFolder):
         def broken(_):
             raise KeyError("mine")
 
-        with self.assertRaisesRegex(KeyError, "mine"):
-            rugosa.optimise(broken, lower=[0], upper=[1])
-        with self.assertRaisesRegex(rugosa.InputError, "objectives returned"):
-            rugosa.optimise(lambda x: [1.0, 2.0], lower=[0], upper=[1])
-        with self.assertRaisesRegex(rugosa.UsageError, "unknown stage"):
-            rugosa.optimise(sphere, lower=[0], upper=[1], pipeline="sampel 3")
-        with self.assertRaisesRegex(rugosa.InputError, "one of lower and upper"):
-            rugosa.optimise(sphere, lower=[0], upper=[1], bits=3)
-        with self.assertRaisesRegex(rugosa.InputError, "below"):
-            rugosa.optimise(sphere, lower=[1], upper=[0])
+        def refused(error, words, function, lower=0, upper=1, **options):
+            self.assertRaisesRegex(error, words, rugosa.optimise, function, lower=[lower], upper=[upper], **options)
+
+        refused(KeyError, "mine", broken)
+        refused(rugosa.InputError, "objectives returned", lambda x: [1.0, 2.0])
+        refused(rugosa.UsageError, "unknown stage", sphere, pipeline="sampel 3")
+        refused(rugosa.InputError, "one of lower and upper", sphere, bits=3)
+        refused(rugosa.InputError, "below", sphere, lower=1, upper=0)
 
 
 if __name__ == "__main__":
