@@ -1,6 +1,6 @@
 // Files that rugosa has written itself and reads back, altered in one place and sealed correctly.
 
-#include "apps/commands/commands.hpp"
+#include "apps/commands/optimise/children.hpp"
 #include "apps/external/problem.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "domain/database/screen.hpp"
@@ -21,38 +21,22 @@ namespace {
 
 /// A value of another type, size or range than the old one.
 json odd_value(json old, ga::Stream& random) {
-    switch (random.below(14)) {
-    case 0:
-        return nullptr;
-    case 1:
-        return "\x1b[2J\n<script>";
-    case 2:
-        return -1;
-    case 3:
-        return 1e308;
-    case 4:
-        return std::nan("");
-    case 5:
-        return std::numeric_limits<std::uint64_t>::max();
-    case 6:
-        return json::array();
-    case 7:
-        return json::object();
-    case 8:
-        return old.is_array() ? json(std::vector<json>(40, old.empty() ? json() : old[0])) : json({old, old});
-    case 9:
-        return 3;
-    default: // one part less or more, or a number a little off
-        if (old.is_number())
-            return random.chance(0.5) ? json(-2.5 * old.get<double>()) : json(old.get<double>() + 1);
-        if (!old.is_array() || old.empty())
-            return true;
-        if (random.chance(0.5))
-            old.erase(old.size() - 1);
-        else
-            old.push_back(json(old[0]));
-        return old;
-    }
+    const json many =
+        old.is_array() ? json(std::vector<json>(40, old.empty() ? json() : old[0])) : json({old, old});
+    const std::vector<json> others{nullptr,       "\x1b[2J\n<script>", -1,   1e308, std::nan(""), UINT64_MAX,
+                                   json::array(), json::object(),      many, 3};
+    if (const std::size_t choice = random.below(14); choice < others.size())
+        return others[choice];
+    // one part less or more, or a number a little off
+    if (old.is_number())
+        return random.chance(0.5) ? json(-2.5 * old.get<double>()) : json(old.get<double>() + 1);
+    if (!old.is_array() || old.empty())
+        return true;
+    if (random.chance(0.5))
+        old.erase(old.size() - 1);
+    else
+        old.push_back(json(old[0]));
+    return old;
 }
 
 /// The value with one of its parts changed, at any depth.
@@ -144,7 +128,7 @@ void forge_search(const std::string& genes, const std::string& pipeline, bool se
 }
 
 /// Runs a command of the program in this process.
-void command(const app::Words& words) { run_part(app::commands(), words); }
+void command(const std::string& words) { run_part(app::commands(), app::split_command(words)); }
 
 /// Numbers as a database stores them.
 std::string packed(const std::vector<double>& values) {
@@ -185,38 +169,19 @@ TEST_CASE("forged checkpoints and results of a design are refused or harmless") 
     const tests::Folder folder;
     app::Words quiet{"--quiet"};
     app::parse_verbosity(quiet);
-    const std::string target =
-        folder.write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n4e-5,0.4\n8e-5,0.6\n1.6e-4,0.8\n").string();
-    const std::string out = (folder / "o").string();
-    const app::Words design{"design",
-                            "--target",
-                            target,
-                            "--nodes",
-                            "32",
-                            "--steps",
-                            "6",
-                            "--out",
-                            out,
-                            "--pictures",
-                            "off",
-                            "--threads",
-                            "1",
-                            "--alternatives",
-                            "1",
-                            "--pipeline",
-                            "sample 4 | score | repeat 3 { tournament 2 | cross uniform | mutate 0.2 | score "
-                            "| refine lm 1 | elite 1 } | best 1"};
-    const auto with = [&](app::Words more) {
-        app::Words words = design;
-        words.insert(words.end(), more.begin(), more.end());
-        return words;
-    };
-    command(with({"--evaluations", "10"}));
+    folder.write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n4e-5,0.4\n8e-5,0.6\n1.6e-4,0.8\n");
+    const std::string in = folder.path().string();
+    const std::string design =
+        "design --target '" + in + "/t.csv' --out '" + in +
+        "/o' --nodes 32 --steps 6 --threads 1 "
+        "--pictures off --alternatives 1 --pipeline 'sample 4 | score | repeat 3 { tournament 2 | "
+        "cross uniform | mutate 0.2 | score | refine lm 1 | elite 1 } | best 1' ";
+    command(design + "--evaluations 10");
     const fs::path checkpoint = folder / "o/checkpoint.cbor", result = folder / "o/result.json";
     forge("design", json::from_cbor(ga::opened(checkpoint)), 60, 15, [&](const json& content) {
         const auto bytes = json::to_cbor(content);
         ga::seal(checkpoint, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-        command(with({"--evaluations", "14", "--resume"}));
+        command(design + "--evaluations 14 --resume");
     });
     fs::remove(checkpoint);
     fs::remove(checkpoint.string() + ".before");
@@ -224,7 +189,7 @@ TEST_CASE("forged checkpoints and results of a design are refused or harmless") 
     brief = {{"inputs", brief["inputs"]}, {"verdict", brief["verdict"]}, {"summary", {{"found", true}}}};
     forge("result.json", brief, 60, 25, [&](const json& content) {
         folder.write("o/result.json", content.dump(-1, ' ', false, json::error_handler_t::replace));
-        command(with({"--resume"}));
+        command(design + "--resume");
     });
     const json genome = json::parse(rough::read_whole(folder / "o/genome.json"));
     forge("genome.json", genome, 60, 20,
