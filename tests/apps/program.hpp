@@ -67,17 +67,24 @@ inline Ended answered(Ended ended) {
 /// Runs the program in an empty folder.
 inline Ended rugosa(const std::string& words) { return rugosa(words, Folder().path()); }
 
-/// Runs the program, and asks it to stop `seconds` after the folder or non-empty file `sign` has appeared.
-/// Returns its exit code; its output is in the file log.
-inline int rugosa_stopped(double seconds, const std::string& sign, const std::string& words,
-                          const std::filesystem::path& where) {
-    const Folder folder;
-    const std::filesystem::path script =
-        folder.write("stop.sh", "cd '" + where.string() + "'\n'" RUGOSA_PROGRAM "' " + words +
-                                    " >log 2>&1 & child=$!\nuntil [ -d " + sign + " ] || [ -s " + sign +
-                                    " ]; do sleep 0.02; done\nsleep " + std::to_string(seconds) +
-                                    "; kill -TERM $child; wait $child\n");
-    return WEXITSTATUS(std::system(("bash '" + script.string() + "'").c_str()));
+/// Runs the program after the words `by`, and the shell's `commands` as soon as its condition `sign` holds.
+/// To them the program is $child.
+inline Ended disturbed(const std::string& words, const std::filesystem::path& where, const std::string& sign,
+                       const std::string& commands, const std::string& by = "") {
+    const Folder logs;
+    const auto script =
+        logs.write("disturb.sh", "cd '" + where.string() + "'\n" + by + " '" RUGOSA_PROGRAM "' " + words +
+                                     " >'" + (logs / "out").string() + "' 2>'" + (logs / "err").string() +
+                                     "' & child=$!\nuntil " + sign + "; do sleep 0.002; done\n" + commands +
+                                     "; wait $child\n");
+    const int status = std::system(("bash '" + script.string() + "' 2>/dev/null").c_str());
+    return {WEXITSTATUS(status), rough::read_whole(logs / "out"), rough::read_whole(logs / "err"), 0};
+}
+/// Asks it to stop `seconds` after the folder or non-empty file `sign` has appeared.
+inline Ended rugosa_stopped(double seconds, const std::string& sign, const std::string& words,
+                            const std::filesystem::path& where) {
+    return disturbed(words, where, "[ -d " + sign + " ] || [ -s " + sign + " ]",
+                     "sleep " + std::to_string(seconds) + "; kill -TERM $child");
 }
 
 } // namespace app::testing

@@ -179,20 +179,19 @@ TEST_CASE("an interrupted run ends its children and writes the best so far") {
     desk.write("slow.sh",
                "n=0; while read line; do n=$((n+1)); [ $n -gt 3 ] && { echo >begun; sleep 600; }; echo "
                "\"{\\\"id\\\":$n,\\\"objectives\\\":[$n]}\"; done\n");
-    CHECK(app::testing::rugosa_stopped(
-              0, "begun", "optimise --genes bits:9 --evaluate \"sh slow.sh\" --threads 1 --out out",
-              desk.path()) == 130);
+    const std::string words = "optimise --genes bits:9 --evaluate 'sh slow.sh' --threads 1 --out out";
+    CHECK(rugosa_stopped(0, "begun", words, desk.path()).code == 130);
     CHECK(desk.result("out")["best"]["objectives"][0] == 3);
 }
 
 TEST_CASE("children of a killed run end, and so do the processes that they started") {
     const Desk desk;
     desk.write("forks.sh", "sleep 1000 & echo $$ $! >begun; read line; sleep 1000\n");
-    desk.write("kill.sh",
-               "'" RUGOSA_PROGRAM "' optimise --genes bits:9 --evaluate 'sh forks.sh' --out out >log & "
-               "until [ -s begun ]; do sleep 0.02; done; kill -KILL $!; for process in $(cat begun); do\n"
-               "while grep -qs 'State:.[^Z]' /proc/$process/status; do sleep 0.02; done; done\n");
-    CHECK(std::system(("cd '" + desk.path().string() + "' && bash kill.sh").c_str()) == 0);
+    const Ended ended =
+        disturbed("optimise --genes bits:9 --evaluate 'sh forks.sh' --out out", desk.path(), "[ -s begun ]",
+                  "kill -KILL $child; for process in $(cat begun); do\n"
+                  "while grep -qs 'State:.[^Z]' /proc/$process/status; do sleep 0.02; done; done");
+    CHECK(ended.code == killed);
 }
 
 TEST_CASE("the log of a chatty child stays small, and its end is quoted") {

@@ -154,15 +154,9 @@ TEST_CASE("errors of theories and lines have the expected size on each scene") {
 
 TEST_CASE("chart.csv has the measurements so far when the program is killed") {
     const app::testing::Folder folder;
-    const std::string script =
-        folder
-            .write(
-                "kill.sh",
-                "cd '" + folder.path().string() +
-                    "'\n'" RUGOSA_PROGRAM "' chart --quick --minutes 1 --out r >log 2>&1 & child=$!\n"
-                    "until grep -qs hertz r/chart.csv; do sleep 0.02; done\nkill -KILL $child; wait $child\n")
-            .string();
-    CHECK(WEXITSTATUS(std::system(("bash '" + script + "' 2>/dev/null").c_str())) == app::testing::killed);
+    const auto ended = app::testing::disturbed("chart --quick --minutes 1 --out r", folder.path(),
+                                               "grep -qs hertz r/chart.csv", "kill -KILL $child");
+    CHECK(ended.code == app::testing::killed);
     const std::string table = rough::read_whole(folder / "r" / "chart.csv");
     CHECK_THAT(table, Catch::Contains("\nhertz,"));
     CHECK_THAT(table, !Catch::Contains("\nfractional-brownian,free,nested,2048,")); // the last scene

@@ -12,16 +12,9 @@ const std::string design =
     "--pipeline 'sample 30 | score | repeat 40 { tournament 2 | cross uniform | mutate 0.1 | score } | best "
     "1' ";
 
-/// Runs the program in a folder "o", and a command of the shell as soon as it holds a checkpoint.
-Ended disturbed(const Folder& folder, const std::string& words, const std::string& checkpoint,
-                const std::string& command) {
-    const fs::path script =
-        folder.write("gone.sh", keeping + "'" RUGOSA_PROGRAM "' " + words +
-                                    " --out o >log 2>err & child=$!\n" + "until [ -s " + checkpoint +
-                                    " ]; do sleep 0.002; done\n" + command + "; wait $child\n");
-    const int status =
-        std::system(("cd '" + folder.path().string() + "' && bash '" + script.string() + "'").c_str());
-    return {WEXITSTATUS(status), rough::read_whole(folder / "log"), rough::read_whole(folder / "err"), 0};
+/// Runs the design in a folder "o", and commands of the shell as soon as it holds a checkpoint.
+Ended moved(const Folder& folder, const std::string& commands) {
+    return disturbed(design + "--out o", folder.path(), "[ -s o/checkpoint.cbor ]", commands, keeping);
 }
 
 } // namespace
@@ -52,8 +45,7 @@ TEST_CASE("a checkpoint without room on the disk is reported once, and the resul
 TEST_CASE("a run whose folder is removed continues and writes its result to a new one") {
     const Folder folder;
     const Ended whole = rugosa(design + "--out whole", folder.path());
-    const Ended gone =
-        disturbed(folder, design, "o/checkpoint.cbor", "until rm -r o 2>/dev/null; do :; done");
+    const Ended gone = moved(folder, "until rm -r o 2>/dev/null; do :; done");
     INFO(gone.err);
     CHECK(gone.code == whole.code);
     CHECK_THAT(gone.out, Catch::Contains("cannot be written") && Catch::Contains("new"));
@@ -69,7 +61,7 @@ TEST_CASE("a run whose folder is replaced by a link writes to its folder, not to
     const std::vector<std::string> names{"result.json", "genome.json", "answer.csv", "checkpoint.cbor"};
     for (const std::string& name : names)
         folder.write("other/" + name, "precious");
-    const Ended ended = disturbed(folder, design, "o/checkpoint.cbor", "mv o own; ln -s other o");
+    const Ended ended = moved(folder, "mv o own; ln -s other o");
     INFO(ended.err);
     CHECK((ended.code == 0 || ended.code == 3));
     CHECK_THAT(ended.out, Catch::Contains("was moved") && Catch::Contains("own"));
