@@ -81,8 +81,34 @@ inline const std::string curve_header = "displacement_mm,pressure_MPa,contact_fr
                                         "tangent_stiffness_MPa_per_mm,kkt_residual,"
                                         "interface_stiffness_MPa_per_mm";
 
-/// The file of a genome of one wave.
-inline const std::string one_wave =
-    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]})";
+/// The file of a genome of one series; each wave has its n and its phases.
+inline std::string genome_text(double A, double H, double gamma,
+                               const std::map<int, std::vector<double>>& waves) {
+    nlohmann::json series{{"A", A}, {"H", H}, {"gamma", gamma}, {"lambda", 0.84942}};
+    for (const auto& [n, phases] : waves)
+        series["chromosomes"].push_back({{"n", n}, {"phases", phases}});
+    return nlohmann::json{{"series", nlohmann::json::array({series})}}.dump();
+}
+inline const std::string one_wave = genome_text(1, 0.8, 1.5, {{1, {0.3}}});
+
+/// A text file of numbers: f(i, j) in column i of row j.
+inline std::string table_text(int columns, int rows, const std::function<double(int, int)>& f,
+                              const std::string& separator = " ") {
+    std::string text;
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            text += std::to_string(f(i, j)) + (i + 1 < columns ? separator : "\n");
+    return text;
+}
+/// n heights, one a line.
+inline std::string heights_text(int n, const std::function<double(int)>& height) {
+    return table_text(1, n, [&](int, int i) { return height(i); });
+}
+/// n places and heights under the line `units`, e.g. "x [mm];z [um]".
+inline std::string profile_text(const std::string& units, int n, double spacing,
+                                const std::function<double(int)>& height) {
+    const auto cell = [&](int column, int i) { return column == 0 ? spacing * i : height(i); };
+    return units + "\n" + table_text(2, n, cell, ";");
+}
 
 } // namespace app::testing

@@ -89,8 +89,7 @@ TEST_CASE("the page of a curve shows pressure and gap, links to the files and is
 
 TEST_CASE("contact keeps to its accuracy and reports what was modelled") {
     const Folder folder;
-    folder.write("g.json", R"({"series":[{"A":1,"H":1.1,"gamma":1.7,"lambda":0.84942,"chromosomes":[
-        {"n":1,"phases":[0.3]},{"n":2,"phases":[4.1]},{"n":3,"phases":[2.2]},{"n":5,"phases":[5.0]}]}]})");
+    folder.write("g.json", genome_text(1, 1.1, 1.7, {{1, {0.3}}, {2, {4.1}}, {3, {2.2}}, {5, {5.0}}}));
     done(folder, "contact --genome g.json --nodes 4097 --out fine.csv");
     done(folder, "contact --genome g.json --accuracy 1e-2 --out cheap.csv");
     const auto fine = rows_of(folder.path() / "fine.csv", curve_header);
@@ -114,10 +113,10 @@ TEST_CASE("contact keeps to its accuracy and reports what was modelled") {
 TEST_CASE("the curve of a scan has a band, that of a genome has none") {
     const Folder folder;
     folder.write("g.json", one_wave);
-    std::string scan;
-    for (int i = 0; i < 300; ++i)
-        scan += std::to_string(std::cos(0.7 * i) + 0.5 * std::cos(0.11 * i) + 0.3 * std::sin(1.9 * i)) + "\n";
-    folder.write("scan.txt", scan);
+    const auto height = [](int i) {
+        return std::cos(0.7 * i) + 0.5 * std::cos(0.11 * i) + 0.3 * std::sin(1.9 * i);
+    };
+    folder.write("scan.txt", heights_text(300, height));
     const std::string press = "contact --profile scan.txt --unit um --spacing 1 --force --out c.csv ";
     const std::string header = curve_header +
                                ",contact_fraction_low,contact_fraction_high,"
@@ -149,10 +148,10 @@ TEST_CASE("the curve of a scan has a band, that of a genome has none") {
 TEST_CASE("contact, profile and design warn of contact spots that are not resolved at half of the loads") {
     const Folder folder;
     const auto write_scan = [&](double wavelength) { // in nodes
-        std::string scan;
-        for (int i = 0; i < 1000; ++i)
-            scan += std::to_string(std::cos(2 * M_PI * i / wavelength) + 0.2 * std::cos(0.037 * i)) + "\n";
-        folder.write("scan.txt", scan);
+        const auto height = [&](int i) {
+            return std::cos(2 * M_PI * i / wavelength) + 0.2 * std::cos(0.037 * i);
+        };
+        folder.write("scan.txt", heights_text(1000, height));
     };
     const std::string scan = "scan.txt --unit um --spacing 1 --force --out c";
     const auto warns = [&](const std::string& command, const std::string& page) {
@@ -190,14 +189,10 @@ TEST_CASE("contact takes a material's elasticity and warns beyond its hardness o
     CHECK(last("--material steel --modulus 1000") == last("--modulus 1000 --poisson 0.3"));
     check_refused(rugosa("contact --genome g.json --out n.csv --material stel", folder.path()), "steel");
 
-    std::string clean, spiked;
-    for (int i = 0; i < 500; ++i) {
-        const double height = std::cos(0.05 * i) + 0.01 * std::sin(7. * i);
-        clean += std::to_string(height) + "\n";
-        spiked += std::to_string(height + (i == 120 || i == 121 ? 5 : 0)) + "\n";
-    }
-    folder.write("clean.txt", clean);
-    folder.write("spiked.txt", spiked);
+    const auto clean = [](int i) { return std::cos(0.05 * i) + 0.01 * std::sin(7. * i); };
+    const auto spiked = [&](int i) { return clean(i) + (i == 120 || i == 121 ? 5 : 0); };
+    folder.write("clean.txt", heights_text(500, clean));
+    folder.write("spiked.txt", heights_text(500, spiked));
     const auto said = [&](const std::string& flags) {
         return done(folder,
                     "contact --unit um --spacing 1 --resolution off --force --out c.csv --profile " + flags)
@@ -239,15 +234,8 @@ TEST_CASE("one line replaces a map of parallel ridges within an accuracy, which 
             CHECK(of_area[j][column] == Approx(of_line[j][column]).epsilon(1e-6));
     CHECK(rows_of(folder / "area-spots.csv")[0][0] == Approx(of_line[4][2] * 640));
     CHECK_THAT(rough::read_whole(folder / "area.json"), Catch::Contains("\"by_line\": true"));
-    std::string bumps; // waves of two directions
-    for (int j = 0; j < 12; ++j) {
-        for (int i = 0; i < 12; ++i)
-            bumps += std::to_string(std::cos(i * M_PI / 6) * std::cos(j * M_PI / 6) +
-                                    0.1 * std::cos(i * M_PI / 6)) +
-                     " ";
-        bumps += "\n";
-    }
-    folder.write("map.txt", bumps);
+    const auto crossed = [](int i, int j) { return std::cos(i * M_PI / 6) * (std::cos(j * M_PI / 6) + 0.1); };
+    folder.write("map.txt", table_text(12, 12, crossed));
     const Ended map =
         done(folder, "contact --surface map.txt --spacing 1 --kernel periodic --reach 0.05 --steps 4 "
                      "--accuracy 0.01 --out m.csv");

@@ -10,10 +10,8 @@ namespace {
 
 /// Stiffness and contact area that no one surface has: those of two different ones.
 std::string two_targets(const Folder& folder) {
-    folder.write("a.json", R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":
-        [{"n":1,"phases":[0.3]},{"n":2,"phases":[2]},{"n":3,"phases":[4]}]}]})");
-    folder.write("b.json", R"({"series":[{"A":1,"H":1.2,"gamma":1.5,"lambda":0.84942,"chromosomes":
-        [{"n":1,"phases":[3.0]},{"n":2,"phases":[1]}]}]})");
+    folder.write("a.json", genome_text(1, 0.8, 1.5, {{1, {0.3}}, {2, {2}}, {3, {4}}}));
+    folder.write("b.json", genome_text(1, 1.2, 1.5, {{1, {3}}, {2, {1}}}));
     done(folder, "target --genome a.json --nodes 128 --to 1e-2 --out K.csv");
     done(folder, "target --genome b.json --nodes 128 --to 1e-2 --quantity area --out A.csv");
     return "design --target K.csv,A.csv --nodes 128 ";
@@ -21,19 +19,13 @@ std::string two_targets(const Folder& folder) {
 
 /// A surface with these phases of its second and fourth waves.
 std::string drifting(double second, double fourth) {
-    return "{\"series\":[{\"A\":1,\"H\":0.9,\"gamma\":1.6,\"lambda\":0.84942,\"chromosomes\":[{\"n\":1,"
-           "\"phases\":[0.3]},{\"n\":2,\"phases\":[" +
-           std::to_string(second) + "]},{\"n\":3,\"phases\":[4]},{\"n\":4,\"phases\":[" +
-           std::to_string(fourth) + "]}]}]}";
+    return genome_text(1, 0.9, 1.6, {{1, {0.3}}, {2, {second}}, {3, {4}}, {4, {fourth}}});
 }
 
 /// 401 points on 2 mm.
 void write_scan(const Folder& folder) {
-    std::string text = "x [mm];z [mm]\n";
-    for (int i = 0; i <= 400; ++i)
-        text += std::to_string(0.005 * i) + ";" +
-                std::to_string(1e-3 * (std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i + 1))) + "\n";
-    folder.write("scan.txt", text);
+    const auto height = [](int i) { return 1e-3 * (std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i + 1)); };
+    folder.write("scan.txt", profile_text("x [mm];z [mm]", 401, 0.005, height));
 }
 
 const std::string from_scan =

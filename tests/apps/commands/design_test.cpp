@@ -196,12 +196,10 @@ TEST_CASE("a design within an accuracy reports what it modelled and has exact si
 
 TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas]") {
     const Folder folder;
-    std::string matrix;
-    for (int j = 0; j < 18; ++j)
-        for (int i = 0; i < 20; ++i)
-            matrix += std::to_string(std::cos(0.3 * i + 0.1 * j) + 0.5 * std::cos(0.5 * j - 0.2 * i + 1)) +
-                      (i == 19 ? "\n" : " ");
-    folder.write("map.txt", matrix);
+    const auto height = [](int i, int j) {
+        return std::cos(0.3 * i + 0.1 * j) + 0.5 * std::cos(0.5 * j - 0.2 * i + 1);
+    };
+    folder.write("map.txt", table_text(20, 18, height));
     const json result = result_of(folder, "design --like map.txt --unit um --spacing 40x45" + pictured);
     CHECK(result["nodes"] == json({20, 18}));
     CHECK(result["length_mm"][0].get<double>() == Approx(0.76));

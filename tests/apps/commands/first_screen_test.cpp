@@ -1,3 +1,4 @@
+#include "domain/numerics/statistics.hpp"
 #include "domain/problem/made.hpp"
 #include "tests/apps/results.hpp"
 
@@ -16,11 +17,8 @@ const std::vector<double> pressures{0.001, 0.002, 0.004, 0.006, 0.008}, stiffnes
 
 /// All numbers in a sentence, in order.
 std::vector<double> numbers_in(const std::string& text) {
-    std::vector<double> all;
-    const std::regex number("-?[0-9]+(\\.[0-9]+)?(e-?[0-9]+)?");
-    for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
-        all.push_back(std::stod(it->str()));
-    return all;
+    return rough::column(found(text, "(-?[0-9]+(\\.[0-9]+)?(e-?[0-9]+)?)"),
+                         [](const std::string& number) { return std::stod(number); });
 }
 
 /// A unit's length in mm, or pressure in MPa.

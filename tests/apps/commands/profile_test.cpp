@@ -10,9 +10,7 @@ using namespace app::testing;
 
 namespace {
 
-const std::string genome =
-    R"({"series":[{"A":0.02,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]},
-       {"n":2,"phases":[2.1,4.4]},{"n":4,"phases":[5.5]}]}]})";
+const std::string genome = genome_text(0.02, 0.8, 1.5, {{1, {0.3}}, {2, {2.1, 4.4}}, {4, {5.5}}});
 
 } // namespace
 
@@ -67,11 +65,8 @@ TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a g
 
 TEST_CASE("a filtered scan has Ra, an unfiltered one Pa, and outliers are reported") {
     const Folder folder;
-    std::string scan = "x [mm];z [um]\n";
-    for (int i = 0; i <= 2500; ++i)
-        scan += std::to_string(0.002 * i) + ";" +
-                std::to_string(std::cos(2 * M_PI * i / 100) + (i == 1203 ? 9 : 0)) + "\n";
-    folder.write("scan.csv", scan);
+    const auto height = [](int i) { return std::cos(2 * M_PI * i / 100) + (i == 1203 ? 9 : 0); };
+    folder.write("scan.csv", profile_text("x [mm];z [um]", 2501, 0.002, height));
     const auto numbers = [&](const std::string& flags) {
         const Ended ended =
             done(folder, "profile --profile scan.csv --pictures off --force --out r " + flags);
@@ -95,13 +90,8 @@ TEST_CASE("a filtered scan has Ra, an unfiltered one Pa, and outliers are report
 
 TEST_CASE("a genome designed for a scan keeps the length of the scan in all commands") {
     const Folder folder;
-    folder.write("scan.txt", [] {
-        std::string text = "x [um];z [um]\n";
-        for (int i = 0; i <= 400; ++i)
-            text += std::to_string(0.5 * i) + ";" +
-                    std::to_string(std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i)) + "\n";
-        return text;
-    }());
+    const auto height = [](int i) { return std::cos(0.05 * i) + 0.3 * std::cos(0.31 * i); };
+    folder.write("scan.txt", profile_text("x [um];z [um]", 401, 0.5, height));
     const auto result =
         result_of(folder, "design --like scan.txt --quantity stiffness --nodes 128 --pictures off "
                           "--pipeline 'sample 5 | score | best 1'");
@@ -122,13 +112,9 @@ TEST_CASE("a genome designed for a scan keeps the length of the scan in all comm
 
 TEST_CASE("profile writes ISO 25178 parameters, heights, tile and pictures of a map") {
     const Folder folder;
-    std::string text; // grooves along y on a tilted plane, 40 x 24 nodes of 10 x 20 um
-    for (int j = 0; j < 24; ++j) {
-        for (int i = 0; i < 40; ++i)
-            text += std::to_string(2 * std::cos(2 * M_PI * i / 10) + 0.3 * i - 0.1 * j) + " ";
-        text += "\n";
-    }
-    folder.write("map.txt", text);
+    // grooves along y on a tilted plane, 40 x 24 nodes of 10 x 20 um
+    const auto height = [](int i, int j) { return 2 * std::cos(2 * M_PI * i / 10) + 0.3 * i - 0.1 * j; };
+    folder.write("map.txt", table_text(40, 24, height));
     const Ended ended =
         done(folder, "profile --surface map.txt --unit um --spacing 10x20 --magnify 100 --out o");
     CHECK_THAT(ended.out, Catch::Contains("40 x 24") && Catch::Contains("plane removed") &&

@@ -1,7 +1,5 @@
 #include "apps/prompt/goals.hpp"
-#include "tests/apps/program.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tests/apps/results.hpp"
 
 using namespace app::testing;
 
@@ -31,8 +29,7 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
     CHECK(made.lower[9] == Approx(1.078));
     CHECK(made.recorded.at("kernel") == "free");
 
-    folder.write("g.json", R"({"series":[{"A":1e-3,"H":1,"gamma":1.6,"lambda":0.84942,"chromosomes":[)"
-                           R"({"n":1,"phases":[0.3]},{"n":2,"phases":[1]},{"n":3,"phases":[4]}]}]})");
+    folder.write("g.json", genome_text(1e-3, 1, 1.6, {{1, {0.3}}, {2, {1}}, {3, {4}}}));
     for (const char* quantity : {"stiffness", "area", "area-displacement", "load", "interface_stiffness"}) {
         done(folder, std::string("target --genome g.json --kernel periodic --quantity ") + quantity +
                          " --out " + quantity + ".csv");

@@ -1,7 +1,5 @@
 #include "apps/commands/commands.hpp"
-#include "tests/apps/program.hpp"
-
-#include <regex>
+#include "tests/apps/results.hpp"
 
 using app::testing::Folder;
 
@@ -18,8 +16,7 @@ struct Comma : std::numpunct<char> {
 std::map<std::string, std::string> left_by_commands(const std::locale& locale) {
     const Folder folder;
     const auto in = [&](const std::string& name) { return (folder / name).string(); };
-    folder.write("genome.json", R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":)"
-                                R"([{"n":1,"phases":[0.3]},{"n":3,"phases":[1.25]}]}]})");
+    folder.write("genome.json", app::testing::genome_text(1, 0.8, 1.5, {{1, {0.3}}, {3, {1.25}}}));
     struct Back {
         std::locale before;
         ~Back() { std::locale::global(before); }

@@ -8,15 +8,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string genome =
-    R"({"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]},{"n":3,"phases":[1]}]}]})";
 const std::string quick_design =
     "design --target target.csv --nodes 128 --pipeline 'sample 2 | score | best 1' --out ";
 
 /// A folder with a genome, a target and a scan.
 struct Desk : Folder {
     Desk() {
-        write("genome.json", genome);
+        write("genome.json", genome_text(1, 0.8, 1.5, {{1, {0.3}}, {3, {1}}}));
         write("target.csv", rough::read_whole(RUGOSA_TEST_DATA "/target_paper.csv"));
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n5;3\n6;0\n7;2\n8;1\n9;2\n10;0\n11;1\n");
     }
