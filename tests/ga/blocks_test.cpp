@@ -4,17 +4,6 @@
 
 using namespace ga;
 
-namespace {
-
-Vector values_of(const Population<Vector>& population) {
-    Vector values;
-    for (const auto& each : population)
-        values.push_back(each.value());
-    return values;
-}
-
-} // namespace
-
 TEST_CASE("a block `until` ends at the first condition that holds") {
     const auto start = run("sample 20 | score", Reals{}).population;
     const auto generations = [&](const std::string& end) {

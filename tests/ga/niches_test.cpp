@@ -102,10 +102,7 @@ TEST_CASE("sharing and crowding keep both hills, unlike selection alone") {
 TEST_CASE("clearing keeps the best of each niche, up to its capacity") {
     const auto start = scored(line(), {{1}, {5}, {10}, {9.5}, {9.2}, {8.9}});
     const auto cleared = [&](const std::string& capacity) {
-        Vector genes;
-        for (const auto& each : run("clear 0.1 capacity=" + capacity, line(), start).population)
-            genes.push_back(each.genome[0]);
-        return genes;
+        return values_of(run("clear 0.1 capacity=" + capacity, line(), start).population);
     };
     CHECK(cleared("1") == Vector{10, 8.9, 5, 1});      // 8.9 is near 9.5, which went
     CHECK(cleared("2") == Vector{10, 9.5, 8.9, 5, 1}); // 8.9 is near 9.5 only

@@ -110,10 +110,7 @@ TEST_CASE("a hall of fame keeps the best different genomes, best first") {
     HallOfFame<Reals> hall(problem, 3);
     run("score | best 2 | repeat 1 { below 100 }", problem, individuals({1, 5, 3, 5, 6, 4}), {},
         {hall.observer()});
-    std::vector<double> values;
-    for (const auto& member : hall.members)
-        values.push_back(member.value());
-    CHECK(values == std::vector<double>{5, 4, 3});
+    CHECK(values_of(hall.members) == Vector{5, 4, 3});
     CHECK(hall.members[0].identity == 1);
 }
 

@@ -10,6 +10,35 @@
 
 using Vector = std::vector<double>;
 
+/// Functions with a known minimum of 0.
+namespace functions {
+
+inline double sphere(const Vector& x) { return std::inner_product(x.begin(), x.end(), x.begin(), 0.0); }
+/// Condition 1e6, rotated by mirroring at a diagonal plane.
+inline double ellipsoid(const Vector& x) {
+    double mean = 0, sum = 0;
+    for (const double each : x)
+        mean += each / static_cast<double>(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+        sum += std::pow(1e6, static_cast<double>(i) / static_cast<double>(x.size() - 1)) *
+               std::pow(x[i] - 2 * mean, 2);
+    return sum;
+}
+inline double rosenbrock(const Vector& x) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+        sum += 100 * std::pow(x[i + 1] - x[i] * x[i], 2) + std::pow(1 - x[i], 2);
+    return sum;
+}
+inline double rastrigin(const Vector& x) {
+    double sum = 0;
+    for (const double each : x)
+        sum += each * each + 10 * (1 - std::cos(2 * std::numbers::pi * each));
+    return sum;
+}
+
+} // namespace functions
+
 /// n real genes between `lower` and `upper`, and any function of them. By default the outcome is the genome;
 /// the objectives are minus the sum of its squares, and minus the square of its first gene.
 struct Reals {
@@ -20,13 +49,7 @@ struct Reals {
     std::size_t n = 6;
     std::function<Outcome(const Genome&)> f = [](const Genome& x) { return x; };
     double lower = -1, upper = 1;
-    Objectives list = {{"squares",
-                        [](const Outcome& x) {
-                            double sum = 0;
-                            for (const double each : x)
-                                sum -= each * each;
-                            return sum;
-                        }},
+    Objectives list = {{"squares", [](const Outcome& x) { return -functions::sphere(x); }},
                        {"first", [](const Outcome& x) { return -x[0] * x[0]; }}};
     std::vector<ga::Descriptor<Genome>> features = {};
     std::function<Vector(const Outcome&)> excess = [](const Outcome&) { return Vector(); }; ///< violations
@@ -92,6 +115,13 @@ inline ga::Population<Vector> individuals(const Vector& genes) {
         genomes.push_back({gene});
     return ga::population(genomes);
 }
+/// Their values, in order.
+inline Vector values_of(const ga::Population<Vector>& population) {
+    Vector values;
+    for (const auto& each : population)
+        values.push_back(each.value());
+    return values;
+}
 
 /// The largest distance of the draws' distribution from the expected one (Kolmogorov and Smirnov). One
 /// correct sample in a thousand exceeds 1.95.
@@ -106,40 +136,6 @@ double distance(Vector draws, const Distribution& distribution) {
     }
     return largest * std::sqrt(n);
 }
-
-/// Functions with a known minimum of 0.
-namespace functions {
-
-inline double sphere(const Vector& x) {
-    double sum = 0;
-    for (const double each : x)
-        sum += each * each;
-    return sum;
-}
-/// Condition 1e6, rotated by mirroring at a diagonal plane.
-inline double ellipsoid(const Vector& x) {
-    double mean = 0, sum = 0;
-    for (const double each : x)
-        mean += each / static_cast<double>(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-        sum += std::pow(1e6, static_cast<double>(i) / static_cast<double>(x.size() - 1)) *
-               std::pow(x[i] - 2 * mean, 2);
-    return sum;
-}
-inline double rosenbrock(const Vector& x) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < x.size(); ++i)
-        sum += 100 * std::pow(x[i + 1] - x[i] * x[i], 2) + std::pow(1 - x[i], 2);
-    return sum;
-}
-inline double rastrigin(const Vector& x) {
-    double sum = 0;
-    for (const double each : x)
-        sum += each * each + 10 * (1 - std::cos(2 * std::numbers::pi * each));
-    return sum;
-}
-
-} // namespace functions
 
 /// Residuals with derivatives of a fit of y(x) = a exp(-b x) + c. The five points have a = 2, b = 1.5, c =
 /// 0.5. Outcome: relative residuals r. Objectives: `fit` = 1 - max|r|, `low` and `high` of the first and last

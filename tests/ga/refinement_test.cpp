@@ -24,8 +24,7 @@ Landscape landscape(const VectorXd& start, double half,
 /// Rosenbrock's function as residuals of unit `unit`.
 Landscape rosenbrock(double unit) {
     return landscape(Eigen::Vector2d(-1.2, 1), 100, [unit](const VectorXd& x) {
-        Eigen::MatrixXd jacobian(2, 2);
-        jacobian << -20 * x[0], 10, -1, 0;
+        const Eigen::MatrixXd jacobian{{-20 * x[0], 10}, {-1, 0}};
         return Sensitivity{unit * Eigen::Vector2d(10 * (x[1] - x[0] * x[0]), 1 - x[0]), unit * jacobian};
     });
 }
@@ -91,8 +90,7 @@ TEST_CASE("every step of Levenberg-Marquardt is the published one") {
 TEST_CASE("sharpened Levenberg-Marquardt finds the least largest residual of a line through points") {
     // The best line through (0, 0), (1, 0), (2, 3) errs by 3/4 everywhere (Chebyshev); least squares by more.
     const Landscape line = landscape(VectorXd::Zero(2), 100, [](const VectorXd& x) {
-        Eigen::MatrixXd jacobian(3, 2);
-        jacobian << 1, 0, 1, 1, 1, 2;
+        const Eigen::MatrixXd jacobian{{1, 0}, {1, 1}, {1, 2}};
         return Sensitivity{jacobian * x - Eigen::Vector3d(0, 0, 3), jacobian};
     });
     const VectorXd found = lm(30, 1).improve(line);
@@ -108,8 +106,7 @@ TEST_CASE("a step of Levenberg-Marquardt does not depend on the unit of residual
 TEST_CASE("Levenberg-Marquardt ignores a variable that descent holds at its bound") {
     // r = (10 (y - x^2), 1 - x, x y - 2) with y held at 1, where descent would raise it
     const auto row = [](double x, double y, bool both, bool first) {
-        Eigen::MatrixXd jacobian(3, 2);
-        jacobian << -20 * x, 10, -1, 0, y, x;
+        Eigen::MatrixXd jacobian{{-20 * x, 10}, {-1, 0}, {y, x}};
         if (first)
             jacobian.col(0).swap(jacobian.col(1));
         return Sensitivity{Eigen::Vector3d(10 * (y - x * x), 1 - x, x * y - 2),

@@ -124,8 +124,6 @@ TEST_CASE("a replacement keeps the population's size, and elite and plus its bes
 TEST_CASE("steady replaces the worst by the children, whatever their fitness") {
     const auto zero = transform("zero", [](const Vector&) { return Vector{-7}; });
     const auto body = reals("best 1") | zero | reals("score | steady");
-    Vector values;
-    for (const auto& each : run(reals("score") | repeat(1, body), given(), individuals({3, 1, 2})).population)
-        values.push_back(each.value());
-    CHECK(values == Vector{3, -7, 2});
+    const auto result = run(reals("score") | repeat(1, body), given(), individuals({3, 1, 2}));
+    CHECK(values_of(result.population) == Vector{3, -7, 2});
 }
