@@ -295,7 +295,7 @@ TEST_CASE("a refinement keeps scored individuals when every evaluation fails") {
 
 TEST_CASE("an exception of a problem's conversion passes through NLopt unchanged") {
     CurveFit brittle;
-    for (const std::size_t n : {1, 3}) {
+    for (const std::size_t n : {1u, 3u}) {
         brittle.on_conversion = [] { throw std::domain_error("cannot be"); };
         for (const std::string method : {"nlopt LN_COBYLA", "minimax"})
             CHECK_THROWS_WITH(run("score | refine " + method + " 8", brittle, CurveFit::start(n)),

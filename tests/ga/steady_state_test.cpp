@@ -44,7 +44,7 @@ void run_scrambled(Search& search, std::uint64_t order) {
 
 TEST_CASE("the log of a steady-state search with answers in any order replays to the same bits") {
     std::string first;
-    for (const std::uint64_t order : {1, 2}) {
+    for (const std::uint64_t order : {1u, 2u}) {
         const auto search = search_of(300);
         run_scrambled(*search, order);
         CHECK(search->result().counters.asked == 300);

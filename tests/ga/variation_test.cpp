@@ -119,8 +119,8 @@ TEST_CASE("cross-over of positions only exchanges the genes of a position") {
 }
 
 TEST_CASE("n points cut two genomes into n + 1 alternating pieces") {
-    for (const std::size_t length : {2, 12})
-        for (const std::size_t n : {1, 2, 3, 7, 11})
+    for (const std::size_t length : {2u, 12u})
+        for (const std::size_t n : {1u, 2u, 3u, 7u, 11u})
             for (std::uint64_t seed = 0; seed < 30; ++seed) {
                 const auto child =
                     crossed(n_points(n), Bits(),

@@ -230,7 +230,7 @@ TEST_CASE("one line replaces a map of parallel ridges within an accuracy, which 
     CHECK_THAT(area.out, Catch::Contains("One profile, the mean along the grooves, replaces the map"));
     const auto of_area = rows_of(folder / "area.csv"), of_line = rows_of(folder / "line.csv");
     for (std::size_t j = 0; j < 5; ++j)
-        for (const std::size_t column : {0, 1, 2, 3})
+        for (const std::size_t column : {0u, 1u, 2u, 3u})
             CHECK(of_area[j][column] == Approx(of_line[j][column]).epsilon(1e-6));
     CHECK(rows_of(folder / "area-spots.csv")[0][0] == Approx(of_line[4][2] * 640));
     CHECK_THAT(rough::read_whole(folder / "area.json"), Catch::Contains("\"by_line\": true"));

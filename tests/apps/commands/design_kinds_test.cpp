@@ -113,9 +113,9 @@ TEST_CASE("a drifted surface is brought back by changing only the controlled chr
     CHECK(answer["morph"]["out_of_reach"].empty());
     const rough::Genome before = rough::read_genome(folder / "drifted.json"),
                         after = rough::read_genome(folder / "r" / "genome.json");
-    for (const std::size_t kept : {0, 2})
+    for (const std::size_t kept : {0u, 2u})
         CHECK(before.series[0].chromosomes[kept].phases == after.series[0].chromosomes[kept].phases);
-    for (const std::size_t moved : {1, 3})
+    for (const std::size_t moved : {1u, 3u})
         CHECK(std::abs(before.series[0].chromosomes[moved].phases[0] -
                        after.series[0].chromosomes[moved].phases[0]) <= 0.2 * std::numbers::pi);
 }

@@ -107,7 +107,7 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
         target_of(setup, 0.1, 0.2, [](double force) { return 1.2 * std::pow(force / 0.2, 1.35); })};
     const std::string relaxed = "sample 200 | score | best 8 | refine lm 60 | best 1";
     double gained = 0; // after two gradients
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const auto similarity = [&](const std::string& pipeline) {
             return search(setup, {.pipeline = pipeline, .seed = seed, .threads = 1}).best.similarity;
         };

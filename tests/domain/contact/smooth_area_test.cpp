@@ -15,8 +15,8 @@ struct Pressing {
 };
 
 /// A random profile or map, pressed to `reach` of its height.
-Pressing random_scene(std::mt19937_64& random, const Body& body, int ridges, double shortest, Grid grid,
-                      double reach) {
+Pressing random_scene(std::mt19937_64& random, const Body& body, std::size_t ridges, double shortest,
+                      Grid grid, double reach) {
     grid.periodic = body.kernel == Kernel::periodic;
     Pressing scene{sample(testing::random_genome(random, 1, ridges, 0.84942, shortest), grid), body, {}};
     scene.displacements = step_displacements(scene.profile, scene.body, {.reach = reach});

@@ -56,7 +56,7 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
                           .starts = {waves_of(0.3, 1), waves_of(0.301, 1), waves_of(-0.3, -1),
                                      waves_of(0.3, 2.2), waves_of(0.3, 0.2), waves_of(0.3, 1, 0.011)},
                           .threads = 1};
-    for (const std::size_t requested : {1, 2, 3, 5}) {
+    for (const std::size_t requested : {1u, 2u, 3u, 5u}) {
         options.alternatives = requested;
         const SearchResult found = search(setup, options);
         REQUIRE(found.alternatives.size() == std::min<std::size_t>(requested, 3));

@@ -122,7 +122,7 @@ TEST_CASE("texture: a wave's autocorrelation length, lay and aspect ratio", "[ar
         CHECK(texture(strip, periodic).Std == 90); // one wave, much wider than long
         // wave vector (6, 10/0.8): the lay is at right angles to it
         const Texture oblique = texture(wave(6, 10), periodic);
-        CHECK(oblique.Std == std::lround(std::fmod(std::atan2(12.5, 6) * 180 / pi + 90, 180)));
+        CHECK(oblique.Std == std::round(std::fmod(std::atan2(12.5, 6) * 180 / pi + 90, 180)));
     }
     const Profile alike = map_of({128, 128}, 1.0 / 128, 1.0 / 128, [](double x, double y) {
         return std::cos(16 * pi * x) + std::cos(16 * pi * y);

@@ -165,7 +165,7 @@ TEST_CASE("solved isotropic maps lie between Persson and Bush in area", "[theory
     }
     const double predicted_length = light_length(surface) / height;
     CHECK(predicted_length == Approx(0.42).epsilon(0.05));
-    for (const std::size_t j : {2, 3, 4}) // P/K grows with the load, in theory as well
+    for (const std::size_t j : {2u, 3u, 4u}) // P/K grows with the load, in theory as well
         CHECK(lengths[j] == Approx(predicted_length).epsilon(0.25));
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("an infeasible evaluation does not improve the precision") {
 }
 
 TEST_CASE("the knapsack's optimum is that of all its packings") {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const BitsInstance instance = knapsack_instance(14, seed);
         double lowest = HUGE_VAL;
         for (unsigned set = 0; set < (1u << 14); ++set) {
@@ -110,7 +110,7 @@ TEST_CASE("the knapsack's optimum is that of all its packings") {
 }
 
 TEST_CASE("the shortest tour is that of all orders, and of towns on a circle the polygon") {
-    for (const std::uint64_t seed : {1, 2}) {
+    for (const std::uint64_t seed : {1u, 2u}) {
         const std::vector<Town> towns = scattered_towns(8, seed);
         std::vector<std::uint32_t> order(8);
         std::iota(order.begin(), order.end(), 0u);
