@@ -125,7 +125,8 @@ struct ExchangeCaps : ga::NoParameters {
 /// first individual.
 CapStage independent_stage(const std::string& name, const CapStage& body, bool corrected) {
     return ga::derived_step<CapProblem>(
-        name, body, [corrected](CapDesigns designs, const CapStage& stages, ga::Context<CapProblem>& context) {
+        name, body,
+        [corrected](CapDesigns designs, const CapStage& stages, ga::Context<CapProblem>& context) {
             const CapGenome* like = corrected && !designs.empty() ? &designs.front().genome : nullptr;
             const CapProblem problem(with_independent_caps(context.problem().setup(), like));
             if (like) // its curves by both models

@@ -82,7 +82,8 @@ void validate(const DesignSetup& setup) {
         expect_recorded(target, setup.model);
         if (!(target.weight > 0) || target.weight > 1)
             refuse(target.name, ": weight ", target.weight, " is out of range (above 0, at most 1)");
-        if (setup.max_pressure && target.against_pressure() && target.last() > *setup.max_pressure * rounded_up)
+        if (setup.max_pressure && target.against_pressure() &&
+            target.last() > *setup.max_pressure * rounded_up)
             refuse(target.name, ": its pressures up to ", target.last(), " MPa exceed max-pressure, ",
                    *setup.max_pressure, " MPa; raise max-pressure");
         if (setup.max_pressure && !target.against_pressure())

@@ -294,7 +294,8 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     return points;
 }
 
-Points points_of(const Lines& lines, const ScanOptions& options, const std::string& file, ScanAccount& account) {
+Points points_of(const Lines& lines, const ScanOptions& options, const std::string& file,
+                 ScanAccount& account) {
     bool one_column = options.spacing > 0;
     for (std::size_t i = 0; i < lines.size() && !one_column; ++i)
         one_column = names_spacing(lines[i]);
