@@ -59,8 +59,7 @@ namespace {
 /// Tolerance of the adjoint's solves, relative to the right-hand side.
 constexpr double adjoint_tolerance = 1e-9;
 constexpr long max_iterations = 500;
-/// Keeps an edge's rate finite if both of its nodes stand at the edge of contact; relative to the
-/// displacement.
+/// Keeps an edge's rate finite if both of its nodes are at the edge of contact; a share of the displacement.
 constexpr double closest = 1e-9;
 
 } // namespace

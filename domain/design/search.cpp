@@ -13,8 +13,7 @@ namespace {
 constexpr std::size_t max_verified_on_area = 2; ///< answers of the pipeline
 constexpr int compared_draws = 200;             ///< draws of noise under which answers are compared
 
-/// Whether answers are compared by their similarity under the set-up's errors. On a map that takes too
-/// long.
+/// Whether answers are compared by their similarity under the set-up's errors; too long on a map.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
 /// A map's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.

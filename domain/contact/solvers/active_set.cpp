@@ -192,8 +192,7 @@ class ActiveSet {
         });
     }
 
-    /// The residual of the depths found last, over the approach: the greatest depth, and gaps on the contact
-    /// set.
+    /// The residual of the depths found last, over the approach: the greatest depth, and gaps in contact.
     double residual(double approach) const {
         const std::vector<int>& nodes = set_.nodes();
         const double gap = problem_.team->largest_of(static_cast<Index>(nodes.size()), [&](Index k) {
