@@ -79,6 +79,9 @@ TEST_CASE("a bootstrap interval holds the mean about as often as its confidence"
     }
     CHECK(held > 0.84 * trials);
     CHECK(held < 0.94 * trials);
+    const auto first = [](const std::vector<std::size_t>& picks) { return static_cast<double>(picks[0]); };
+    const Interval of_one_draw = bootstrap_interval(9, first, 1, 0.9, 1);
+    CHECK(of_one_draw.lower == of_one_draw.upper);
 }
 
 TEST_CASE("equal values share the mean of their ranks") {
