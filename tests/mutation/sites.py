@@ -112,7 +112,7 @@ def sites(text, choose):
         other = other.replace("\n", " ")  # lines keep their numbers
         found.append((start, end, "(rugosa_mutant({id}) ? (" + other + ") : (" + expression + "))",
                       described(text, start, expression) + " -> " + " ".join(other.split())))
-    for match in re.finditer(r"^([ \t]+)((?!return\b|throw\b|delete\b|using\b|const\b|auto\b|else\b|if\b)[\w:.\->\[\]]+\([^;{}]*\));$", mask, re.M):
+    for match in re.finditer(r"^([ \t]+)((?!return\b|decltype\b|throw\b|delete\b|using\b|const\b|auto\b|else\b|if\b)[\w:.\->\[\]]+\([^;{}]*\));$", mask, re.M):
         start, end = match.span(2)
         before = mask[:match.start()].rstrip()
         if free(start, end + 1) and before and before[-1] in ";{}" and "refuse" not in match[2] \
