@@ -1,11 +1,12 @@
 # What the compiler's time is spent on in a Release build: -O3 where most of the program's time goes in plain code,
-# -O1 on words and pages, and the engine with all its operators in one piece for the problems it is compiled for.
+# and the engine with all its operators in one piece for the problems it is compiled for.
 file(GLOB loops CONFIGURE_DEPENDS domain/contact/solvers/*.cpp)
 set_source_files_properties(${loops} domain/mwm/sampling.cpp domain/numerics/fourier.cpp
     PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
 
 # Many files are compiled together, in few groups, because each reading of the common headers costs seconds; without,
-# a change to one file costs less. Pipelines for a problem are a group of their own, as they take longest.
+# a change to one file costs less. Pipelines for a problem are a group of their own, as they take longest. CMake leaves
+# out files with options of their own, as the solvers, which keep each its own constants.
 function(rugosa_unity target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     foreach(source ${ARGN})
