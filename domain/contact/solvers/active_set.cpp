@@ -10,8 +10,6 @@ namespace rough {
 
 namespace {
 
-/// The residual below which rounding makes further iterations pointless.
-constexpr double finest = 1e-12;
 /// Factor by which the residual falls before the contact set is examined again.
 constexpr double loosening = 0.05, area_loosening = 0.1;
 /// Accuracy of displacements over the approach while the residual is far above it.
@@ -49,9 +47,9 @@ class ActiveSet {
             find_tangent();
             const double error =
                 std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
-            if (error <= options_.tolerance || tolerance <= finest)
+            if (error <= options_.tolerance || tolerance <= finest_residual)
                 return step_solution(set_, load_, tangent_, options_.states);
-            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
+            tolerance = std::max(finest_residual, 0.3 * tolerance * options_.tolerance / error);
         }
     }
 
@@ -247,7 +245,7 @@ class ActiveSet {
                 for (const int i : set_.nodes())
                     worst = std::max(worst, std::abs(depth_[i]) / approach);
                 // The next change is looked for at a residual well under what caused this one.
-                target = std::max(finest, loosening * worst);
+                target = std::max(finest_residual, loosening * worst);
             } else if (target > tolerance) {
                 target = std::max(tolerance, loosening * target);
             } else {
@@ -255,9 +253,9 @@ class ActiveSet {
                     purpose_ == Purpose::guess
                         ? target
                         : trusted_residual(problem_, approach, load_.pressure, load_.displacement);
-                if (target <= finest || target <= trusted)
+                if (target <= finest_residual || target <= trusted)
                     return;
-                target = std::max(finest, std::clamp(trusted, loosening * target, 0.5 * target));
+                target = std::max(finest_residual, std::clamp(trusted, loosening * target, 0.5 * target));
             }
             improve(approach, target);
         }

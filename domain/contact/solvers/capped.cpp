@@ -11,11 +11,11 @@ namespace {
 /// Residual of the gaps, over the approach, at which a step is solved.
 constexpr double settled = 1e-11;
 /// Factor by which the residual falls before the bounds are examined again.
-constexpr double loosening = 0.01;
+constexpr double falling = 0.01;
 /// Armijo's share of the descent that the gradient predicts.
 constexpr double share = 1e-4;
-constexpr int max_rounds = 500, max_halvings = 40;
-constexpr long max_iterations = 2000;
+constexpr int max_projections = 500, max_halvings = 40;
+constexpr long max_newton_iterations = 2000;
 constexpr double tangent_tolerance = 1e-10;
 
 class CappedContact {
@@ -30,7 +30,7 @@ class CappedContact {
         solver_.load(load_);
         const double enough = settled * approach;
         double worst = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < max_rounds; ++round) {
+        for (int round = 0; round < max_projections; ++round) {
             check_stop(options_);
             raise(enough);
             const double before = worst;
@@ -38,7 +38,7 @@ class CappedContact {
             // Rounding may allow no better; the certificate verifies.
             if (worst <= enough || (worst >= 0.5 * before && worst <= 100 * enough))
                 break;
-            if (!descend(std::max(0.1 * enough, loosening * worst)))
+            if (!descend(std::max(0.1 * enough, falling * worst)))
                 break;
         }
         return solution(approach);
@@ -73,7 +73,7 @@ class CappedContact {
     bool descend(double residual) {
         Loaded newton = load_;
         solver_.improve(
-            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, max_iterations);
+            free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, max_newton_iterations);
         const Eigen::VectorXd direction = newton.pressure - load_.pressure;
         Loaded next(problem_.nodes());
         double length = 1;

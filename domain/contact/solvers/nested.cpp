@@ -8,9 +8,7 @@ namespace rough {
 
 namespace {
 
-/// Gaps and penetrations below this, over the approach, are rounding.
-constexpr double rounding = 1e-13;
-constexpr int max_rounds = 200;
+constexpr int max_sweeps = 200;
 constexpr std::size_t min_batch = 64;
 
 /// Solves one load step after the other on one factor.
@@ -30,14 +28,14 @@ class NestedContact {
             factor_.append({static_cast<int>(highest)});
             touching_[static_cast<std::size_t>(highest)] = 1;
         }
-        for (int round = 0; round < max_rounds; ++round) {
+        for (int round = 0; round < max_sweeps; ++round) {
             check_stop(options_);
             find_pressures(approach, load);
             drop_tension(approach, load);
             const double* u = displacement();
             const Certificate certificate = certify(problem_, approach, factor_.nodes(), pressure_, u);
             residual = certificate.residual();
-            if (certificate.penetration <= rounding || !add_penetrating(approach, u, load.has_value()))
+            if (certificate.penetration <= gap_rounding || !add_penetrating(approach, u, load.has_value()))
                 break;
         }
         StepSolution step{factor_.nodes(), pressure_, factor_.stiffness(), {}, residual, 0, approach};
@@ -86,7 +84,7 @@ class NestedContact {
     /// node taken wrongly costs a new factor of the tail.
     bool add_penetrating(double approach, const double* u, bool by_load) {
         depth_ = approach - (problem_.gap + Eigen::Map<const Eigen::VectorXd>(u, problem_.nodes())).array();
-        std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, rounding * approach);
+        std::vector<int> added = advancing_nodes(depth_, touching_, problem_.shape, gap_rounding * approach);
         // Only the most certain ones, because most of the other nodes would be removed again far from the
         // solution.
         added.resize(std::min(added.size(), std::max(min_batch, factor_.nodes().size() / 2)));

@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double rounding = 1e-13;
-
 class LawsonHanson {
   public:
     LawsonHanson(const ContactProblem& problem, const ContactOptions& options)
@@ -78,7 +76,7 @@ class LawsonHanson {
     Index most_violated(double approach) {
         const double* u = direct_.apply(factor_.nodes(), pressure_);
         Index worst = -1;
-        double deepest = rounding * approach;
+        double deepest = gap_rounding * approach;
         for (Index i = 0; i < problem_.nodes(); ++i) {
             const double depth = approach - problem_.gap[i] - u[i];
             if (depth > deepest && !passive_[static_cast<std::size_t>(i)]) {

@@ -8,9 +8,7 @@ namespace {
 
 using Eigen::ArrayXd;
 
-constexpr long max_iterations = 5000;
-/// The residual below which rounding makes further iterations pointless.
-constexpr double finest = 1e-12;
+constexpr long max_gradient_steps = 5000;
 
 class PolonskyKeer {
   public:
@@ -40,9 +38,9 @@ class PolonskyKeer {
             solver_.tangent(set_, options_.tolerance, options_.states, tangent_);
             const double error =
                 std::abs(missing_load(problem_, approach, set_, load_, tangent_)) / load_.pressure.sum();
-            if (error <= options_.tolerance || tolerance <= finest)
+            if (error <= options_.tolerance || tolerance <= finest_residual)
                 break;
-            tolerance = std::max(finest, 0.3 * tolerance * options_.tolerance / error);
+            tolerance = std::max(finest_residual, 0.3 * tolerance * options_.tolerance / error);
         }
         StepSolution step = step_solution(set_, load_, tangent_, options_.states);
         step.approach = approach;
@@ -57,7 +55,7 @@ class PolonskyKeer {
         direction_.pressure.setZero();
         double previous = 1, residual = 1;
         bool conjugate = false;
-        for (long iteration = 0; iteration < max_iterations; ++iteration) {
+        for (long iteration = 0; iteration < max_gradient_steps; ++iteration) {
             if (iteration % 16 == 0)
                 check_stop(options_);
             auto& p = load_.pressure;
@@ -71,12 +69,12 @@ class PolonskyKeer {
             if (!std::isfinite(residual))
                 break;
             if (residual <= target) {
-                if (residual <= finest || problem_.is_2d()) // as the active set does
+                if (residual <= finest_residual || problem_.is_2d()) // as the active set does
                     return;
                 const double trusted = trusted_residual(problem_, approach, p, load_.displacement);
                 if (residual <= trusted)
                     return;
-                target = std::max(finest, std::min(0.5 * target, trusted));
+                target = std::max(finest_residual, std::min(0.5 * target, trusted));
             }
             ++iterations_;
             const double squares = contact.select(gap_.square(), 0).sum();

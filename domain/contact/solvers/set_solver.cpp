@@ -17,7 +17,7 @@ constexpr double single_depth = 1e-4;
 /// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
 constexpr double single_stiffness = 3e-7;
 /// Maximum number of iterations for the tangent, far above the number ever needed.
-constexpr long max_iterations = 5000;
+constexpr long max_tangent_iterations = 5000;
 
 /// A cut step is taken whole if the energy's minimum along it is beyond this share. Half would do, because
 /// there the energy is that of the start again.
@@ -425,7 +425,7 @@ void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry
     };
     improve(
         set, [](Index) { return 1.0; }, w, each_entry ? Enough{0.1 * tolerance} : Enough{0, good},
-        max_iterations);
+        max_tangent_iterations);
     if (tolerance < single_stiffness)
         load(w);
 }

@@ -4,6 +4,11 @@
 
 namespace rough {
 
+/// The residual below which rounding makes further iterations pointless.
+inline constexpr double finest_residual = 1e-12;
+/// Gaps and penetrations below this, over the approach, are rounding.
+inline constexpr double gap_rounding = 1e-13;
+
 // Each solver adds its load steps to `solution`. The solved ones stay there if it throws NotConverged. The
 // certificate applies H by another method than the solver.
 
