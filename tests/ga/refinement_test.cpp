@@ -80,7 +80,7 @@ VectorXd by_the_book(const Landscape& land, int evaluations) {
 } // namespace
 
 TEST_CASE("every step of Levenberg-Marquardt is the published one") {
-    for (int n = 1; n <= 12; ++n)
+    for (const int n : {1, 2, 3, 6, 12})
         for (const Landscape& land : {rosenbrock(1), noisy_curve(), many_variables()}) {
             CAPTURE(n, land.start.size());
             CHECK((lm(n).improve(land) - by_the_book(land, n)).norm() < 1e-6);
