@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <iomanip>
 #include <iostream>
 #include <numbers>
 
@@ -280,6 +281,9 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
                     };
                     CHECK(says("interpolated") == (account.solved_rows < account.rows));
                     CHECK(says("no accuracy was requested") == (account.accuracy == 0));
+                    std::ostringstream digits;
+                    digits << std::setprecision(2) << account.estimated_error;
+                    CHECK((account.accuracy == 0 || says("is at most " + digits.str() + "; ")));
                 }
             }
         }

@@ -20,7 +20,8 @@ struct Case {
 
 /// A random genome of three waves with its stiffness as target, up to a part of the load. With 3 `quantities`
 /// every third target is its contact fraction. The genome's amplitude has the relative error `error`.
-Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size_t quantities = 2) {
+Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size_t quantities = 2,
+               Index rows = 1) {
     ga::Stream random(ga::fold(seed, "case"));
     const auto phase = [&] { return random.uniform(0, 2 * std::numbers::pi); };
     Case one;
@@ -28,6 +29,8 @@ Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size
         random.uniform(0.001, 0.02),
         {{1, random.uniform(0.6, 1), 1.5, two_mm, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
     one.setup.model.grid = {nodes, two_mm};
+    if (rows > 1)
+        one.setup.model.grid.rows = rows, one.setup.model.grid.width = two_mm;
     one.setup.model.body.kernel = Kernel(seed % 3);
     one.setup.model = completed(one.setup.model);
     const Profile profile = sample(one.genome, one.setup.model.grid);
@@ -143,6 +146,18 @@ TEST_CASE("a unit tilt of a map rises by 1 along one side and is level along the
     for (Index i = 0; i < 20; ++i) {
         CHECK(tilts[0][i] == Approx(static_cast<double>(i % 5) / 4));
         CHECK(tilts[1][i] == Approx(std::floor(static_cast<double>(i) / 5) / 3));
+    }
+}
+
+TEST_CASE("the similarity of a map when made is the lowest under tilts both ways along both sides") {
+    for (const std::uint64_t seed : {3, 6, 9}) {
+        Case one = design_of(seed, 17, 0, 2, 16);
+        double lowest = 1;
+        for (const Eigen::VectorXd& tilt : unit_tilts(one.setup.model.grid))
+            for (const double size : {0.01, -0.01})
+                lowest = std::min(lowest, similarity_with(one, size * tilt));
+        one.setup.errors.tilt = 0.01;
+        CHECK(similarity_when_made(one.setup, one.genome) == Approx(lowest).epsilon(1e-9));
     }
 }
 

@@ -15,6 +15,12 @@ TEST_CASE("a word that is not a finite number is refused with its place") {
                           Catch::StartsWith("there: \"" + std::string(word) + "\" is not a finite number"));
 }
 
+TEST_CASE("the last digit of a number has the power of ten that is written") {
+    for (const auto& [cell, place] :
+         {std::pair("12", 0), {"1.25", -2}, {"3e4", 4}, {"1.25E-3", -5}, {"7e+2", 2}})
+        CHECK(number(cell, Dialect{})->last_place == place);
+}
+
 TEST_CASE("a comma before a blank separates columns, a decimal comma does not") {
     using Cells = std::vector<std::string_view>;
     const auto cells = [](std::string_view line) { return split(line, Dialect::Separator::comma_and_blank); };

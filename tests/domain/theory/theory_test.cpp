@@ -188,4 +188,7 @@ TEST_CASE("a realised surface has its parameters' spectrum and is independent of
         CHECK((realised(of, grid, 8).heights - surface.heights).norm() > 0.5 * surface.heights.norm());
     }
     CHECK_THROWS_AS(realised(usual, Grid{}, 1), InputError);
+    for (const double slope : {0., -0.1, HUGE_VAL, std::nan("")})
+        CHECK_THROWS_AS(random_surface({.hurst = 0.8, .longest = 1, .shortest = 0.01, .rms_slope = slope}),
+                        InputError);
 }
