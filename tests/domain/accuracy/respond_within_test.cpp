@@ -284,6 +284,7 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
                     std::ostringstream digits;
                     digits << std::setprecision(2) << account.estimated_error;
                     CHECK((account.accuracy == 0 || says("is at most " + digits.str() + "; ")));
+                    CHECK(says("nodes themselves") == (account.extrapolated() && account.resolved_rows > 0));
                 }
             }
         }
