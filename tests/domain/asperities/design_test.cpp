@@ -66,8 +66,7 @@ TEST_CASE("derivatives of every target of caps equal differences") {
             target.y.setConstant(0.1);
             const CapProblem problem(setup);
             CapGenome genome = random_genome(setup, 6);
-            for (std::size_t g = 0; g < genome.size();
-                 ++g) // no cap touches exactly at a point or with another
+            for (std::size_t g = 0; g < genome.size(); ++g) // no cap touches just at a point or with another
                 genome[g] += 1e-5 * (13.7 + static_cast<double>(g));
             const ga::Sensitivity at = problem.sensitivity(genome, "goal1");
             for (std::size_t g = 0; g < genome.size(); ++g) {
@@ -99,6 +98,17 @@ TEST_CASE("an answer of a pipeline without round is on the steps") {
     setup.targets = {hidden_law(setup, 3)};
     for (const char* pipeline : {"sample 4 | score | refine lm 5", "genetic"})
         CHECK(is_on_steps(setup, search(setup, {.pipeline = pipeline, .evaluations = 200}).best.genome));
+}
+
+TEST_CASE("exchanged caps change the law by their interaction only") {
+    for (const CapModel model : {CapModel::independent, CapModel::interacting}) {
+        CapSetup setup = made_of_pdms(3, model);
+        setup.radii = {0.3, 0.53, 0};
+        setup.targets = {hidden_law(setup, 3)};
+        const auto met = [&](const char* how) { return search(setup, {.pipeline = how}).best.similarity; };
+        const double moved = met("sample 1 | mutate 1 exchange | score") - met("sample 1 | score");
+        CHECK((std::abs(moved) < 1e-12) == (model == CapModel::independent));
+    }
 }
 
 TEST_CASE("round keeps a steep law better than the nearest steps do") {
