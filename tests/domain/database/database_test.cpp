@@ -43,10 +43,7 @@ void set_value(const fs::path& path, const std::string& name, const std::string&
 } // namespace
 
 TEST_CASE("a law's genome is valid, within the law, and depends only on its number") {
-    GenomeDistribution law;
-    law.series = 2;
-    law.ridges = 3;
-    law.shortest = 0.05;
+    const GenomeDistribution law{.series = 2, .ridges = 3, .shortest = 0.05};
     for (std::uint64_t index = 0; index < 50; ++index) {
         const Genome genome = drawn(law, index);
         CHECK_NOTHROW(validate(genome, "genome"));
@@ -59,10 +56,12 @@ TEST_CASE("a law's genome is valid, within the law, and depends only on its numb
         }
     }
     CHECK(genes(drawn(law, 1)) != genes(drawn(law, 2)));
-    law.gamma_from = 1;
-    CHECK_THROWS_WITH(validate(law), Catch::Contains("gamma"));
-    law = {.series = 16, .ridges = 1000, .shortest = 1e-300};
-    CHECK_THROWS_WITH(validate(law), Catch::Contains("phases per genome"));
+    for (const auto& [bad, problem] :
+         {std::pair(GenomeDistribution{.gamma_from = 1}, "gamma"),
+          {{.series = 0}, "series 0 is out of range"},
+          {{.series = 17}, "series 17 is out of range"},
+          {{.series = 16, .ridges = 1000, .shortest = 1e-300}, "phases per genome"}})
+        CHECK_THROWS_WITH(validate(bad), Catch::Contains(problem));
 }
 
 TEST_CASE("a set-up is read back from its fields for every kernel") {
@@ -88,8 +87,7 @@ TEST_CASE("a database has the genomes of its law and their responses to the bit"
         CHECK(genes(store.genome(index)) == genes(genome));
         const Response computed = respond(genome, setup.model), stored = store.response(index);
         CHECK((stored.range == computed.range && stored.displacement == computed.displacement));
-        CHECK(stored.pressure == computed.pressure);
-        CHECK(stored.contact_fraction == computed.contact_fraction);
+        CHECK((stored.pressure == computed.pressure && stored.contact_fraction == computed.contact_fraction));
         CHECK(stored.tangent_stiffness == computed.tangent_stiffness);
     }
     CHECK_THROWS_WITH(store.genome(30), Catch::Contains("genome 30 is not stored"));
@@ -159,8 +157,7 @@ TEST_CASE("a builder takes fresh batches first, then those of other builders, ne
     CHECK_FALSE(store.take(wanted, 10, all));
     CHECK(store.take(wanted, 10, none)->first == 20); // another builder's, from the end
     build(store, {.genomes = 20, .first = 5, .batch = 10});
-    CHECK(store.stored() == 20);
-    CHECK(store.batches().front().first == 5);
+    CHECK((store.stored() == 20 && store.batches().front().first == 5));
     CHECK(store.gaps({0, 30}).size() == 2);
     CHECK(store.gaps({7, 11}).empty());
     build(store, {.genomes = 30, .batch = 10});
@@ -251,8 +248,7 @@ TEST_CASE("a file that is not a genome database is refused") {
         CHECK_THROWS_WITH(GenomeStore::create(name, small_setup()),
                           Catch::Contains("is not the name of a file"));
     const fs::path empty = folder.write("empty.db", "");
-    CHECK_FALSE(GenomeStore::begun(empty));
-    CHECK_FALSE(GenomeStore::begun(folder / "none.db"));
+    CHECK_FALSE((GenomeStore::begun(empty) || GenomeStore::begun(folder / "none.db")));
     CHECK_NOTHROW(GenomeStore::create(empty, small_setup()));
     CHECK(GenomeStore::begun(empty));
 }
