@@ -109,7 +109,9 @@ TEST_CASE("starts on a periodic body are near their target, with Eq. 11 and with
     Target concave;
     concave.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
     concave.y = 0.35 + 0.95 * (concave.x.array() / 1.6e-4).pow(0.7);
-    for (const auto& [target, max_pressure] : {std::pair(rising, 0.0), {concave, 0.0}, {concave, 1.6e-4}}) {
+    const Target point{Quantity::stiffness, "", concave.x.tail(1), concave.y.tail(1)};
+    for (const auto& [target, max_pressure] :
+         {std::pair(rising, 0.0), {concave, 0.0}, {concave, 1.6e-4}, {point, 0.0}}) {
         DesignSetup setup;
         setup.model.body.kernel = Kernel::periodic;
         setup.targets = {target};
@@ -134,14 +136,14 @@ TEST_CASE("the inverse meets interface stiffness, load and contact fraction") {
         target.x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4);
         const Eigen::ArrayXd t = target.x.array() / 2e-4;
         target.y = quantity == Quantity::load_at_displacement  ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
-                   : quantity == Quantity::interface_stiffness ? Eigen::VectorXd(0.5 + 2.5 * t)
+                   : quantity == Quantity::interface_stiffness ? Eigen::VectorXd(0.5 + 40 * t)
                                                                : Eigen::VectorXd(0.05 + 0.5 * t);
         const InverseProfile inverse = inverse_profile(
             paper_line(nodes), body, outwards(nodes, 120), advance_for(target, nodes),
             target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
-        INFO("quantity " << int(quantity));
+        INFO("quantity " << int(quantity)); // the interface stiffness to 96 % contact
         CHECK(similarity(target, curve_of(quantity, response)) > 0.95);
     }
 }
