@@ -64,8 +64,7 @@ TEST_CASE("a triangle wave has a straight bearing curve, only core") {
         profile.heights[i] = 0.004 * std::abs(double(i % 400) + 0.5 - 200) / 200;
     const Roughness r = roughness(profile);
     CHECK(r["Pk"] == Approx(0.004).epsilon(1e-2));
-    CHECK(r["Ppk"] < 4e-5);
-    CHECK(r["Pvk"] < 4e-5);
+    CHECK((r["Ppk"] < 4e-5 && r["Pvk"] < 4e-5));
     CHECK(r["Pa"] == Approx(0.001).epsilon(1e-3));
     CHECK(r["Pq"] == Approx(0.002 / std::sqrt(3)).epsilon(1e-3));
     CHECK(r["Pku"] == Approx(1.8).epsilon(1e-3));
