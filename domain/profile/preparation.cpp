@@ -195,10 +195,10 @@ double middle(Iterator first, Iterator end) {
 struct Predicted {
     double median, line;
 };
-/// Predicts a node's height from its left (`step` -1) or right (1); nothing with fewer than three nodes that
-/// are not outliers.
-std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, Index step,
-                                   const std::vector<bool>& is_outlier) {
+/// Predicts a node's height from its left (`step` -1) or right (1), where the outermost `min_aside` nodes are
+/// never outliers.
+Predicted predicted(const Eigen::VectorXd& heights, Index node, Index step,
+                    const std::vector<bool>& is_outlier) {
     std::array<double, side> z, line, distance;
     std::array<double, side*(side - 1) / 2> slopes;
     auto slope = slopes.begin();
@@ -211,13 +211,11 @@ std::optional<Predicted> predicted(const Eigen::VectorXd& heights, Index node, I
             *slope++ = (z[count] - z[j]) / (distance[count] - distance[j]);
         ++count;
     }
-    if (count < static_cast<std::size_t>(min_aside))
-        return std::nullopt;
     const double steepness = middle(slopes.begin(), slope);
     for (std::size_t i = 0; i < count; ++i)
         line[i] = z[i] - steepness * distance[i];
     const auto end = static_cast<std::ptrdiff_t>(count);
-    return Predicted{middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
+    return {middle(z.begin(), z.begin() + end), middle(line.begin(), line.begin() + end)};
 }
 
 /// The median step between neighbours near this node.
@@ -244,11 +242,9 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     // lines, because medians on a slope would hide them.
     const auto stands_out = [&](Index i, bool is_flank) {
         const auto left = predicted(heights, i, -1, is_outlier), right = predicted(heights, i, 1, is_outlier);
-        if (!left || !right)
-            return 0;
-        auto [lowest, highest] = std::minmax({left->line, right->line});
+        auto [lowest, highest] = std::minmax({left.line, right.line});
         if (!is_flank)
-            std::tie(lowest, highest) = std::minmax({lowest, highest, left->median, right->median});
+            std::tie(lowest, highest) = std::minmax({lowest, highest, left.median, right.median});
         const double beyond = std::max(heights[i] - highest, lowest - heights[i]),
                      times = is_flank ? flank_steps : particle_steps;
         if (beyond > times * usual && beyond > 3 * resolved && beyond > times * usual_step(steps, i))
