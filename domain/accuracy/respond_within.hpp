@@ -15,7 +15,7 @@ struct Account {
     int read_grids = 1;                ///< number of last grids whose curves are used; several: extrapolated
     int rows = 0;                      ///< number of load steps
     int solved_rows = 0;               ///< load steps solved on the last grid
-    int resolved_rows = 0;             ///< first load steps, taken from the resolved grid
+    int resolved_rows = 0;             ///< load steps taken from the resolved grid: the first ones, or all
     int light_rows = 0;                ///< first load steps whose errors are relative to the last pressure
     std::vector<ChromosomePlace> used; ///< modelled chromosomes; empty for a measured profile
     std::vector<ChromosomePlace> dropped; ///< omitted chromosomes; empty for a measured profile

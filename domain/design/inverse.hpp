@@ -20,8 +20,8 @@ using Advance = std::function<std::vector<double>(const Eigen::VectorXd& stiffne
 
 /// The advance for a profile that matches the target. Node k + 1 touches when the target's curve passes the
 /// middle between the value for k nodes and the value for k + 1. The curve is linear between its points and
-/// continued with its end slopes; a part that falls is replaced by the highest value before it. `nodes` is N,
-/// by which contact fractions are counted.
+/// continued with its end slopes. From a single point it falls to half the value at 0. A part that falls is
+/// replaced by the highest value before it. `nodes` is N, by which contact fractions are counted.
 Advance advance_for(const Target& target, Index nodes);
 
 /// Solves the contact problem backwards. H is the influence matrix (kernel.hpp), and H_AA its part for a
