@@ -367,6 +367,7 @@ TEST_CASE("an incomplete map is refused with its place", "[map]") {
     CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0 5\n"), Catch::Contains("line 5"));
     CHECK_THAT(map_refusal("0 0 1\n1 0 2\n3 0 2\n0 1 3\n1 1 4\n3 1 5\n"), Catch::Contains("even steps"));
     CHECK_THAT(map_refusal("1 2 3 4\n", {.spacing = 1, .row_spacing = 1}), Catch::Contains("2 x 2"));
+    CHECK_THAT(map_refusal(x3p(line)), Catch::Contains("2 x 2"));
 }
 
 TEST_CASE("a map's VTK file has every point, highest byte first", "[map]") {

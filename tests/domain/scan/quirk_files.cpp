@@ -138,8 +138,8 @@ std::vector<QuirkFile> headers() {
         {"a first width of nothing and a factor of no unit",
          "Width = 0 um\nHeight conversion factor (of a volt) = 3\nPixel size = 0.5 um\nValue units: nm\n" +
              one_column({.height_unit = 1e-6})},
-        {"pixel size and height factor",
-         "pixel size = 0.5 um\nheight conversion factor (-> m) = 1e-6\n" + one_column({.height_unit = 1e-3})},
+        {"pixel size in a bracketed unit and height factor",
+         "pixel size: 0.5[um]\nheight conversion factor (-> m) = 1e-6\n" + one_column({.height_unit = 1e-3})},
     };
 }
 

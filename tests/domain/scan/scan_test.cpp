@@ -92,7 +92,8 @@ TEST_CASE("an unknown unit is refused by its name unless a unit is given") {
                        Catch::Contains("or give one"));
         CHECK_NOTHROW(read(header + "\n0 1\n1 2\n2 1\n", {.unit = "in"}));
     }
-    CHECK_THAT(refusal("x [mm];z [a.u.]\n0;1\n1;2\n2;1\n"), Catch::Contains("'a.u.'"));
+    for (const std::string unit : {"a.u.", "zoll"})
+        CHECK_THAT(refusal("x [mm];z [" + unit + "]\n0;1\n1;2\n2;1\n"), Catch::Contains("'" + unit + "'"));
     for (const std::string header : {"x (raw);z (filtered)", "[X];[Z]", "x [0];z [1]"})
         CHECK_NOTHROW(read(header + "\n0;1\n1;2\n2;1\n"));
 }
@@ -127,7 +128,8 @@ TEST_CASE("unevenly spaced points are resampled on the straight lines between th
     for (Index i = 0; i < 4; ++i)
         CHECK(scan.measured.heights[i] == Approx(2 * 11. / 4 * double(i)));
     CHECK(scan.measured.heights[4] == Approx(0).margin(1e-12));
-    CHECK_THAT(scan.account, Catch::Contains("resampled linearly to 5 evenly spaced nodes"));
+    CHECK_THAT(scan.account,
+               Catch::Contains("spacing uneven (1 to 6 mm); resampled linearly to 5 evenly spaced nodes"));
     CHECK(read("0 0\n1 2\n4 8\n10 20\n11 0\n", {.detrend = Detrend::none, .nodes = 45}).measured.heights[4] ==
           Approx(2));
 }
