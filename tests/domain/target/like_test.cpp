@@ -10,15 +10,12 @@ namespace {
 Profile waves(Index nodes = 128) {
     Profile profile{Eigen::VectorXd(nodes), 0.01};
     for (Index i = 0; i < profile.nodes(); ++i)
-        profile.heights[i] =
-            std::cos(0.1 * static_cast<double>(i)) + 0.2 * std::cos(0.37 * static_cast<double>(i));
+        profile.heights[i] = std::cos(0.1 * double(i)) + 0.2 * std::cos(0.37 * double(i));
     return profile;
 }
 
 Model model_of(const Profile& profile) {
-    Model model;
-    model.grid = {profile.nodes(), profile.spacing * static_cast<double>(profile.nodes() - 1)};
-    return model;
+    return {.grid = {profile.nodes(), profile.spacing * double(profile.nodes() - 1)}};
 }
 
 } // namespace
@@ -35,6 +32,8 @@ TEST_CASE("a target like a profile is the profile's curve at even points") {
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * curve.to).last() ==
           0.25 * curve.to);
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * curve.to).last() == curve.to);
+    const Target band = target_like(profile, model, "waves", Quantity::stiffness, 5, 0, Resolution::on);
+    CHECK((band.upper - band.lower).cwiseQuotient(band.y).maxCoeff() < 0.02);
 }
 
 TEST_CASE("a profile meets its response as a target, in few load steps as well") {
