@@ -98,6 +98,8 @@ TEST_CASE("interface stiffness is K on a periodic half-plane and infinite at ful
     CHECK(interface_stiffness(springs) == Eigen::Vector3d(0, 4.0 / 3, 4));
     springs.contact_fraction.setOnes(), springs.held_nodes = 1; // full contact at the hardness is not rigid
     CHECK(interface_stiffness(springs) == Eigen::Vector3d(0, 4.0 / 3, 4));
+    const Eigen::Vector3d x(1, 2, 3), one(1, 1, 1), slopes(16.0 / 9, 4, 0); // no derivative at full contact
+    CHECK(interface_jacobian({x, one}, {x, Eigen::Vector3d(1, 2, 4), 0, 3}, 4).y == slopes);
 }
 
 TEST_CASE("the interface's secants follow central differences in every gene") {
