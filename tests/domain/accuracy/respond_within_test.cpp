@@ -254,6 +254,7 @@ TEST_CASE("interpolated rows are within their bound on every kernel") {
             const LoadRows read = solve_rows(profile, body, displacements, {}, accuracy);
             INFO("trial " << trial << ", accuracy " << accuracy << ", solved " << read.solved);
             CHECK(read.error <= accuracy);
+            CHECK(Index(read.last_contact.size()) == std::lround(200 * read.steps.back().contact_fraction));
             CHECK(relative_error(pressure(read), pressure(exact)) <= read.error * 1.2 + 1e-9);
             spared += 1500 - read.solved;
         }
@@ -292,6 +293,8 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
 
 TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted within their bound") {
     Genome genome{1, {{1, 1, 1.5, paper_length, {{1, {0.3}}}}}};
+    for (const double error : {0.0, 1e-2}) // all nodes are at the same height of the wave
+        CHECK_THROWS_WITH(respond(genome, within({{2, paper_length}}, error)), Catch::Contains("use waves"));
     const AccountedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
     CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
