@@ -145,6 +145,7 @@ TEST_CASE("bounds that do not fit are refused") {
                           Catch::Contains(message));
     };
     refused({{1, -1, 1}, {0, -1, 1}}, "cross blend", "ascending order");
+    refused({{0, -1, 1}, {0, -1, 1}}, "mutate 1", "ascending order");
     refused({{0, 1, -1}, {1, -1, 1}}, "mutate 1", "above the upper");
     refused({{7, 0, 1}}, "refine nlopt LN_COBYLA 3", "refine: gene 7");
     refused({{0, -HUGE_VAL, HUGE_VAL}}, "refine nlopt GN_CRS2_LM 8",

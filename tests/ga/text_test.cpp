@@ -160,6 +160,7 @@ TEST_CASE("an unknown word is refused with the nearest known one") {
             "pipeline, column 1: stage 'refine' lacks its kind; use one of minimax, mma, lm, nlopt");
     refused("cross order", "pipeline, column 1: stage 'cross order' cannot work here; use a problem that has "
                            "a permutation for a genome");
+    CHECK(suggestion("emited", {"elite", "emit"}) == "; did you mean 'emit'?"); // its root
     CHECK(edits("csore", "score") == 1); // two letters that changed places
     CHECK(edits("scoer", "score") == 1);
     CHECK(edits("abc", "cab") == 2);
