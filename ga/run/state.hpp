@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <any>
+#include <cstdio>
 #include <list>
 #include <map>
 
@@ -232,9 +233,11 @@ class RunState {
     void note(std::string text) {
         if (notes.size() < max_notes)
             return notes.push_back(std::move(text));
-        if (more_notes_++ == 0)
+        if (notes.size() == max_notes)
             notes.emplace_back();
-        notes.back() = "and " + std::to_string(more_notes_) + " more remarks";
+        std::size_t more = 0; // a checkpoint keeps the number in these words
+        std::sscanf(notes.back().c_str(), "and %zu", &more);
+        notes.back() = "and " + std::to_string(more + 1) + " more remarks";
     }
 
     /// Keeps a block's frame as long as this object exists: a new frame, or the saved one of a resumed run.
@@ -275,8 +278,6 @@ class RunState {
 
   private:
     static constexpr std::size_t max_notes = 100;
-
-    std::size_t more_notes_ = 0;
 };
 
 /// Saves a run while it proceeds, so that it can be resumed after its process has ended.

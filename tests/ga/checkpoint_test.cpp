@@ -150,6 +150,8 @@ TEST_CASE("a resumed run keeps its notes") {
     REQUIRE_FALSE(part.stopped.empty());
     const auto result = run(pipeline, Reals{}, {}, {}, {}, &resume);
     CHECK(result.notes == std::vector<std::string>{"pipeline/above.1: 0 of 8 above 1; took the 3 best"});
+    const std::string many = "sample 8 | repeat 150 { mutate 1 | score | above 9 at_least=8 }";
+    CHECK(bits_of(in_pieces(many, Reals{}, 200)) == bits_of(run(many, Reals{})));
 }
 
 TEST_CASE("individuals of every kind are written and read without loss") {
