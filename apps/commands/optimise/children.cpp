@@ -273,9 +273,12 @@ std::string Children::log_tail() const {
 
 void Children::bound_log() {
     struct stat there {};
+    const std::lock_guard lock(trouble_mutex_);
     if (fstat(log_, &there) != 0 || there.st_size <= max_log)
         return;
-    const std::lock_guard lock(trouble_mutex_);
+    constexpr off_t blocks = 1 << 20; // some file systems remove a first part, and lose no text
+    if (fallocate(log_, FALLOC_FL_COLLAPSE_RANGE, 0, (there.st_size - kept_log) / blocks * blocks) == 0)
+        return;
     std::string tail;
     off_t seen = 0; // text that a child writes between reading and cut is lost
     for (int tries = 0; tries < 100 && fstat(log_, &there) == 0 && there.st_size != seen; ++tries) {
