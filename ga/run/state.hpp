@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <any>
-#include <cstdio>
+#include <charconv>
 #include <list>
 #include <map>
 
@@ -235,8 +235,9 @@ class RunState {
             return notes.push_back(std::move(text));
         if (notes.size() == max_notes)
             notes.emplace_back();
-        std::size_t more = 0; // a checkpoint keeps the number in these words
-        std::sscanf(notes.back().c_str(), "and %zu", &more);
+        const std::string& last = notes.back(); // "and N more remarks", from which a resumed run reads N
+        std::size_t more = 0;
+        std::from_chars(last.data() + std::min<std::size_t>(4, last.size()), last.data() + last.size(), more);
         notes.back() = "and " + std::to_string(more + 1) + " more remarks";
     }
 
