@@ -195,8 +195,8 @@ double middle(Iterator first, Iterator end) {
 struct Predicted {
     double median, line;
 };
-/// Predicts a node's height from its left (`step` -1) or right (1), where the outermost `min_aside` nodes are
-/// never outliers.
+/// Predicts a node's height from its left (`step` -1) or right (1). The outermost `min_aside` nodes are never
+/// outliers, so that either side has nodes that predict.
 Predicted predicted(const Eigen::VectorXd& heights, Index node, Index step,
                     const std::vector<bool>& is_outlier) {
     std::array<double, side> z, line, distance;

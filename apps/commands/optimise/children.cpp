@@ -276,7 +276,7 @@ void Children::bound_log() {
     const std::lock_guard lock(trouble_mutex_);
     if (fstat(log_, &there) != 0 || there.st_size <= max_log)
         return;
-    constexpr off_t blocks = 1 << 20; // some file systems remove a first part, and lose no text
+    constexpr off_t blocks = 1 << 20; // some file systems remove the first ones and lose no text
     if (fallocate(log_, FALLOC_FL_COLLAPSE_RANGE, 0, (there.st_size - kept_log) / blocks * blocks) == 0)
         return;
     std::string tail;

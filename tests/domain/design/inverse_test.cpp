@@ -143,7 +143,7 @@ TEST_CASE("the inverse meets interface stiffness, load and contact fraction") {
             target.against_pressure() ? 2e-4 : infinity, target.against_pressure() ? infinity : 2e-4);
         const Response response =
             respond(inverse.profile, body, {.steps = 80, .to_displacement = inverse.last_displacement});
-        INFO("quantity " << int(quantity)); // the interface stiffness to 96 % contact
+        INFO("quantity " << int(quantity)); // interface stiffness needs contact of 96 %
         CHECK(similarity(target, curve_of(quantity, response)) > 0.95);
     }
 }

@@ -149,7 +149,7 @@ TEST_CASE("a unit tilt of a map rises by 1 along one side and is level along the
     }
 }
 
-TEST_CASE("the similarity of a map when made is the lowest under tilts both ways along both sides") {
+TEST_CASE("the similarity of a map when made is the lowest under rising and falling tilts along both sides") {
     for (const std::uint64_t seed : {3, 6, 9}) {
         Case one = design_of(seed, 17, 0, 2, 16);
         double lowest = 1;

@@ -158,7 +158,7 @@ TEST_CASE("some starts shaped to the drawn target are near it before any search"
     }
 }
 
-TEST_CASE("the amplitude that fits a genome's own curve is the genome's") {
+TEST_CASE("the amplitude that fits the curve of a genome is the genome's") {
     std::mt19937_64 random(19);
     DesignSetup setup = drawn_setup(64);
     setup.model.loading.steps = 40; // a fit has no fewer
@@ -169,7 +169,7 @@ TEST_CASE("the amplitude that fits a genome's own curve is the genome's") {
         genome.scale = 3;
         CHECK(with_fitting_amplitude(setup, genome).series[0].A == Approx(genome.series[0].A).epsilon(1e-6));
         setup.targets[0].x.conservativeResize(1), setup.targets[0].y.conservativeResize(1);
-        CHECK(similarity(setup, with_fitting_amplitude(setup, genome)) > 0.97); // by the first point alone
+        CHECK(similarity(setup, with_fitting_amplitude(setup, genome)) > 0.97); // one point is enough
     }
 }
 
