@@ -1,7 +1,6 @@
 # cmake -C .cmake/dev.cmake -S . -B .build-dev: for daily work, with the tests; quick to build, by Ninja and through
 # ccache where they are there.
 set(CMAKE_BUILD_TYPE Release CACHE STRING "")
-set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG" CACHE STRING "")
 set(RUGOSA_UNITY OFF CACHE BOOL "")
 find_program(NINJA ninja)
 if(NINJA)

@@ -1,16 +1,19 @@
-# What the compiler's time is spent on in a Release build: -O3 where most of the program's time goes in plain code,
-# and the engine with all its operators in one piece for the problems it is compiled for.
-file(GLOB solvers CONFIGURE_DEPENDS domain/contact/solvers/*.cpp)
+# What the compiler's time is spent on in a Release build: -O2 for the files below, where most of the program's time goes
+# in plain code, and the engine with all its operators in one piece for the problems it is compiled for.
+file(GLOB computing CONFIGURE_DEPENDS domain/contact/solvers/*.cpp domain/mwm/sampling.cpp)
 if(RUGOSA_UNITY) # CMake leaves files with options of their own out of its groups
-    set_source_files_properties(${solvers} PROPERTIES HEADER_FILE_ONLY ON)
-    list(TRANSFORM solvers REPLACE "(.+)" "#include <\\1>")
-    list(JOIN solvers "\n" together)
-    set(solvers ${CMAKE_CURRENT_BINARY_DIR}/solvers.cpp)
-    file(CONFIGURE OUTPUT ${solvers} CONTENT "${together}\n" @ONLY)
-    target_sources(rugosa_domain PRIVATE ${solvers})
+    set_source_files_properties(${computing} PROPERTIES HEADER_FILE_ONLY ON)
+    list(TRANSFORM computing REPLACE "(.+)" "#include <\\1>")
+    list(JOIN computing "\n" together)
+    set(computing ${CMAKE_CURRENT_BINARY_DIR}/computing.cpp)
+    file(CONFIGURE OUTPUT ${computing} CONTENT "${together}\n" @ONLY)
+    target_sources(rugosa_domain PRIVATE ${computing})
 endif()
-set_source_files_properties(${solvers} domain/mwm/sampling.cpp domain/numerics/fourier.cpp
-    PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O1") # other flags are the user's
+    # Without the precompiled header: GCC keeps to the optimisation of that one, whatever its command says.
+    set_source_files_properties(${computing} domain/numerics/fourier.cpp
+        PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O2> SKIP_PRECOMPILE_HEADERS ON)
+endif()
 
 # Many files are compiled together, in few groups, because each reading of the common headers costs seconds; without,
 # a change to one file costs less. Pipelines for a problem are a group of their own, as they take longest.
