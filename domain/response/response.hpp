@@ -98,10 +98,10 @@ Response scaled(Response response, double factor);
 
 /// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.
 struct Model {
-    Grid grid;              ///< nodes of the surface
-    Body body;              ///< elastic body
-    Loading loading;        ///< load steps
-    ContactOptions contact; ///< solver
+    Grid grid;                ///< nodes of the surface
+    Body body{};              ///< elastic body
+    Loading loading{};        ///< load steps
+    ContactOptions contact{}; ///< solver
     /// Largest relative error of a genome's response that approximations may cause (domain/accuracy); 0: no
     /// approximations.
     double accuracy = 0;
