@@ -1,6 +1,6 @@
-# What the compiler's time is spent on in a Release build: -O2 for the files below, where most of the program's time goes
+# What the compiler's time is spent on in a Release build: -O2 for the files below, where most of a run's time goes
 # in plain code, and the engine with all its operators in one piece for the problems it is compiled for.
-file(GLOB computing CONFIGURE_DEPENDS domain/contact/solvers/*.cpp domain/mwm/sampling.cpp)
+file(GLOB computing CONFIGURE_DEPENDS domain/contact/solvers/*.cpp domain/mwm/sampling.cpp domain/response/response.cpp)
 if(RUGOSA_UNITY) # CMake leaves files with options of their own out of its groups
     set_source_files_properties(${computing} PROPERTIES HEADER_FILE_ONLY ON)
     list(TRANSFORM computing REPLACE "(.+)" "#include <\\1>")
