@@ -293,17 +293,15 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
 
 TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted within their bound") {
     Genome genome{1, {{1, 1, 1.5, paper_length, {{1, {0.3}}}}}};
-    Model model;
-    model.grid = {2, paper_length}; // both nodes are at one height of the wave
-    for (const double error : {0.0, 1e-2})
-        CHECK_THROWS_WITH(respond(genome, within(model, error)), Catch::Contains("use waves"));
+    for (const double error : {0.0, 1e-2}) // all nodes are at the same height of the wave
+        CHECK_THROWS_WITH(respond(genome, within({{2, paper_length}}, error)), Catch::Contains("use waves"));
     const AccountedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
     CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
     for (int n = 2; n <= 12; ++n)
         genome.series[0].chromosomes.push_back({n, {0.1 * n}});
     genome.series[0].H = 3; // the short waves are next to nothing
-    model = model_on(Kernel::free, genome);
+    const Model model = model_on(Kernel::free, genome);
     const AccountedResponse cheap = respond_within(genome, within(model, 1e-2));
     CHECK_FALSE(cheap.account.dropped.empty());
     CHECK(cheap.account.dropped.size() + cheap.account.used.size() == 12);
