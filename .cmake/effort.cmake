@@ -1,5 +1,4 @@
-# What the compiler's time is spent on in a Release build: -O2 for the files below, where most of a run's time goes
-# in plain code, and the engine with all its operators in one piece for the problems it is compiled for.
+# What the compiler's time is spent on in a Release build: -O2 for the files in which a run spends most of its time.
 file(GLOB computing CONFIGURE_DEPENDS domain/contact/solvers/*.cpp domain/mwm/sampling.cpp domain/response/response.cpp)
 if(RUGOSA_UNITY) # CMake leaves files with options of their own out of its groups
     set_source_files_properties(${computing} PROPERTIES HEADER_FILE_ONLY ON)
@@ -9,7 +8,7 @@ if(RUGOSA_UNITY) # CMake leaves files with options of their own out of its group
     file(CONFIGURE OUTPUT ${computing} CONTENT "${together}\n" @ONLY)
     target_sources(rugosa_domain PRIVATE ${computing})
 endif()
-if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O1") # other flags are the user's
+if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O1 -DNDEBUG") # other flags are the user's
     # Without the precompiled header: GCC keeps to the optimisation of that one, whatever its command says.
     set_source_files_properties(${computing} domain/numerics/fourier.cpp
         PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O2> SKIP_PRECOMPILE_HEADERS ON)
