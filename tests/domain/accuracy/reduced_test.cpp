@@ -67,12 +67,10 @@ Profile ground(double share, bool along_y = true) {
 }
 
 Model periodic(double accuracy) {
-    Model model;
-    model.accuracy = accuracy;
-    model.grid = {.nodes = side, .length = 1, .periodic = true, .rows = side, .width = 1};
-    model.body.kernel = Kernel::periodic;
-    model.loading = {6, 0.6};
-    return model;
+    return {.grid = {.nodes = side, .length = 1, .periodic = true, .rows = side, .width = 1},
+            .body = {Kernel::periodic},
+            .loading = {6, 0.6},
+            .accuracy = accuracy};
 }
 
 } // namespace

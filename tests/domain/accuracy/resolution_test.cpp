@@ -107,13 +107,10 @@ struct Held {
 /// The band of a surface's measurement against the surface itself, at equal pressures. Prints the last step.
 Held held_by(const std::string& kind, Index nodes, bool is_map, bool periodic, unsigned seed, bool prints) {
     const Heights z = made(kind, nodes, is_map, seed);
-    Model model;
-    model.body.kernel = periodic ? Kernel::periodic : Kernel::free;
     const double length = double(periodic ? nodes : nodes - 1) / double(nodes);
-    model.grid = {nodes, length, periodic};
+    Model model{{nodes, length, periodic}, {periodic ? Kernel::periodic : Kernel::free}, {8, 0.4}};
     if (is_map)
         model.grid.rows = nodes, model.grid.width = length;
-    model.loading = {8, 0.4};
     model = completed(model);
     const Profile scan = measured_at(z, finest, periodic);
     const Response measured = respond(scan, model);
@@ -223,9 +220,7 @@ TEST_CASE("the bands of 96 band-limited surfaces hold the curves of eight times 
 TEST_CASE("the band of a smooth cap shrinks with the spacing") {
     double before = 1;
     for (const Index nodes : {41, 161, 641}) {
-        Model model;
-        model.grid = {nodes, 1};
-        model.loading.to_pressure = 0.002;
+        const Model model{.grid = {nodes, 1}, .loading = {.to_pressure = 0.002}};
         const Profile cap = parabola(nodes);
         const Response measured = respond(cap, completed(model));
         const ResolutionBand band = resolution_band(cap, completed(model), measured);
@@ -249,9 +244,7 @@ TEST_CASE("a map too large for the band is omitted") {
 
 TEST_CASE("a cap's elastic end is at the load at which Hertz reaches the hardness") {
     const Profile cap = parabola(801);
-    Model model;
-    model.grid = {801, 1};
-    model.loading = {.steps = 40, .to_pressure = 0.004};
+    const Model model{.grid = {801, 1}, .loading = {.steps = 40, .to_pressure = 0.004}};
     const Response response = respond(cap, completed(model));
     // Hertz, R = 1 mm: p0 = sqrt(F E*/(pi R)), F = P L.
     const double limit = 0.025, ends_at = std::numbers::pi * limit * limit;
@@ -269,9 +262,7 @@ TEST_CASE("outliers on a flat top cost the contact that the top would have") {
         clean.heights[i] += 1e-5 * std::sin(7. * double(i));
     Profile spiked = clean;
     spiked.heights[100] = 0.02;
-    Model model;
-    model.grid = {400, 1};
-    model.loading.to_pressure = 1e-4;
+    Model model{.grid = {400, 1}, .loading = {.to_pressure = 1e-4}};
     const Response with = respond(spiked, completed(model));
     const OutlierCost cost = outlier_cost(spiked, {100}, completed(model), with);
     CHECK(cost.matters());
