@@ -188,9 +188,7 @@ TEST_CASE("datum and strip width default to those of the profile's length, to th
         const Response right = respond(profile, stated, {20, periodic ? 0.95 : 1});
         CHECK(left.pressure == right.pressure);
         CHECK(left.tangent_stiffness == right.tangent_stiffness);
-        Model model;
-        model.body.kernel = kernel;
-        model.grid = {201, periodic ? 0.01 * 201 : 0.01 * 200};
+        const Model model{.grid = {201, periodic ? 0.01 * 201 : 0.01 * 200}, .body = {.kernel = kernel}};
         CHECK(respond(profile, model).pressure == left.pressure);
         CHECK(completed(model).grid.periodic == periodic);
     }
@@ -199,15 +197,17 @@ TEST_CASE("datum and strip width default to those of the profile's length, to th
 TEST_CASE("the displacement at a pressure does not depend on how the datum was given", "[contact]") {
     // It is found from every fourth node, which span a shorter length.
     const Profile fine = sampled({1025, 4.096}, [](double x) { return std::cos(3.25 * x); });
-    Body stated;
-    stated.datum = 0.004 * 1024;
+    const Body stated{.datum = 0.004 * 1024};
     CHECK(displacement_at_pressure(fine, {}, 0.01) == displacement_at_pressure(fine, stated, 0.01));
 }
 
-TEST_CASE("a datum is refused up to (L + spacing)/4", "[contact]") {
+TEST_CASE("a datum is refused up to (L + spacing)/4, and a modulus that is not positive", "[contact]") {
     const Profile profile = two_mm();
     const double limit = datum_limit(profile);
     CHECK(limit == Approx(2.01 / 4));
     CHECK_THROWS_AS(solve_contact(profile, {Kernel::free, 1, limit * (1 - 1e-12), 0}, {0.01}), InputError);
     CHECK(solve_contact(profile, {Kernel::free, 1, limit * (1 + 1e-6), 0}, {0.01}).steps[0].pressure > 0);
+    for (const double modulus : {0., -1., HUGE_VAL, std::nan("")})
+        CHECK_THROWS_WITH(solve_contact(profile, {Kernel::free, modulus}, {0.01}),
+                          Catch::Contains("modulus"));
 }

@@ -147,10 +147,7 @@ TEST_CASE("stiffness under layers has the derivatives of its differences") {
             {"n":1,"phases":[0.3]},{"n":2,"phases":[2.1]},{"n":3,"phases":[4.0]}]}]})"),
         "genome");
     for (const bool rigid : {false, true}) {
-        Model model;
-        model.grid = {128, 1, true};
-        model.body = layered(0.05, 20, 0.2, rigid);
-        model.loading.steps = 6;
+        const Model model{{128, 1, true}, layered(0.05, 20, 0.2, rigid), {.steps = 6}};
         const ResponseJacobian jacobian = testing::jacobian_of(genome, model);
         testing::check_derivatives(genome, model, {{jacobian.pressure, [](const Response& response) {
                                                         return Eigen::VectorXd(response.pressure);
