@@ -143,6 +143,8 @@ TEST_CASE("two builders of one file share the work and store each genome once") 
     const auto index = two.curves().index;
     for (std::size_t i = 0; i < index.size(); ++i)
         CHECK(index[i] == i);
+    const std::vector<Response> more{response_for(small_setup(), 40)};
+    CHECK((one.add({40, 1}, more) && !two.add({40, 1}, more))); // only the first stores it
 }
 
 TEST_CASE("a builder takes fresh batches first, then those of other builders, never its current ones") {

@@ -124,12 +124,9 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
         const GenomeStore store =
             built(folder / (std::to_string(static_cast<int>(kernel)) + ".db"), {.genomes = 40}, setup);
         DesignSetup design;
-        design.model.body.kernel = kernel;
-        design.model.body.effective_modulus = 210;
-        design.model.grid = {64, 2.5, kernel == Kernel::periodic};
+        design.model = {{64, 2.5, kernel == Kernel::periodic}, {kernel, 210}, {8}};
         if (kernel == Kernel::strip)
             design.model.body.strip_width = setup.model.body.strip_width * 2.5 / setup.model.grid.length;
-        design.model.loading.steps = 8;
         design.model = completed(design.model);
         const double times = 2.5 / setup.model.grid.length, scale = 210 / times;
         Genome genome = store.genome(7);
