@@ -68,8 +68,7 @@ TEST_CASE("any order of nodes and any advance have a surface", "[areas]") {
 }
 
 TEST_CASE("the inverse of a rising stiffness curve has that curve, for every kernel") {
-    Target target;
-    target.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
+    Target target{.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4)};
     for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
         const bool periodic = kernel == Kernel::periodic;
         const Index nodes = 256;
@@ -103,11 +102,9 @@ TEST_CASE("the inverse of a rising stiffness curve has that curve, for every ker
 }
 
 TEST_CASE("starts on a periodic body are near their target, with Eq. 11 and without") {
-    Target rising; // in proportion to the pressure, as in Persson's theory
-    rising.x = Eigen::VectorXd::LinSpaced(5, 0.002, 0.016);
-    rising.y = 950 * rising.x;
-    Target concave;
-    concave.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4);
+    Target rising{.x = Eigen::VectorXd::LinSpaced(5, 0.002, 0.016)},
+        concave{.x = Eigen::VectorXd::LinSpaced(20, 4e-6, 1.56e-4)};
+    rising.y = 950 * rising.x; // in proportion to the pressure, as in Persson's theory
     concave.y = 0.35 + 0.95 * (concave.x.array() / 1.6e-4).pow(0.7);
     const Target point{Quantity::stiffness, "", concave.x.tail(1), concave.y.tail(1)};
     for (const auto& [target, max_pressure] :
@@ -131,9 +128,7 @@ TEST_CASE("the inverse meets interface stiffness, load and contact fraction") {
     const Body body;
     for (const Quantity quantity : {Quantity::area_at_pressure, Quantity::area_at_displacement,
                                     Quantity::load_at_displacement, Quantity::interface_stiffness}) {
-        Target target;
-        target.quantity = quantity;
-        target.x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4);
+        Target target{.quantity = quantity, .x = Eigen::VectorXd::LinSpaced(20, 1e-5, 2e-4)};
         const Eigen::ArrayXd t = target.x.array() / 2e-4;
         target.y = quantity == Quantity::load_at_displacement  ? Eigen::VectorXd(8e-5 * t + 4e-5 * t.square())
                    : quantity == Quantity::interface_stiffness ? Eigen::VectorXd(0.5 + 40 * t)

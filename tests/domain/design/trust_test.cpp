@@ -1,5 +1,6 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
+#include "domain/problem/drawn_start.hpp"
 #include "tests/domain/design/setups.hpp"
 
 #include <numbers>
@@ -177,6 +178,14 @@ TEST_CASE("redrawn phases give the same similarities on any number of threads") 
     CHECK(std::ranges::min(trust.redrawn) < std::ranges::max(trust.redrawn));
     options.threads = 2;
     CHECK(trust_in(setup, two_waves(), options).redrawn == trust.redrawn);
+}
+
+TEST_CASE("redrawn phases are spread evenly around the circle") {
+    const DesignSetup setup = like_itself(hill(0, two_mm));
+    const double at_one = similarity(setup, with_fitting_amplitude(setup, hill(1, two_mm)));
+    const auto all = trust_in(setup, hill(0, two_mm), {.phase_draws = 300, .threads = 1}).redrawn;
+    const auto nearer = std::ranges::count_if(all, [&](double each) { return each > at_one; });
+    CHECK(nearer == Approx(300 / std::numbers::pi).margin(24)); // turns of -1 to 1, three standard errors
 }
 
 TEST_CASE("a similarity to a scan that depends on the load steps is flagged") {
