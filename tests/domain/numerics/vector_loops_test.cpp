@@ -83,10 +83,10 @@ TEST_CASE("products agree with Eigen for any kind of vectors", "[vectors]") {
         columns(i) = number(7 * i + 1);
     const MatrixXd expected = MatrixXd::Map(rows.data(), width, depth) * columns.topRows(depth);
 
-    VectorXd h(2 * size), p(3);
+    const Eigen::Vector3d p(1, -2, 0.5);
+    VectorXd h(2 * size);
     for (Index i = 0; i < h.size(); ++i)
         h[i] = number(3 * i);
-    p << 1, -2, 0.5;
     const std::vector<int> nodes{0, 40, 127};
 
     for (const VectorLoops* loops : kinds()) {
