@@ -8,9 +8,7 @@ namespace {
 
 DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
     DesignSetup setup;
-    setup.model.body.kernel = kernel;
-    setup.model.grid = {.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8};
-    setup.model.loading.steps = 8;
+    setup.model = {{.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8}, {kernel}, {8}};
     setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
     setup.limits.shortest_wave = 0.25;
     return completed(setup);
@@ -36,9 +34,8 @@ TEST_CASE("derivatives of misfits on maps agree with differences in every gene",
         INFO("quantity " << name_of(quantity));
         DesignSetup setup = area_setup(Kernel::free);
         Target& target = setup.targets[0];
-        target.quantity = quantity;
-        target.x = Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4);
-        target.y = Eigen::VectorXd::LinSpaced(8, 0.05, 0.6);
+        target = {quantity, "", Eigen::VectorXd::LinSpaced(8, 1e-5, 2e-4),
+                  Eigen::VectorXd::LinSpaced(8, 0.05, 0.6)};
         if (quantity == Quantity::load_at_displacement)
             target.y = 0.6 * target.x;
         if (quantity == Quantity::interface_stiffness)

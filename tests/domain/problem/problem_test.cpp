@@ -145,6 +145,9 @@ TEST_CASE("a genome moved within its bounds has no wave shorter than allowed") {
         for (const Series& series : genome.series)
             for (const Chromosome& chromosome : series.chromosomes)
                 CHECK(wave_length(series, chromosome.n) >= setup.limits.shortest_wave * (1 - 1e-9));
+        CHECK(problem.valid(genome));
+        genome.series[0].gamma = 1;
+        CHECK_FALSE(problem.valid(genome));
     }
 }
 
