@@ -5,6 +5,8 @@
 #include "tests/domain/contact/maps.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
 #include <catch2/catch.hpp>
 
 using namespace rough;
@@ -124,6 +126,27 @@ TEST_CASE("Bush, Gibson and Thomas's area ratio tends to sqrt(2 pi) at light loa
         before = kappa;
     }
     CHECK(before == Approx(2.507).epsilon(0.012));
+}
+
+TEST_CASE("Bush, Gibson and Thomas's summits are pressed to Hertz's ellipses", "[theory]") {
+    // m0 = 1, mean curvature 1 rms, alpha 1e12: the curvatures do not depend on the height. Area and load of
+    // ellipses with a = p0 = E* = 1 (Johnson 4.26-4.28), summed over their eccentricity.
+    const double m2 = std::sqrt(1.5e-12);
+    double area = 0, load = 0, before = 0;
+    for (double e = 1e-4; e < 1; e += 1e-5) {
+        const double b = std::sqrt(1 - e * e), K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
+        const double A = (K - E) * b / (e * e), B = (E / (b * b) - K) * b / (e * e); // half curvatures
+        const double kappa = (B - A) / (B + A), round = 1 - kappa * kappa, s = 0.5 + kappa * kappa;
+        const double share = kappa * (kappa - before) * std::sqrt(round / (2 * pi)) / (s * s);
+        area += share * 2 * std::sqrt(A * B) / K;
+        load += share * std::tgamma(2.25) * pi / 2 * std::pow(4 * round * A * B / s, 0.25) /
+                std::sqrt(b * K * K * K);
+        before = kappa;
+    }
+    const TheoryCurve curve = bush_gibson_thomas({1, m2, 1.5}, 1, at({0.01 / m2}));
+    const double t = curve.separation[0];
+    CHECK(curve.pressure[0] == Approx(2 / (3 * pi * m2) * load * beyond(1.5, t)).epsilon(1e-4));
+    CHECK(curve.contact_fraction[0] == Approx(area / (2 * m2) * beyond(1, t)).epsilon(1e-4));
 }
 
 TEST_CASE("Greenwood and Williamson's curve is McCool's integral at its separation", "[theory]") {
