@@ -42,6 +42,10 @@ TEST_CASE("the continuous spectrum of white noise is flat") {
         CHECK(spectrum.density.segment(b * band, band).mean() ==
               Approx(flat).epsilon(0.08)); // 4096 values: 1/64 x 5
     CHECK(integral(spectrum) == Approx(0.25).epsilon(0.03));
+    for (const Index nodes : {8, 9}) { // with and without a wave of two nodes: Parseval's theorem
+        const Eigen::ArrayXd z = noise.heights.head(nodes);
+        CHECK(integral(continuous_spectrum({z, 0.01}, true)) == Approx((z - z.mean()).square().mean()));
+    }
 }
 
 TEST_CASE("a cosine's continuous spectrum has its wavenumber and mean square") {
