@@ -205,6 +205,7 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
     const auto metre = binary_map(changed(testing::gsf_file(), "XReal = 1.8e-5\nYReal = 6e-6\n", ""), "map");
     CHECK(metre->spacing == Approx(1e3 / 9)); // a GSF file without sizes is 1 m x 1 m, as in Gwyddion
     CHECK(metre->row_spacing == Approx(1e3 / 2));
+    CHECK(stored_numbers("\x07\xFF", 2, 0, missing_mark(0), "map") == Eigen::Vector2d(7, 255));
 }
 
 TEST_CASE("an ASCII surface data file of several profiles is a map") {

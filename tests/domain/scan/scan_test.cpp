@@ -98,7 +98,7 @@ TEST_CASE("an unknown unit is refused by its name unless a unit is given") {
         CHECK_NOTHROW(read(header + "\n0;1\n1;2\n2;1\n"));
 }
 
-TEST_CASE("a missing value is refused with its line, or filled linearly on request") {
+TEST_CASE("a missing value is refused with its line, or filled linearly on request, at an end left out") {
     for (const std::string missing : {"NaN", "nan", "BAD", "--", "n/a", ""}) {
         INFO(missing);
         const std::string text = "x;z\n0;1\n1;" + missing + "\n2;3\n3;0\n";
@@ -112,9 +112,6 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
     CHECK_THAT(refusal(invalid), Catch::Contains("line 4"));
     CHECK(read(invalid, {.detrend = Detrend::none, .fill = true}).measured.heights[1] == Approx(2));
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
-}
-
-TEST_CASE("filling removes missing values at the ends of a scan") {
     const Source scan =
         read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
     REQUIRE(scan.measured.nodes() == 4);
@@ -165,7 +162,7 @@ TEST_CASE("a file that is not a line scan is refused in one line with the reason
     CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("for an areal matrix the row to take"));
     for (const std::string names : {"", "x z valid\n"}) // validity is 0 or 1
         CHECK_THAT(refusal(names + "0 1 1\n1 2 0.5\n3 1 0\n"), Catch::Contains("3 columns"));
-    CHECK_THAT(refusal("0 1\n1 2\n2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
+    CHECK_THAT(refusal("0 1\r\n1 2\r2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
     CHECK_THAT(refusal("0 1\n1 2\n2 3 4\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("3 columns"));
     CHECK_THAT(refusal("0 1\n"), Catch::Contains("1 point"));
     CHECK_THAT(refusal("0 1\n1 1\n2 1\n"), Catch::Contains("constant"));
@@ -277,7 +274,11 @@ TEST_CASE("x and heights may have different given units") {
 }
 
 TEST_CASE("a count of points may precede them, up to 1e9") {
-    CHECK(read("4\n" + four_rows).measured.nodes() == 4);
+    CHECK_THAT(read("4\n" + four_rows).account,
+               Catch::Contains(": 4 points") && !Catch::Contains("announces"));
+    CHECK_THAT(read("5\n0 99\n1 101\n2 99\n3 101\n").account,
+               Catch::Contains(": 4 points, length 3 mm, height range 2 mm, rms 1 mm; ") &&
+                   Catch::Contains("the file announces 5 points"));
     CHECK_THAT(refusal("12345678901234567890\n" + four_rows), Catch::Contains("missing value"));
     CHECK_THAT(refusal("SigmaSurf_Data\nSPACING_UM: 0.25\nNUMBER_OF_POINTS: 1e300\nPROFILE_UM:\n1\n2\n"),
                Catch::Contains("up to 1e9"));
@@ -325,11 +326,9 @@ TEST_CASE("a genome file and a scan are sources, each with its grid") {
 }
 
 TEST_CASE("a column of heights keeps the given spacing to the bit") {
-    const tests::Folder folder;
     std::string heights;
     for (int i = 0; i < 301; ++i)
         heights += std::to_string(i % 7) + "\n";
-    const auto file = folder.write("s.txt", heights);
     for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5})
-        CHECK(open_scan(file, {.spacing = spacing}).measured.spacing == spacing);
+        CHECK(read(heights, {.spacing = spacing}).measured.spacing == spacing);
 }
