@@ -155,11 +155,7 @@ TEST_CASE("a malformed genome is refused with its place and fault") {
 TEST_CASE("on a map every ridge is a plane wave in its direction", "[areas]") {
     Genome genome;
     genome.scale = 0.4;
-    genome.series = {Series{.A = 1e-3,
-                            .H = 0.7,
-                            .gamma = 1.6,
-                            .lambda = 0.5,
-                            .chromosomes = {{1, {0.3, 1.1, 2.5}}, {3, {4, 5}}}}};
+    genome.series = {{1e-3, 0.7, 1.6, 0.5, {{1, {0.3, 1.1, 2.5}}, {3, {4, 5}}}}};
     const Grid grid = area(31, 23, false);
     const Profile map = sample(genome, grid);
     for (const Index node : {0, 17, 200, 431, 712}) {

@@ -133,9 +133,7 @@ TEST_CASE("the algorithms read as the paper prints them") {
     const Coarse coarse;
     const auto variants = paper_variants();
     for (const auto& [name, text] : variants)
-        CHECK(
-            ga::Parser<DesignProblem>(paper_registry(coarse.words), paper_variants()).variant(name).text() ==
-            text);
+        CHECK(ga::Parser<DesignProblem>(paper_registry(coarse.words), variants).variant(name).text() == text);
     const std::string parents = "score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, ";
     CHECK(variants.at("sog") ==
           "score | best 3 | refine gcmma 5 genes=dominant | refine gcmma 2 genes=others | best 1");
