@@ -99,6 +99,11 @@ TEST_CASE("three generations of CMA-ES equal those of an independent program") {
     cloud.learn(six, 5 * six_steps); // so far that the path of C stalls
     check(3.1282184853713275, 2.8491011812147575, 1.3130938780643515, 2.197923196966732, 0.44020658447124417,
           2.2152431620282624, -0.013511614158820797, 0.714564252159636);
+    for (const double length : {0.99, 1.01}) { // in the first generation it stalls from 1.4 + 2/(n + 1)
+        Cloud first(Eigen::Vector2d(1, 2), 0.5);
+        first.learn(six, Eigen::Vector2d(0, length * (1.4 + 2 / 3.0) * six.chi / std::sqrt(six.mu_eff)));
+        CHECK((first.path_c.norm() > 0) == (length < 1));
+    }
 }
 
 TEST_CASE("a mirrored child teaches nothing when it is bad, all when it is good") {
@@ -231,6 +236,7 @@ TEST_CASE("BIPOP spends as much on small runs as on large ones, which double, an
     }
     for (const std::size_t expected : {40u, 160u, 640u})
         CHECK(ipop.next(1000, false, random).lambda == expected);
+    CHECK((ipop.large == 2000 && ipop.small == 0)); // the first run counts for neither
 }
 
 TEST_CASE("CMA-ES learns only from children that it made") {
@@ -330,13 +336,11 @@ TEST_CASE("the history of L-SHADE holds weighted Lehmer means and final zeros") 
 TEST_CASE("differential evolution and L-SHADE solve their published problems") {
     for (const std::string base : {"rand", "best", "current-to-best"})
         evaluations_to(1e-6, minimum(5, functions::sphere),
-                       ("sample 30 | score | until fitness 1e-6 { de " + base + " | score | duel }"), 1,
-                       20000);
+                       "sample 30 | score | until fitness 1e-6 { de " + base + " | score | duel }", 1, 20000);
     const std::string converging = "sample 20 | score | until converged 1e-9 evaluations 100000 ";
     for (const std::string crossing : {"bin", "exp"}) { // ends by itself, and at the bottom
-        const Reals problem = minimum(5, functions::sphere);
-        const auto result = run((converging + "{ de F=0.8 crossing=" + crossing + " | score | duel }"),
-                                problem, {}, {.seed = 1, .threads = 1});
+        const auto result = run(converging + "{ de F=0.8 crossing=" + crossing + " | score | duel }",
+                                minimum(5, functions::sphere), {}, {.seed = 1, .threads = 1});
         CHECK(result.best->value() < 1e-9);
         CHECK(result.counters.asked < 20000);
         for (const auto& individual : result.population)

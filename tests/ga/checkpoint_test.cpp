@@ -156,8 +156,7 @@ TEST_CASE("a resumed run keeps its notes") {
 
 TEST_CASE("individuals of every kind are written and read without loss") {
     Population<Vector> start = population<Vector>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
-    start[0].fitness =
-        Fitness(Name(std::string("a")), 0.1 + 0.2, true).constrained({0.3, 1}).relaxed({0.1, 0.5});
+    start[0].fitness = Fitness(Name("a"), 0.1 + 0.2, true).constrained({0.3, 1}).relaxed({0.1, 0.5});
     start.push_back(start[1]);
     start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}).constrained({0.25});
     start[0].parents = Parents(4, 7);
@@ -321,9 +320,8 @@ TEST_CASE("a forged state of an operator that learns is refused or harmless") {
                 CAPTURE(place, other);
                 json altered = good;
                 altered[json::json_pointer(place)] = other;
-                try {
-                    const auto result = forged(folder / "run", altered, pipeline,
-                                               problem); // CHECK would catch what it throws
+                try { // CHECK would catch what it throws
+                    const auto result = forged(folder / "run", altered, pipeline, problem);
                     CHECK(result.best);
                 } catch (const UsageError& error) {
                     CHECK(std::string(error.what()) ==

@@ -128,9 +128,7 @@ TEST_CASE("MAP-Elites holds the best individual ever seen in every cell") {
     f.features = {{"x", [](const Vector& x) { return x[0]; }, -1, 1},
                   {"sum", [](const Vector& x) { return x[0] + x[1]; }, -1, 1}};
     std::map<std::pair<int, int>, double> best;
-    const auto cell = [](double value) {
-        return std::clamp(static_cast<int>(std::floor((value + 1) * 2)), 0, 3);
-    };
+    const auto cell = [](double value) { return std::clamp(int(std::floor((value + 1) * 2)), 0, 3); };
     const Observer<Vector> observer = [&](const auto& event) {
         for (const auto& each : event.population)
             if (each.fitness.known()) {
@@ -180,10 +178,10 @@ TEST_CASE("emitted children move along a descriptor's gradient by normal lengths
     }
     CHECK(std::abs(mean) < 6e-4);
     CHECK(std::sqrt(square) == Approx(0.01).epsilon(0.05));
-    f.features[0].gradient = [](const Vector&) {
-        return Vector{0, 1, 0};
-    }; // a gradient of the problem is preferred
-    CHECK(run("emit 1 plane sigma=0.01 | score", f, start).population[0].genome[0] == 1);
+    // a gradient of the problem is preferred, here one without the last gene
+    f.features[0].gradient = [](Vector x) { return x.pop_back(), std::move(x); };
+    const Vector moved = run("emit 1 plane sigma=0.01 | score", f, start).population[0].genome;
+    CHECK((moved[0] != 1 && moved[1] - 2 == Approx(2 * (moved[0] - 1)) && moved[2] == 3));
     CHECK_THROWS_WITH(
         run("emit 1 plain | score", f, start),
         Catch::Contains("stage 'emit 1 plain sigma=0.1': unknown descriptor 'plain'; use one of plane"));

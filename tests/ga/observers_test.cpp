@@ -157,11 +157,13 @@ TEST_CASE("COCO's files have every improvement of a run and its evaluations") {
         for (auto now = one.found.begin(), next = now + 1; next != one.found.end(); now = next++)
             CHECK((next->first >= now->first && next->second < now->second));
     }
+    sphere.runs.push_back({3, {}}); // a run without evaluations
     write_coco(folder / "coco", "ga", {sphere});
     const auto [first, second] = std::pair(sphere.runs[0], sphere.runs[1]);
     CHECK_THAT(contents(folder / "coco/bbobexp_f3.info"),
-               Catch::Contains("DIM = 6") && Catch::Contains(", 2:" + std::to_string(second.evaluations) +
-                                                             "|" + number(second.found.back().second)));
+               Catch::Contains("DIM = 6") &&
+                   Catch::Contains(", 2:" + std::to_string(second.evaluations) + "|" +
+                                   number(second.found.back().second) + ", 3:0|"));
     for (const auto& [evaluations, precision] : first.found)
         CHECK_THAT(contents(folder / "coco/data_f3/bbobexp_f3_DIM6.dat"),
                    Catch::Contains("\n" + std::to_string(evaluations) + " " + number(precision) + " "));

@@ -73,8 +73,8 @@ TEST_CASE("a pipeline that cannot work is refused before anything is evaluated")
              {"until fitness 1 { turn genes }", "stage 'until fitness 1' needs a scored population"},
              {"score low | repeat 2 { score high | elite 1 }",
               "stage 'elite 1' compares the population, scored by 'high', with the generation's start, "
-              "scored "
-              "by 'low'"},
+              "scored by 'low'"},
+             {"repeat 2 { turn genes | plus }", "stage 'plus' needs a scored population"},
              {"pareto fit low | repeat 2 { mutate 1 | score | plus }",
               "scored by 'pareto fit low'; score both by the same objective"},
              {"pareto fit low | above 1", "stage 'above 1' needs one objective's fitness, the population is "

@@ -135,9 +135,8 @@ TEST_CASE("islands, and searches of several individuals, send their evaluations 
     CHECK(std::count(record.batches.begin(), record.batches.end(), 6) >= 8);
     Serial<Reals> of_reals;
     Recording<Reals> islands(of_reals);
-    run_by(islands,
-           reals("sample 20 | score | islands 4 rounds=3 { mutate 1 gaussian 0.1 | score | elite 1 }"),
-           Reals{}, {});
+    const std::string apart = "islands 4 rounds=3 { mutate 1 gaussian 0.1 | score | elite 1 }";
+    run_by(islands, reals("sample 20 | score | " + apart), Reals{}, {});
     CHECK(islands.batches == std::vector<std::size_t>{20, 20, 20, 20});
 }
 
@@ -175,10 +174,8 @@ TEST_CASE("an evaluator that throws ends the run with its message, on islands to
             Serial<Reals>::outcomes(problem, calls, watch);
         }
     } cut;
-    CHECK_THROWS_WITH(run_by(cut,
-                             reals("sample 9 | score | islands 3 rounds=4 { mutate 1 | score | elite 1 }"),
-                             Reals{}, {}),
-                      "the cable is cut");
+    const auto pipeline = reals("sample 9 | score | islands 3 rounds=4 { mutate 1 | score | elite 1 }");
+    CHECK_THROWS_WITH(run_by(cut, pipeline, Reals{}, {}), "the cable is cut");
 }
 
 TEST_CASE("an evaluation that ends itself at a stop is neither counted nor a failure") {
@@ -245,10 +242,10 @@ TEST_CASE("a transformation that throws keeps the genome and marks its individua
 }
 
 TEST_CASE("a run ends with the first reason when every evaluation fails") {
-    auto start = CurveFit::start(2);
-    start[0].genome[1] = start[1].genome[1] = -21;
-    CHECK_THROWS_WITH(run("score", CurveFit{}, start),
-                      "every one of 2 evaluations failed; the first: rate under -20");
+    Reals problem = given();
+    problem.f = [](const Vector& x) { return Vector{fragile(x[0])}; };
+    CHECK_THROWS_WITH(run("score", problem, individuals({-1, 101, 50})),
+                      "every one of 3 evaluations failed; the first: under 0");
     long stages = 0;
     const Observer<Vector> count = [&](const auto&) { ++stages; };
     CHECK_THROWS_WITH(run("sample 10 | score | repeat 100 { mutate 0.5 | score } | best 1",

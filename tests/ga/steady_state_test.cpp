@@ -10,9 +10,7 @@ namespace {
 using Search = SteadyState<Reals>;
 
 std::unique_ptr<Search> search_of(long evaluations, std::uint64_t seed = 3, std::size_t size = 10) {
-    RunOptions options;
-    options.seed = seed;
-    options.budget.evaluations = evaluations;
+    const RunOptions options{.seed = seed, .budget = {.evaluations = evaluations}};
     return std::make_unique<Search>(sample(size), tournament(2, 2) | cross(blend()) | mutate(0.3), plus(),
                                     Reals{}, options);
 }
@@ -93,8 +91,7 @@ TEST_CASE("a steady-state search on threads keeps to its budget and replays") {
             return x;
         }
     };
-    RunOptions options;
-    options.budget.evaluations = 150;
+    const RunOptions options{.budget = {.evaluations = 150}};
     const auto breed = Stage<Uneven>(tournament(2, 1) | mutate(0.3));
     SteadyState<Uneven> search(sample(8), breed, steady(), Uneven{}, options);
     run_steady(search, Uneven{}, 3);

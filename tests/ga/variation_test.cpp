@@ -201,9 +201,8 @@ TEST_CASE("reset draws each other value of a whole number with equal chance") {
         CHECK((value >= -2 && value <= 3));
         CHECK(count == Approx(1000).margin(5 * std::sqrt(5000 * 0.16)));
     }
-    const Boxed<std::vector<int>> fixed{
-        {}, 0, 0, {{0, 4, 4}, {1, 0, 1}, {2, 0, 9}}}; // one value; no third gene
-    CHECK(mutated(reset(), fixed, std::vector<int>{4, 0}) == std::vector<int>{4, 1});
+    const Boxed<std::vector<int>> fixed{{}, 0, 0, {{0, 4, 4}, {1, 0, 1}, {2, 0, 9}}};
+    CHECK(mutated(reset(), fixed, std::vector<int>{4, 0}) == std::vector<int>{4, 1}); // no third gene
 }
 
 TEST_CASE("mutations of real genes have their published densities") {
