@@ -15,7 +15,7 @@ std::string genes_text(const G& genome) {
     return text + "]";
 }
 
-/// A problem that only draws genomes. An evaluator makes its evaluations.
+/// A problem that draws genomes. An evaluator makes its evaluations, if it has no function `answer`.
 template <class G>
 struct OutsideProblem {
     using Genome = G;
@@ -27,6 +27,7 @@ struct OutsideProblem {
     Genes genes = {};                        ///< kinds of the genes
     /// Derivatives of the first objective with respect to real genes; empty if they are unknown.
     std::function<std::vector<double>(const G&)> slopes = {};
+    std::function<Answer(const G&)> answer = {}; ///< evaluates a genome; empty if an evaluator does
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
                    const std::vector<bool>& minimise)
@@ -41,7 +42,7 @@ struct OutsideProblem {
         genes = of;
     }
 
-    Answer evaluate(const G&) const { throw std::logic_error("evaluations are the evaluator's"); }
+    Answer evaluate(const G& genome) const { return answer(genome); }
     const std::vector<ga::Objective<Answer>>& objectives() const { return list; }
     /// Genomes that are rounded to the same numbers have one key.
     std::string key(const G& genome) const requires std::same_as<G, std::vector<double>> {

@@ -10,38 +10,40 @@ constexpr std::size_t gene_count = 11;
 constexpr std::size_t worst = 10; ///< scenes of a search that are tried by every solver
 const std::string mark = "bred ";
 
-/// Genomes are numbers from 0 to 1, rounded to thousandths. An outcome is the work of the solver `auto`: its
-/// products with H per load step. It is more than any work if `auto` fails or another solver contradicts it.
-struct HardScenes : OutsideProblem<std::vector<double>> {
-    const std::atomic<bool>& stop;
+using BredGenome = std::vector<double>; ///< thousandths
+using HardScenes = OutsideProblem<BredGenome>;
 
-    explicit HardScenes(const std::atomic<bool>& stop)
-        : OutsideProblem({.count = gene_count, .parts = {{gene_count}}}, {false}), stop(stop) {}
+const Genes thousandths{.count = gene_count, .parts = {{gene_count, 0, 1000, true}}};
 
-    /// Genomes that are rounded to the same thousandths have one key.
-    std::string key(const Genome& genome) const { return bred_name(genome); }
+std::string name_of(const BredGenome& genome) {
+    std::vector<double> genes = rounded(thousandths, genome);
+    for (double& gene : genes)
+        gene /= 1000;
+    return bred_name(genes);
+}
 
-    Answer evaluate(const Genome& genome) const {
-        constexpr double wrong = 2e6, failed = 1e6;
-        ContactScene scene;
-        try {
-            scene = bred_scene(bred_name(genome));
-        } catch (const rough::InputError&) { // waves that the grid cannot show
-            return {{0}};
-        }
-        rough::ContactOptions options;
-        options.stop = [this] { return stop.load(); };
-        ContactTrial trial = try_contact(scene, options);
-        if (stop)
-            throw ga::Stopped{"stop requested"};
-        verify(scene, trial);
-        if (trial.outcome == app::Outcome::wrong)
-            return {{wrong}};
-        if (trial.outcome == app::Outcome::not_converged)
-            return {{failed}};
-        return {{static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())}};
+/// The work of the solver `auto`: its products with H per load step. It is more than any work if `auto` fails
+/// or another solver contradicts it.
+Answer work_of(const BredGenome& genome, const std::atomic<bool>& stop) {
+    constexpr double wrong = 2e6, failed = 1e6;
+    ContactScene scene;
+    try {
+        scene = bred_scene(name_of(genome));
+    } catch (const rough::InputError&) { // waves that the grid cannot show
+        return {{0}};
     }
-};
+    rough::ContactOptions options;
+    options.stop = [&stop] { return stop.load(); };
+    ContactTrial trial = try_contact(scene, options);
+    if (stop)
+        throw ga::Stopped{"stop requested"};
+    verify(scene, trial);
+    if (trial.outcome == Outcome::wrong)
+        return {{wrong}};
+    if (trial.outcome == Outcome::not_converged)
+        return {{failed}};
+    return {{static_cast<double>(trial.curve.iterations) / static_cast<double>(scene.steps())}};
+}
 
 } // namespace
 
@@ -88,21 +90,21 @@ ContactScene bred_scene(const std::string& name) {
 
 std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int threads,
                                       const std::atomic<bool>& stop) {
-    using namespace ga;
-    const auto breeding =
-        sample(40) | score() |
-        repeat(1'000'000, tournament(3) | cross(uniform()) | mutate(0.2) | score() | elite(5));
-    const HardScenes problem(stop);
-    RunOptions options;
+    const auto breeding = ga::Parser<HardScenes>(ga::whole_vocabulary<HardScenes>())
+                              .parse("sample 40 | score | repeat 1000000 { tournament 3 | cross uniform | "
+                                     "mutate 0.2 | score | elite 5 }");
+    HardScenes problem(thousandths, {false});
+    problem.answer = [&stop](const BredGenome& genome) { return work_of(genome, stop); };
+    ga::RunOptions options;
     options.seed = seed;
     options.threads = threads;
     options.budget.evaluations = evaluations;
-    HallOfFame<HardScenes> hardest(problem, worst);
-    for (const auto& individual : run(breeding, problem, {}, options, {hardest.observer()}).population)
+    ga::HallOfFame<HardScenes> hardest(problem, worst);
+    for (const auto& individual : ga::run(breeding, problem, {}, options, {hardest.observer()}).population)
         hardest.offer(individual); // the budget may end before a stage does
     std::vector<ContactScene> scenes;
     for (const auto& individual : hardest.members)
-        scenes.push_back(bred_scene(bred_name(individual.genome)));
+        scenes.push_back(bred_scene(name_of(individual.genome)));
     return scenes;
 }
 
