@@ -1,6 +1,5 @@
 #include "apps/experiments/paper/paper.hpp"
-
-#include <Eigen/QR>
+#include "domain/numerics/statistics.hpp"
 
 #include <numbers>
 
@@ -143,7 +142,7 @@ ChromosomeExample chromosome_example(int n, std::uint64_t seed, Csv& table) {
         table.points(x, ridges[m], n, m + 1);
     Eigen::MatrixXd cosine(x.size(), 3);
     cosine << Eigen::VectorXd::Ones(x.size()), (k * x.array()).cos().matrix(), (k * x.array()).sin().matrix();
-    const Eigen::VectorXd best = cosine * cosine.colPivHouseholderQr().solve(sum);
+    const Eigen::VectorXd best = cosine * rough::least_squares(cosine, sum);
     return {rough::wave_length(series, n),
             (sum - best).cwiseAbs().maxCoeff() / (sum.maxCoeff() - sum.minCoeff())};
 }
