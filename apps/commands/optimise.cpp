@@ -152,9 +152,9 @@ SearchByChildren search_from(const Settings& settings) {
         if (std::error_code none; std::filesystem::is_regular_file(word, none))
             files.emplace_back(word);
     search.inputs = inputs_json(files);
-    search.description = json({RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"),
-                               settings.text("evaluate"), search.minimise})
-                             .dump();
+    search.description = rough::json_text({RUGOSA_VERSION, key_of(search.inputs), settings.text("genes"),
+                                           settings.text("evaluate"), search.minimise},
+                                          true);
     search.resume = resumes(settings);
     return search;
 }

@@ -43,7 +43,8 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
     const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose);
     pid_t child = 0;
     if (!nothing || !errors ||
-        start_process(child, {"python3", "-c", builtin_files().at(kind + ".py"), given.dump()},
+        start_process(child,
+                      {"python3", "-c", builtin_files().at(kind + ".py"), rough::json_text(given, true)},
                       fileno(nothing.get()), fileno(nothing.get()), fileno(errors.get())) != 0)
         rough::refuse(kind, ": python3 was not found; install the Debian package python3");
     conditions.progress.show(kind + ".py");

@@ -1,5 +1,7 @@
 #include "apps/external/genes.hpp"
 
+#include "domain/text/json.hpp"
+
 #include <boost/algorithm/string.hpp>
 #include <nlohmann/json.hpp>
 
@@ -113,7 +115,7 @@ std::string genes_text(const Genes& genes, const std::vector<double>& numbers) {
     for (const Genes::Part& part : genes.parts)
         for (std::size_t i = 0; i < part.count && g < values.size(); ++i, ++g)
             add(part.words.empty() ? ga::number(values[g])
-                                   : nlohmann::json(part.words[static_cast<std::size_t>(values[g])]).dump());
+                                   : rough::json_text(part.words[static_cast<std::size_t>(values[g])], true));
     for (; g < values.size(); ++g)
         add(ga::number(values[g]));
     return text + "]";

@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/response/curve.hpp"
+#include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
 
 #include <boost/algorithm/string/join.hpp>
@@ -74,7 +75,7 @@ std::string Csv::text() const {
             else if (value.is_boolean())
                 out << value.get<bool>();
             else if (value.is_number_integer())
-                out << value.dump();
+                out << rough::json_text(value, true);
             else if (value.is_number())
                 put_number(out, value.get<double>());
         }

@@ -165,7 +165,7 @@ nlohmann::json inputs_json(const std::vector<fs::path>& files) {
 std::string key_of(const nlohmann::json& inputs) {
     std::string key;
     for (const nlohmann::json& input : inputs)
-        key += input.is_object() ? input.value("fingerprint", nlohmann::json()).dump() : "?";
+        key += input.is_object() ? rough::json_text(input.value("fingerprint", nlohmann::json()), true) : "?";
     return key;
 }
 

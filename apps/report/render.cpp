@@ -58,10 +58,11 @@ data mustache_data(const json& value) {
         return list;
     }
     if (value.is_number_float())
-        return number_mark + value.dump();
+        return number_mark + rough::json_text(value, true);
     if (value.is_string() && !value.get_ref<const std::string&>().empty())
         return value.get<std::string>();
-    return value.is_number() ? data(value.dump()) : data(value.is_boolean() && value.get<bool>());
+    return value.is_number() ? data(rough::json_text(value, true))
+                             : data(value.is_boolean() && value.get<bool>());
 }
 
 std::optional<double> number_in(const std::string& text) {
