@@ -6,6 +6,8 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/errors.hpp"
 
+template class ga::Checkpoints<rough::DesignProblem>;
+
 namespace rough {
 
 namespace {

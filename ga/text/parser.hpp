@@ -148,18 +148,10 @@ class Parser {
 
     /// @param text   a pipeline
     /// @param where  its name in messages
-    [[gnu::cold]] Stage<P> parse(const std::string& text, const std::string& where = "pipeline") {
-        begin();
-        return read(text, where);
-    }
+    [[gnu::cold]] Stage<P> parse(const std::string& text, const std::string& where = "pipeline");
 
     /// The pipeline of a named variant. Names of other variants are expanded in place; a cycle is refused.
-    [[gnu::cold]] Stage<P> variant(const std::string& name) {
-        if (!variants_.count(name))
-            throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
-        begin();
-        return named(name);
-    }
+    [[gnu::cold]] Stage<P> variant(const std::string& name);
 
   private:
     static constexpr std::size_t most_stages = 10000;
@@ -320,5 +312,19 @@ class Parser {
     std::vector<std::string> open_; ///< variants that are being expanded
     std::size_t stages_ = 0;        ///< number of stages of the current text
 };
+
+// These are not inline, so that compiled_once.hpp keeps them, and what they call, in one file.
+template <Problem P>
+Stage<P> Parser<P>::parse(const std::string& text, const std::string& where) {
+    begin();
+    return read(text, where);
+}
+template <Problem P>
+Stage<P> Parser<P>::variant(const std::string& name) {
+    if (!variants_.count(name))
+        throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
+    begin();
+    return named(name);
+}
 
 } // namespace ga

@@ -10,6 +10,8 @@
 
 #include <numbers>
 
+extern template class ga::Checkpoints<rough::DesignProblem>; // is in domain/design/search.cpp
+
 namespace app {
 
 namespace {
