@@ -85,7 +85,8 @@ struct Cloud {
     /// Learns from steps (x - mean)/sigma, one or more columns, best first. With fewer than lambda steps the
     /// last weights are not used and the positive ones sum to 1 again. Negative weights of `altered` steps
     /// (of any size) are not used either: Eq. 46 assumes that their length is random.
-    void learn(const CmaConstants& c, const Eigen::MatrixXd& steps, const std::vector<bool>& altered = {}) {
+    template <class Flags = std::vector<bool>> // a template, so that only files that call it compile it
+    void learn(const CmaConstants& c, const Eigen::MatrixXd& steps, const Flags& altered = {}) {
         const Eigen::Index n = mean.size(), used = std::min(steps.cols(), c.weights.size());
         const Eigen::Index parents = std::min(c.mu, used);
         Eigen::VectorXd weights = c.weights.head(used);
@@ -112,12 +113,8 @@ struct Cloud {
                       c.c_mu * columns * weights.asDiagonal() * columns.transpose())
                          .eval();                                               // Eq. 47
         sigma *= std::exp(std::min(1.0, c.c_sigma / c.d_sigma * (length - 1))); // Eq. 44
-        if (learnt - drawn >= c.every)
-            decompose();
-    }
-
-  private:
-    void decompose() {
+        if (learnt - drawn < c.every)
+            return;
         covariance = (0.5 * (covariance + covariance.transpose())).eval();
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
         axes = solver.eigenvectors();
