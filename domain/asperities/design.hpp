@@ -3,7 +3,7 @@
 #include "domain/asperities/caps.hpp"
 #include "domain/design/options.hpp"
 #include "domain/target/out_of_reach.hpp"
-#include "ga/refinement/sensitivity.hpp"
+#include "ga/refinement/landscape.hpp"
 #include "ga/text/parser.hpp"
 
 namespace rough {

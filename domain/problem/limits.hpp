@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/mwm/sampling.hpp"
-#include "ga/refinement/sensitivity.hpp"
+#include "ga/refinement/landscape.hpp"
 
 namespace rough {
 

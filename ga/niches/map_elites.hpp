@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/refinement/sensitivity.hpp"
+#include "ga/refinement/landscape.hpp"
 #include "ga/variation/mutate.hpp"
 
 namespace ga {

@@ -123,7 +123,7 @@ typename P::Genome with_genes(const P& problem, const typename P::Genome& genome
         return genes;
 }
 
-/// Residuals and their derivatives, defined in ga/refinement/sensitivity.hpp.
+/// Residuals and their derivatives, defined in ga/refinement/landscape.hpp.
 struct Sensitivity;
 
 /// Optional: residuals and Jacobian, used by `lm`, `mma`, `minimax`, `emit` and methods of the domain.

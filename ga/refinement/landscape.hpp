@@ -1,9 +1,18 @@
 #pragma once
 
 #include "ga/pipeline/parameters.hpp"
-#include "ga/refinement/sensitivity.hpp"
+#include "ga/problem/problem.hpp"
+
+#include <Eigen/Core>
 
 namespace ga {
+
+/// Residuals r_k of an objective and their derivatives with respect to the genes. For a perfect genome all
+/// residuals are 0.
+struct Sensitivity {
+    Eigen::VectorXd residuals; ///< residuals r, one per point of the objective
+    Eigen::MatrixXd jacobian;  ///< dr/dgenes, rows as in r, one column per gene
+};
 
 /// The search space around one genome: a box of n variables and functions of a point x in it. Each call
 /// counts as an evaluation. `exhausted` is true when the evaluations are spent or the run must stop.
