@@ -313,7 +313,7 @@ class Parser {
     std::size_t stages_ = 0;        ///< number of stages of the current text
 };
 
-// These are not inline, so that compiled_once.hpp keeps them, and what they call, in one file.
+// Functions outside the class are not inline, so compiled_once.hpp can keep them in one file.
 template <Problem P>
 Stage<P> Parser<P>::parse(const std::string& text, const std::string& where) {
     begin();
