@@ -77,27 +77,30 @@ void validate(const Body& body, Index nodes, double spacing) {
 
 namespace {
 
-using Real = long double; // the functions of a thin layer are nearly the same
 /// The stress function's amplitude G(s), s = q z with z into the body, and its first three derivatives.
+template <class Real>
 using Derivatives = std::array<Real, 4>;
 
 /// The derivatives of (1, s) e^(-s) at s, which decay into the body. If `up`, those of the same functions of
 /// h - s, which decay towards its top; s then stands for h - s.
-std::array<Derivatives, 2> decaying(Real s, bool up) {
+template <class Real>
+std::array<Derivatives<Real>, 2> decaying(Real s, bool up) {
     const Real e = std::exp(-s), sign = up ? -1 : 1;
     return {{{e, -sign * e, e, -sign * e}, {s * e, sign * (1 - s) * e, (s - 2) * e, sign * (3 - s) * e}}};
 }
 
 /// Normal and shear stress, and displacement along and across the surface times q and a modulus: the four
 /// that are continuous. `softness` is (1 + nu)/E in units of that modulus.
-Eigen::Matrix<Real, 4, 1> state(const Derivatives& g, Real nu, Real softness) {
+template <class Real>
+Eigen::Matrix<Real, 4, 1> state(const Derivatives<Real>& g, Real nu, Real softness) {
     return {-g[0], g[1], softness * ((1 - nu) * g[2] + nu * g[0]),
             softness * ((1 - nu) * g[3] + (nu - 2) * g[1])};
 }
 
 /// Displacement of the top under unit pressure, times q and the modulus. A linear system gives it, with four
 /// constants per layer and two for the half-space (Airy's stress function, plane strain).
-double top_displacement(const Layering& layering, double modulus, double q) {
+template <class Real>
+Real top_displacement(const Layering& layering, double modulus, double q) {
     using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
     const auto layers = static_cast<Eigen::Index>(layering.layers.size());
     const Eigen::Index unknowns = 4 * layers + (layering.rigid_base ? 0 : 2);
@@ -133,7 +136,7 @@ double top_displacement(const Layering& layering, double modulus, double q) {
                 -state(decaying(Real(0), false)[static_cast<std::size_t>(c)], nu, 1 + nu);
     }
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> constants = system.partialPivLu().solve(given);
-    return static_cast<double>((first_top * constants.head<4>())[3]);
+    return (first_top * constants.template head<4>())[3];
 }
 
 } // namespace
@@ -151,16 +154,21 @@ Layering in_units(Layering layering, double length, double pressure) {
 double relative_compliance(const Layering& layering, double effective_modulus, double q) {
     if (layering.layers.empty())
         return 1;
-    constexpr double deep = 40; // e^-40 is negligible against 1
-    Layering seen = layering;   // down to the depth that the wave reaches
+    constexpr double deep = 40;  // e^-40 is negligible against 1
+    constexpr double thin = 0.1; // the four functions of a thin layer are nearly the same
+    Layering seen = layering;    // down to the depth that the wave reaches
     double depth = 0;
     for (std::size_t k = 0; k < seen.layers.size(); ++k)
         if ((depth += q * seen.layers[k].thickness) > deep) {
             seen.layers.resize(k + 1);
             seen.layers[k].thickness = std::min(seen.layers[k].thickness, deep / q);
         }
-    const double modulus = effective_modulus * (1 - layering.poissons_ratio * layering.poissons_ratio);
-    return top_displacement(seen, modulus, q) / modulus * effective_modulus / 2;
+    const bool is_thin = std::any_of(seen.layers.begin(), seen.layers.end(),
+                                     [&](const Layer& layer) { return q * layer.thickness < thin; });
+    const double modulus = effective_modulus * (1 - layering.poissons_ratio * layering.poissons_ratio),
+                 displacement = is_thin ? static_cast<double>(top_displacement<long double>(seen, modulus, q))
+                                        : top_displacement<double>(seen, modulus, q);
+    return displacement / modulus * effective_modulus / 2;
 }
 
 double mean_compliance(const Layering& layering, double effective_modulus) {
