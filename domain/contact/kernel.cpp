@@ -117,11 +117,11 @@ Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
         const Layering& layering = body.layering;
         const Index half = shape.columns / 2 + 1;
         Eigen::VectorXd spectrum(half * shape.rows);
-        for (Index j = 0; j < shape.rows; ++j)
+        for (Index j = 0; j <= shape.rows / 2; ++j)
             for (Index i = 0; i < half; ++i) { // 2/|q|, q = 2 pi (k_x/L_x, k_y/L_y)
                 const double k = static_cast<double>(i), n = static_cast<double>(shape.columns), x = k / n;
-                const double y = static_cast<double>(std::min(j, shape.rows - j)) /
-                                 (body.row_spacing * static_cast<double>(shape.rows));
+                const double y =
+                    static_cast<double>(j) / (body.row_spacing * static_cast<double>(shape.rows));
                 double& value = spectrum[j * half + i];
                 value = i == 0 && j == 0 ? mean_compliance(layering, 1)
                         : body.is_2d()   ? 1 / (pi * std::sqrt(x * x + y * y))
@@ -129,6 +129,8 @@ Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
                 if (!layering.layers.empty() && i + j > 0)
                     value *= relative_compliance(layering, 1, 2 / value);
             }
+        for (Index j = shape.rows / 2 + 1; j < shape.rows; ++j) // waves of the same lengths
+            spectrum.segment(j * half, half) = spectrum.segment((shape.rows - j) * half, half);
         return spectrum;
     });
 }
