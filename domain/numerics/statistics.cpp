@@ -2,7 +2,6 @@
 
 #include "ga/base/random.hpp"
 
-#include <Eigen/QR>
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <numeric>
@@ -128,10 +127,6 @@ double squares(const std::vector<double>& values) {
 }
 
 } // namespace
-
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-    return A.colPivHouseholderQr().solve(b);
-}
 
 std::vector<double> ranks(const std::vector<double>& values) {
     const std::vector<std::size_t> order = ascending(values);

@@ -46,9 +46,6 @@ Interval bootstrap_interval(std::size_t n,
 /// Slope of the least-squares line through the points (x, y); NaN for fewer than two.
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
-/// The x with the smallest |A x - b|, by a QR factorisation with pivots.
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
-
 /// Ranks from 1 for the smallest; equal values share the mean of theirs. No value may be NaN.
 std::vector<double> ranks(const std::vector<double>& values);
 

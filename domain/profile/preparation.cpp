@@ -2,7 +2,8 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
-#include "domain/numerics/statistics.hpp"
+
+#include <Eigen/QR>
 
 #include <cmath>
 #include <numeric>
@@ -39,7 +40,8 @@ Eigen::VectorXd without_arc(const Profile& profile) {
         if (!rest.allFinite())
             refuse("detrend: no arc of a circle fits the heights; use parabola or another form");
         const Eigen::Vector3d scale(1, half, half * half);
-        const Eigen::Vector3d change = least_squares(slopes * scale.cwiseInverse().asDiagonal(), rest);
+        const Eigen::Vector3d change =
+            (slopes * scale.cwiseInverse().asDiagonal()).colPivHouseholderQr().solve(rest);
         of += change.cwiseQuotient(scale);
         if (change.cwiseAbs().maxCoeff() <= 1e-14 * (of.cwiseProduct(scale)).cwiseAbs().maxCoeff())
             break;

@@ -1,5 +1,6 @@
 #include "apps/experiments/paper/paper.hpp"
-#include "domain/numerics/statistics.hpp"
+
+#include <Eigen/QR>
 
 #include <numbers>
 
@@ -142,7 +143,7 @@ ChromosomeExample chromosome_example(int n, std::uint64_t seed, Csv& table) {
         table.points(x, ridges[m], n, m + 1);
     Eigen::MatrixXd cosine(x.size(), 3);
     cosine << Eigen::VectorXd::Ones(x.size()), (k * x.array()).cos().matrix(), (k * x.array()).sin().matrix();
-    const Eigen::VectorXd best = cosine * rough::least_squares(cosine, sum);
+    const Eigen::VectorXd best = cosine * cosine.colPivHouseholderQr().solve(sum);
     return {rough::wave_length(series, n),
             (sum - best).cwiseAbs().maxCoeff() / (sum.maxCoeff() - sum.minCoeff())};
 }
