@@ -21,8 +21,8 @@ ContactScene map_scene(const std::string& name, const rough::Body& body, rough::
 /// Maps of 256 x 256 and 1024 x 1024 nodes are added if `large`.
 std::vector<ContactScene> stability_scenes(bool large = false);
 
-///@{ Scenes of maps that a search has bred. The name "bred G,G,..." holds the genes, thousandths from 0 to 1.
-/// It is enough to press the scene again. Throws InputError on a name with other words.
+///@{ Scenes of maps that a search has bred. Genes are thousandths, 0 to 1000, as 0 to 1 in the name "bred
+/// G,G,...". It is enough to press the scene again. Throws InputError on a name with other words.
 std::string bred_name(const std::vector<double>& genome);
 bool is_bred(const std::string& name);
 ContactScene bred_scene(const std::string& name);

@@ -10,25 +10,17 @@ constexpr std::size_t gene_count = 11;
 constexpr std::size_t worst = 10; ///< scenes of a search that are tried by every solver
 const std::string mark = "bred ";
 
-using BredGenome = std::vector<double>; ///< thousandths
-using HardScenes = OutsideProblem<BredGenome>;
+using HardScenes = OutsideProblem<std::vector<double>>;
 
 const Genes thousandths{.count = gene_count, .parts = {{gene_count, 0, 1000, true}}};
 
-std::string name_of(const BredGenome& genome) {
-    std::vector<double> genes = rounded(thousandths, genome);
-    for (double& gene : genes)
-        gene /= 1000;
-    return bred_name(genes);
-}
-
 /// The work of the solver `auto`: its products with H per load step. It is more than any work if `auto` fails
 /// or another solver contradicts it.
-Answer work_of(const BredGenome& genome, const std::atomic<bool>& stop) {
+Answer work_of(const std::vector<double>& genome, const std::atomic<bool>& stop) {
     constexpr double wrong = 2e6, failed = 1e6;
     ContactScene scene;
     try {
-        scene = bred_scene(name_of(genome));
+        scene = bred_scene(bred_name(genome));
     } catch (const rough::InputError&) { // waves that the grid cannot show
         return {{0}};
     }
@@ -49,8 +41,8 @@ Answer work_of(const BredGenome& genome, const std::atomic<bool>& stop) {
 
 std::string bred_name(const std::vector<double>& genome) {
     std::string name = mark;
-    for (const double gene : genome)
-        name += (name == mark ? "" : ",") + ga::number(std::round(1000 * gene) / 1000);
+    for (const double gene : rounded(thousandths, genome))
+        name += (name == mark ? "" : ",") + ga::number(gene / 1000);
     return name;
 }
 
@@ -94,7 +86,7 @@ std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int 
                               .parse("sample 40 | score | repeat 1000000 { tournament 3 | cross uniform | "
                                      "mutate 0.2 | score | elite 5 }");
     HardScenes problem(thousandths, {false});
-    problem.answer = [&stop](const BredGenome& genome) { return work_of(genome, stop); };
+    problem.answer = [&stop](const std::vector<double>& genome) { return work_of(genome, stop); };
     ga::RunOptions options;
     options.seed = seed;
     options.threads = threads;
@@ -104,7 +96,7 @@ std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int 
         hardest.offer(individual); // the budget may end before a stage does
     std::vector<ContactScene> scenes;
     for (const auto& individual : hardest.members)
-        scenes.push_back(bred_scene(name_of(individual.genome)));
+        scenes.push_back(bred_scene(bred_name(individual.genome)));
     return scenes;
 }
 
