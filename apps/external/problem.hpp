@@ -27,7 +27,7 @@ struct OutsideProblem {
     Genes genes = {};                        ///< kinds of the genes
     /// Derivatives of the first objective with respect to real genes; empty if they are unknown.
     std::function<std::vector<double>(const G&)> slopes = {};
-    std::function<Answer(const G&)> answer = {}; ///< evaluates a genome; empty if an evaluator does
+    std::function<Answer(const G&)> answer = {}; ///< makes an evaluation; empty if an evaluator does
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
                    const std::vector<bool>& minimise)

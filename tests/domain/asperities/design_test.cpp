@@ -152,7 +152,7 @@ TEST_CASE("corrected targets give interacting caps the law that independent caps
     const auto evaluations = [&](const std::string& stage) {
         return search(setup, {.pipeline = "sample 4 | " + stage + " { score } | score"}).counters.evaluations;
     };
-    CHECK(evaluations("corrected") == evaluations("independent") + 2); // of the first caps by both models
+    CHECK(evaluations("corrected") == evaluations("independent") + 2); // both models of the first caps
 }
 
 TEST_CASE("a thousand caps follow a line by boundary elements after few evaluations", "[long]") {
@@ -242,7 +242,7 @@ TEST_CASE("drawn radii are all the largest or even over their range, and heights
     CHECK((alike > 7 && alike < 33)); // half of them
 }
 
-TEST_CASE("a mutation of caps keeps steps and ranges, and reports whether it changed a gene") {
+TEST_CASE("a mutation of caps keeps steps and ranges, and reports each change") {
     CapSetup setup = made_of_pdms(3);
     setup.targets = {hidden_law(setup, 2)};
     const CapProblem problem(setup);
