@@ -3,7 +3,6 @@
 /// @file
 /// The whole public interface: the headers included here, directly or indirectly, are installed. A header
 /// that another one includes is not listed.
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/asperities/caps.hpp"
 #include "domain/contact/interface.hpp"
 #include "domain/contact/kernel.hpp"
@@ -18,12 +17,9 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/paper/variants.hpp"
-#include "domain/problem/setup.hpp"
-#include "domain/profile/preparation.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/solid.hpp"
 #include "domain/scan/map.hpp"
-#include "domain/target/target.hpp"
 #include "domain/theory/theory.hpp"
 
 /// Rough profiles, their contact, and the design of profiles with a given contact behaviour.

@@ -6,13 +6,11 @@
 #include "ga/blocks/islands.hpp"
 #include "ga/blocks/pair.hpp"
 #include "ga/blocks/repeat.hpp"
-#include "ga/pareto/pareto.hpp"
 #include "ga/pipeline/run.hpp"
 #include "ga/pipeline/score.hpp"
 #include "ga/pipeline/transform.hpp"
 #include "ga/replacement/replacement.hpp"
 #include "ga/selection/selection.hpp"
-#include "ga/variation/cross.hpp"
 #include "ga/variation/mutate.hpp"
 
 /// The engine of genetic algorithms: a population passes through stages. It does not depend on a domain.

@@ -93,6 +93,23 @@ void each_column(std::complex<Real>* numbers, Extent shape, Index padded, Worksp
     });
 }
 
+bool is_circulant(const Eigen::VectorXd& first_column, Extent shape) {
+    const auto entry = [&](Index i, Index j) {
+        return first_column[j % shape.rows * shape.columns + i % shape.columns];
+    };
+    for (Index j = 0; j < shape.rows; ++j)
+        for (Index i = 0; i < shape.columns; ++i)
+            if (entry(i, j) != entry(shape.columns - i, j) || entry(i, j) != entry(i, shape.rows - j))
+                return false;
+    return true;
+}
+
+Eigen::ArrayXcd twists(Index count, Index n) {
+    return Eigen::ArrayXcd::NullaryExpr(count, [n](Index j) {
+        return std::polar(1.0, -std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+    });
+}
+
 } // namespace
 
 Eigen::ArrayXXcd fourier_transform(const Eigen::ArrayXXd& numbers) {
@@ -190,6 +207,8 @@ BasicFourierOperator<Real> BasicFourierOperator<Real>::toeplitz(const Eigen::Vec
                                                                 Extent shape, Team& team) {
     const auto padded = [](Index n) { return fast_fourier_length(std::max<Index>(2 * n - 1, 2)); };
     BasicFourierOperator op(shape, {padded(shape.columns), shape.rows == 1 ? 1 : padded(shape.rows)}, team);
+    if (is_circulant(first_column, shape))
+        op.of_mean_ = first_column.sum();
     AlignedBuffer<double> spectrum = even_spectrum(op.padded_, team, [&](Index i, Index j) {
         return i < shape.columns && j < shape.rows ? first_column[j * shape.columns + i] : 0;
     });
@@ -216,6 +235,9 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     const Index apart = row_stride(half_);
     const RowPlans<Real> row_plans(true, rows, longer, apart);
     auto* const transform = shared_memory<std::complex<Real>>(apart * rows);
+    using Row = Eigen::Map<Eigen::ArrayX<Real>>;
+    const double sum = of_mean_ ? team_->sum_of(nodes(), [=](Index i) { return double{from[i]}; }) : 0;
+    const Real mean = static_cast<Real>(sum / static_cast<double>(nodes()));
     // A line is padded in place, rows of an area in a workspace.
     const auto each_rows = [&](auto job) {
         work_.each_range(rows, block, [&](Index first, Index count, std::complex<Real>* memory) {
@@ -227,6 +249,7 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
         for (Index c = 0; c < count; ++c) {
             if (from != row)
                 std::copy_n(from + node + c * n, n, row + c * longer);
+            Row(row + c * longer, n) -= mean;
             std::fill(row + c * longer + n, row + (c + 1) * longer, Real(0));
         }
         FftLibrary<Real>::execute(plan.forward, row, wave);
@@ -246,8 +269,11 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     }
     each_rows([&](Index node, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
         FftLibrary<Real>::execute(plan.backward, wave, row);
-        for (Index c = 0; to != row && c < count; ++c)
-            std::copy_n(row + c * longer, n, to + node + c * n);
+        for (Index c = 0; c < count; ++c) {
+            Row(row + c * longer, n) += mean * static_cast<Real>(of_mean_.value_or(0));
+            if (to != row)
+                std::copy_n(row + c * longer, n, to + node + c * n);
+        }
     });
 }
 
@@ -261,27 +287,6 @@ const Real* BasicFourierOperator<Real>::apply(const std::vector<int>& nodes, con
 
 template class BasicFourierOperator<double>;
 template class BasicFourierOperator<float>;
-
-namespace {
-
-bool is_circulant(const Eigen::VectorXd& first_column, Extent shape) {
-    const auto entry = [&](Index i, Index j) {
-        return first_column[j % shape.rows * shape.columns + i % shape.columns];
-    };
-    for (Index j = 0; j < shape.rows; ++j)
-        for (Index i = 0; i < shape.columns; ++i)
-            if (entry(i, j) != entry(shape.columns - i, j) || entry(i, j) != entry(i, shape.rows - j))
-                return false;
-    return true;
-}
-
-Eigen::ArrayXcd twists(Index count, Index n) {
-    return Eigen::ArrayXcd::NullaryExpr(count, [n](Index j) {
-        return std::polar(1.0, -std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
-    });
-}
-
-} // namespace
 
 SplitOperator::SplitOperator(const Eigen::VectorXd& first_column, Extent shape, Team& team)
     : shape_(shape), is_circulant_(is_circulant(first_column, shape)),

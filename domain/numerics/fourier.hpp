@@ -54,7 +54,8 @@ class Workspace {
 template <typename Real>
 class BasicFourierOperator {
   public:
-    /// N x N symmetric Toeplitz from its first column of N entries.
+    /// N x N symmetric Toeplitz from its first column of N entries. If it is circulant, equal numbers have an
+    /// eigenvalue. The mean of p is multiplied by it, because transforms lose small differences from a mean.
     static BasicFourierOperator toeplitz(const Eigen::VectorXd& first_column, Extent shape,
                                          Team& team = Team::alone());
     /// N x N symmetric circulant from its eigenvalues: N_y rows of S_k, k = 0..N_x/2.
@@ -65,6 +66,7 @@ class BasicFourierOperator {
     template <typename Other>
     explicit BasicFourierOperator(const BasicFourierOperator<Other>& other)
         : BasicFourierOperator(other.shape_, other.padded_, *other.team_) {
+        of_mean_ = other.of_mean_;
         std::copy_n(other.spectrum_.data(), half_ * lines_, spectrum_.data());
     }
 
@@ -93,7 +95,8 @@ class BasicFourierOperator {
     BasicFourierOperator(Extent shape, Extent padded, Team& team);
     Team* team_;
     Extent shape_, padded_;
-    Index half_, lines_; ///< numbers of a half-complex row; unmirrored eigenvalues per column
+    std::optional<double> of_mean_; ///< eigenvalue of equal numbers
+    Index half_, lines_;            ///< numbers of a half-complex row; unmirrored eigenvalues per column
     std::optional<AlignedBuffer<Real>> real_; ///< input and output, if input() was called
     AlignedBuffer<Real> spectrum_;            ///< eigenvalues column after column
     Workspace<Real> work_;

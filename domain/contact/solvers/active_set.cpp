@@ -166,8 +166,8 @@ class ActiveSet {
         double level = 0;
         solver_.improve(
             set_, [&](Index i) { return approach - problem_.gap[i]; }, load_,
-            Enough{target * approach, [&](double) { return check_stop(options_), false; }}, max_iterations,
-            sum_ ? &level : nullptr, projected);
+            Enough{target * std::abs(approach), [&](double) { return check_stop(options_), false; }},
+            max_iterations, sum_ ? &level : nullptr, projected);
         approach -= level;
         stale_ = !problem_.is_2d();
     }
@@ -197,14 +197,14 @@ class ActiveSet {
             const int i = nodes[static_cast<std::size_t>(k)];
             return load_.pressure[i] > 0 ? -depth_[i] : 0;
         });
-        return std::max(gap, deepest_) / approach;
+        return std::max(gap, deepest_) / std::abs(approach);
     }
 
     double residual(const Loaded& x, double approach) const {
         return problem_.team->largest_of(problem_.nodes(), [&](Index i) {
             const double depth = approach - problem_.gap[i] - x.displacement[i];
             return x.pressure[i] > 0 ? std::abs(depth) : depth;
-        }) / approach;
+        }) / std::abs(approach);
     }
 
     /// Nodes leave and join in the same round, until that makes the set swing. From then on no node joins in
@@ -216,8 +216,8 @@ class ActiveSet {
         int swings = 0;
         for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);
-            change_set(approach, 0.3 * tolerance * approach,
-                       std::min(rough_accuracy, 0.1 * target) * approach);
+            const double size = std::abs(approach); // the mean of a poor guess may be below 0
+            change_set(approach, 0.3 * tolerance * size, std::min(rough_accuracy, 0.1 * target) * size);
             double worst = residual(approach);
             if (worst <= tolerance) {
                 solver_.load(load_, 0.1 * tolerance * approach); // unless it is as good already

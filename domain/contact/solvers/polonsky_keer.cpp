@@ -65,7 +65,7 @@ class PolonskyKeer {
             if (load)
                 approach = contact.select(problem_.gap + load_.displacement, 0).sum() / count;
             gap_ = (problem_.gap + load_.displacement).array() - approach;
-            residual = contact.select(gap_.abs(), -gap_).maxCoeff() / approach;
+            residual = contact.select(gap_.abs(), -gap_).maxCoeff() / std::abs(approach);
             if (!std::isfinite(residual))
                 break;
             if (residual <= target) {

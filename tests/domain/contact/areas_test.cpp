@@ -209,6 +209,37 @@ TEST_CASE("a double sine follows Johnson, Greenwood and Higginson at both ends",
                       Catch::Contains("full contact"));
 }
 
+TEST_CASE("with one node out of contact, stiffness is the sum of E* q/2 over all waves", "[contact][areas]") {
+    for (const auto& [shape, row_spacing] :
+         {std::pair(Extent{3, 2}, 0.01), std::pair(Extent{17, 58}, 0.01), std::pair(Extent{64, 64}, 0.01),
+          std::pair(Extent{211, 199}, 0.01), std::pair(Extent{251, 1}, 0.01),
+          std::pair(Extent{251, 1}, 0.0)}) {
+        const auto wave = [](Index k, Index n) { // 1/mm
+            return static_cast<double>(std::min(k, n - k)) / (0.01 * static_cast<double>(n));
+        };
+        double K = 0;
+        for (Index k = 0; k < shape.nodes(); ++k)
+            K += 1.3 * pi *
+                 std::hypot(wave(k % shape.columns, shape.columns), wave(k / shape.columns, shape.rows));
+        Profile pit{Eigen::VectorXd::Zero(shape.nodes()), 0.01, shape.rows, row_spacing};
+        pit.heights[shape.nodes() / 2] = -1e-3;
+        const double half_closed = 0.5e-3 / static_cast<double>(shape.nodes());
+        for (const Solver solver : {Solver::nested, Solver::active_set, Solver::polonsky_keer}) {
+            if (solver == Solver::nested && shape.nodes() > 5000)
+                continue;
+            CAPTURE(shape.columns, shape.rows, row_spacing, static_cast<int>(solver));
+            for (const ContactCurve& curve :
+                 {solve_contact(pit, on(Kernel::periodic), {half_closed}, by(solver)),
+                  solve_contact_at_pressures(pit, on(Kernel::periodic), {K * half_closed}, by(solver))}) {
+                const LoadStep& step = curve.steps[0];
+                CHECK(step.contact_nodes == shape.nodes() - 1);
+                CHECK(step.tangent_stiffness == Approx(K).epsilon(1e-6));
+                CHECK(step.pressure == Approx(K * step.displacement).epsilon(1e-6));
+            }
+        }
+    }
+}
+
 TEST_CASE("a transposed map has the same curve", "[contact][areas]") {
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
         const Profile map = noise({24, 40}, 0.01, 0.015, 9);
