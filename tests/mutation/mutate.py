@@ -82,7 +82,11 @@ def write_tree(tree, mutants):
     per_file = collections.defaultdict(list)
     for number, (name, site) in mutants.items():
         per_file[name].append((number, site))
-    for name in tracked():
+    names = set(tracked())
+    for old in tree.rglob("*"):
+        if old.is_file() and str(old.relative_to(tree)) not in names:
+            old.unlink()
+    for name in names:
         target = tree / name
         target.parent.mkdir(parents=True, exist_ok=True)
         text = (ROOT / name).read_bytes()
