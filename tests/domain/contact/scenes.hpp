@@ -1,7 +1,6 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
-#include "domain/mwm/sobol.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 
 #include <nlohmann/json.hpp>
@@ -42,16 +41,6 @@ inline std::vector<Reference> reference_curves() {
         scenes.push_back(std::move(r));
     }
     return scenes;
-}
-
-/// The paper's database of 100 one-series genomes: lambda = L = 0.84942 mm, A = 1, M = 1. Waves go down to
-/// L/511 for any number of nodes.
-inline std::vector<rough::Profile> database(rough::Index nodes) {
-    std::vector<rough::Profile> profiles;
-    const double length = rough::DatabaseLayout().lambda;
-    for (const rough::Genome& genome : rough::sobol_database({.shortest = length / 511}))
-        profiles.push_back(sample(genome, {nodes, length}));
-    return profiles;
 }
 
 /// A profile on a body, and the displacements that it is pressed to.
