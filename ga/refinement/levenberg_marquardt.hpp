@@ -26,7 +26,7 @@ struct LevenbergMarquardt {
             whole("sharpen", 0, "after this many, the largest residual counts; 0 for never").keyed().quiet());
     }
 
-    Eigen::VectorXd improve(const Landscape& land) const {
+    Eigen::VectorXd improve(const auto& land) const {
         std::optional<Sensitivity> at = land.exhausted() ? std::nullopt : land.sensitivity(land.start);
         if (!at)
             return land.start;
@@ -85,8 +85,7 @@ struct LevenbergMarquardt {
     };
     /// The damped step of weighted least squares; none if it does not move.
     static std::optional<Step> step_from(const Eigen::VectorXd& x, const Sensitivity& at,
-                                         const Eigen::VectorXd& weights, double damping,
-                                         const Landscape& land) {
+                                         const Eigen::VectorXd& weights, double damping, const auto& land) {
         const Eigen::Index count = x.size(), rows = at.residuals.size();
         const bool by_rows = count > many_variables && count > 4 * rows; // a smaller system than by variables
         Eigen::MatrixXd jacobian = at.jacobian;
@@ -125,8 +124,9 @@ struct LevenbergMarquardt {
 };
 
 /// The method `lm evaluations sharpen=sharpen`.
-inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
-    return method_of(LevenbergMarquardt{evaluations, sharpen});
+template <class M = LevenbergMarquardt>
+ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
+    return method_of(M{evaluations, sharpen});
 }
 
 } // namespace ga

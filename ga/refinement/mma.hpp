@@ -21,7 +21,7 @@ inline Reading least_worst(const Eigen::VectorXd& residuals) {
 /// Maximises a function of the residuals by the globally convergent method of moving asymptotes (Svanberg
 /// 2002; NLopt's LD_MMA). `read` returns the function's value and derivatives for given residuals.
 /// @param evaluations  maximum number of evaluations after the start point; inner iterations count
-inline Eigen::VectorXd maximised_by_mma(const Landscape& land, int evaluations,
+inline Eigen::VectorXd maximised_by_mma(const auto& land, int evaluations,
                                         const std::function<Reading(const Eigen::VectorXd&)>& read) {
     NloptSearch search(nlopt::LD_MMA, land.lower, land.upper, evaluations + 1);
     BestPoint best{land.start, -HUGE_VAL};
@@ -55,13 +55,13 @@ struct Mma {
 
     static Words words() { return {"mma", "refinement", "GCMMA on the largest |r|, one row at a time"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
-    Eigen::VectorXd improve(const Landscape& land) const {
+    Eigen::VectorXd improve(const auto& land) const {
         return maximised_by_mma(land, evaluations, least_worst);
     }
 };
 
 /// The method `mma evaluations`.
-inline ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations}); }
+inline ResidualMethod mma(std::integral auto evaluations) { return method_of(Mma{evaluations}); }
 
 /// Minimises the largest |r_k| by the globally convergent method of moving asymptotes (Svanberg 2002; NLopt's
 /// LD_MMA). The problem is smooth: minimise t subject to r_k - t <= 0 and -r_k - t <= 0, with t as one more
@@ -74,7 +74,7 @@ struct Minimax {
     static Words words() { return {"minimax", "refinement", "GCMMA on the smallest t with -t <= r <= t"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
 
-    Eigen::VectorXd improve(const Landscape& land) const {
+    Eigen::VectorXd improve(const auto& land) const {
         const Eigen::Index n = land.start.size();
         const std::optional<Sensitivity> first =
             land.exhausted() ? std::nullopt : land.sensitivity(land.start);
@@ -129,6 +129,6 @@ struct Minimax {
 };
 
 /// The method `minimax evaluations`.
-inline ResidualMethod minimax(int evaluations) { return method_of(Minimax{evaluations}); }
+inline ResidualMethod minimax(std::integral auto evaluations) { return method_of(Minimax{evaluations}); }
 
 } // namespace ga

@@ -129,7 +129,7 @@ struct Nlopt {
         return algorithm == "LN_COBYLA" || algorithm == "GN_ISRES" || algorithm.starts_with("GN_ORIG_DIRECT");
     }
 
-    Eigen::VectorXd improve(const Landscape& land) const {
+    Eigen::VectorXd improve(const auto& land) const {
         nlopt::srand(static_cast<unsigned long>(land.seed));
         NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper,
                            evaluations + 1);
@@ -176,8 +176,6 @@ struct Nlopt {
 };
 
 /// The refinement `nlopt NAME n`. Throws UsageError if the name is unknown or needs a second optimiser.
-inline Method nlopt_method(const std::string& name, int evaluations) {
-    return method_of(Nlopt{name, evaluations});
-}
+inline Method nlopt_method(const auto& name, int evaluations) { return method_of(Nlopt{name, evaluations}); }
 
 } // namespace ga
