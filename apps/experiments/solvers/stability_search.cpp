@@ -87,16 +87,18 @@ std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int 
                                      "mutate 0.2 | score | elite 5 }");
     HardScenes problem(thousandths, {false});
     problem.answer = [&stop](const std::vector<double>& genome) { return work_of(genome, stop); };
-    ga::RunOptions options;
-    options.seed = seed;
-    options.threads = threads;
-    options.budget.evaluations = evaluations;
-    ga::HallOfFame<HardScenes> hardest(problem, worst);
+    const ga::RunOptions options{.seed = seed, .threads = threads, .budget = {.evaluations = evaluations}};
+    ga::HallOfFame<HardScenes> hardest(problem, 20 * worst); // some genes of a scene have no effect
     for (const auto& individual : ga::run(breeding, problem, {}, options, {hardest.observer()}).population)
         hardest.offer(individual); // the budget may end before a stage does
     std::vector<ContactScene> scenes;
-    for (const auto& individual : hardest.members)
-        scenes.push_back(bred_scene(bred_name(individual.genome)));
+    for (const auto& individual : hardest.members) {
+        ContactScene scene = bred_scene(bred_name(individual.genome));
+        if (scenes.size() < worst && std::ranges::none_of(scenes, [&](const ContactScene& other) {
+                return other.profile.heights == scene.profile.heights && other.pressures == scene.pressures;
+            }))
+            scenes.push_back(std::move(scene));
+    }
     return scenes;
 }
 
