@@ -1,4 +1,5 @@
 #include "domain/numerics/aligned.hpp"
+#include "domain/numerics/team.hpp"
 #include "domain/numerics/vector_loops.hpp"
 
 #include <Eigen/Cholesky>
@@ -120,6 +121,16 @@ TEST_CASE("the deepest node is found at any place, and NaN is noticed", "[vector
                 u[i] = 0.25;
             }
         }
+}
+
+TEST_CASE("a team that the system cannot start is the caller's thread alone", "[vectors]") {
+    pthread_attr_t usual, vast; // stacks larger than the memory that a process can address
+    pthread_getattr_default_np(&usual), pthread_attr_init(&vast);
+    pthread_attr_setstacksize(&vast, std::size_t{1} << 60);
+    pthread_setattr_default_np(&vast);
+    const Team team(2000);
+    pthread_setattr_default_np(&usual);
+    CHECK(team.size() == 1);
 }
 
 TEST_CASE("a wave is the cosine of its angle for any kind of vectors", "[vectors]") {
