@@ -216,8 +216,7 @@ TEST_CASE("an ASCII surface data file of several profiles is a map") {
     CHECK_THAT(refusal(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
     CHECK_THAT(refusal(text, {}), Catch::Contains("the row to take"));
     const Map map = as_map(changed(text, "-32768", "3"));
-    CHECK(map.heights.shape() == Extent{3, 2});
-    CHECK(map.heights.spacing == Approx(1e-3));
+    CHECK((map.heights.shape() == Extent{3, 2} && map.heights.spacing == Approx(1e-3)));
     CHECK(map.heights.row_spacing == Approx(2e-3));
     CHECK(map.heights.heights.isApprox(1e-3 * Eigen::Vector<double, 6>(1, 2, 1, 4, 3, 5)));
 }
@@ -262,6 +261,7 @@ TEST_CASE("an X3P with a wrong check sum or mask is refused") {
                Catch::Contains("its main.xml has the MD5 "));
     CHECK_THAT(refused(xml, {}), Catch::Contains("'bindata/valid.bin', which is not in the archive"));
     CHECK_THAT(refused(xml, {{"bindata/valid.bin", "\xFF"}}), Catch::Contains("valid points end early"));
+    CHECK_THAT(refused(xml, {{"bindata/valid.bin", "\xFE\xFF\xFF"}}), Catch::Contains("missing value"));
     const std::string written = x3p({1e-3 * Eigen::VectorXd::Random(20), 0.1});
     const Zip zip(written, "x");
     std::string other = zip.entry("bindata/data.bin", 1000).value();
@@ -346,6 +346,7 @@ TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
     CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
                Catch::Contains("the file gives a spacing along x of 0.01"));
     CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights are in m"));
+    CHECK(sur(relief)[88] == 1); // the header's mark of absolute heights
 }
 
 TEST_CASE("a matrix and points x, y, height in any order are the same map", "[map]") {
@@ -353,8 +354,7 @@ TEST_CASE("a matrix and points x, y, height in any order are the same map", "[ma
     const Map by_rows = as_map(matrix, {.unit = "um", .spacing = 10, .row_spacing = 20});
     const Map by_points = as_map("20 20 6\n0 0 1\n10 0 2\n0 20 4\n20 0 3\n10 20 5\n", {.unit = "um"});
     for (const Map* map : {&by_rows, &by_points}) {
-        CHECK(map->heights.shape() == Extent{3, 2});
-        CHECK(map->heights.spacing == Approx(0.01));
+        CHECK((map->heights.shape() == Extent{3, 2} && map->heights.spacing == Approx(0.01)));
         CHECK(map->heights.row_spacing == Approx(0.02));
         for (Index k = 0; k < 6; ++k)
             CHECK(map->heights.heights[k] == Approx(1e-3 * double(k + 1)));

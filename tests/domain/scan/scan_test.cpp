@@ -263,8 +263,7 @@ TEST_CASE("filters remove short and long waves after the form, as the account st
 
 TEST_CASE("x and heights may have different given units") {
     const Source scan = read("0 1\n1 3\n2 1\n", {.unit = "um,nm", .detrend = Detrend::none});
-    CHECK(scan.measured.spacing == Approx(1e-3));
-    CHECK(scan.measured.heights[1] == Approx(3e-6));
+    CHECK((scan.measured.spacing == Approx(1e-3) && scan.measured.heights[1] == Approx(3e-6)));
     CHECK_THAT(scan.account, Catch::Contains("x in µm (given), heights in nm (given)"));
     CHECK(read("1\n3\n1\n", {.unit = "um,nm", .spacing = 2, .detrend = Detrend::none}).measured.spacing ==
           Approx(2e-3));
@@ -292,6 +291,10 @@ TEST_CASE("a scan is readable with empty quotes, half a UTF-16 pair, or a tiny e
     for (const char c : four_rows)
         wide += {c, '\0'};
     CHECK(read(wide).measured.nodes() == 4);
+    std::string level = "0,5\n1,5\n0,25\n"; // whole numbers at the end do not hide decimal commas
+    for (int i = 0; i < 40; ++i)
+        level += "2\n";
+    CHECK(read(level, {.spacing = 1, .detrend = Detrend::none}).measured.heights[2] == 0.25);
 }
 
 TEST_CASE("points on a diagonal are refused as a map") {
@@ -312,8 +315,7 @@ TEST_CASE("a genome file and a scan are sources, each with its grid") {
 
     CHECK(waves.grid().length == 2);
     CHECK(waves.on(waves.grid()).heights == sample(*waves.genome, waves.grid()).heights);
-    CHECK(points.grid().nodes == 5);
-    CHECK(points.grid().length == 4 * 0.1);
+    CHECK((points.grid().nodes == 5 && points.grid().length == 4 * 0.1));
     CHECK(points.grid(true).length == 5 * 0.1);
     CHECK(points.on(points.grid()).spacing == 0.1);
     CHECK(points.on(points.grid()).heights == (Eigen::VectorXd(5) << 1, 3, 0.5, 2, 1).finished());
