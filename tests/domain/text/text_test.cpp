@@ -42,6 +42,7 @@ TEST_CASE("bytes outside UTF-8 become replacement characters in JSON, other text
     CHECK(read.at("caf\xEF\xBF\xBD") == "\xEF\xBF\xBD");
     CHECK(read.at("µm") == value.at("µm"));
     CHECK(rough::json_text({{"µ", {1}}}, true) == R"({"µ":[1]})");
+    CHECK(rough::json_text({{"µ", {1}}}) == "{\n \"µ\": [\n  1\n ]\n}"); // one blank per level
 }
 
 TEST_CASE("JSON deeper than 64 brackets or broken is refused in one line") {
