@@ -81,14 +81,12 @@ TEST_CASE("three generations of CMA-ES equal those of an independent program") {
     Cloud cloud(Eigen::Vector2d(1, 2), 0.5);
     const auto check = [&](double m0, double m1, double sigma, double c00, double c01, double c11, double p0,
                            double p1) {
-        CHECK(cloud.mean[0] == Approx(m0).epsilon(1e-13));
-        CHECK(cloud.mean[1] == Approx(m1).epsilon(1e-13));
+        CHECK((cloud.mean[0] == Approx(m0).epsilon(1e-13) && cloud.mean[1] == Approx(m1).epsilon(1e-13)));
         CHECK(cloud.sigma == Approx(sigma).epsilon(1e-13));
         CHECK(cloud.covariance(0, 0) == Approx(c00).epsilon(1e-13));
         CHECK(cloud.covariance(0, 1) == Approx(c01).epsilon(1e-12));
         CHECK(cloud.covariance(1, 1) == Approx(c11).epsilon(1e-13));
-        CHECK(cloud.path_c[0] == Approx(p0).epsilon(1e-12));
-        CHECK(cloud.path_c[1] == Approx(p1).epsilon(1e-13));
+        CHECK((cloud.path_c[0] == Approx(p0).epsilon(1e-12) && cloud.path_c[1] == Approx(p1).epsilon(1e-13)));
     };
     cloud.learn(six, six_steps);
     check(1.3533681071042383, 2.032652948355438, 0.4517482891753802, 0.9914491124828981, 0.01512945756488861,
@@ -275,8 +273,7 @@ TEST_CASE("a trial of differential evolution crosses the mutant, halfway to a pa
     const std::vector<Variable> box{{0, -10, 10}, {1, -10, 10}, {2, -10, 4}};
     Stream stream(1);
     const Vector trial = Difference{base, a, b, c, 0.5, 0.8, 1}.trial(target, box, stream);
-    CHECK(trial[0] == Approx(1 + 0.5 * 1 + 0.8 * 3));
-    CHECK(trial[1] == Approx(1 + 0.5 * 2 - 0.8));
+    CHECK((trial[0] == Approx(1 + 0.5 * 1 + 0.8 * 3) && trial[1] == Approx(1 + 0.5 * 2 - 0.8)));
     CHECK(trial[2] == (0 + 4) / 2.0);
     int first = 0;
     for (std::uint64_t i = 0; i < 300; ++i) { // with CR = 0 one gene, each as often
@@ -374,6 +371,8 @@ TEST_CASE("duel keeps the better of child and parent while L-SHADE's population 
     }
     CHECK(sizes.back() == 4);
     CHECK(result.best->value() < 1e-3);
+    const auto orphans = run("score | repeat 2 { duel }", given(), individuals({9, 1, 2}));
+    CHECK(values_of(orphans.population) == Vector{9, 1, 2}); // who has no parent meets none
 }
 
 TEST_CASE("inherited step sizes multiply by log-normal factors in every generation") {

@@ -63,4 +63,8 @@ TEST_CASE("parallel work finishes, then throws its first exception in order") {
         CHECK(done == 20);
     }
     CHECK_THROWS_WITH(thread_count(100000), Catch::Contains("out of range (0 to 1024)"));
+    const int usual = omp_get_max_threads();
+    omp_set_num_threads(7);
+    CHECK((thread_count(0) == 7 && thread_count(1) == 1 && thread_count(3) == 3));
+    omp_set_num_threads(usual);
 }

@@ -71,10 +71,8 @@ TEST_CASE("the dominated share grows unless the new point is dominated") {
 }
 
 TEST_CASE("the hypervolume equals that of the union of boxes above the reference") {
-    CHECK(hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4);
-    CHECK(hypervolume({{0.5}}, {1}) == 0);
-    CHECK(hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6);
-    CHECK(hypervolume({}, {0, 0}) == 0);
+    CHECK((hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4 && hypervolume({{0.5}}, {1}) == 0));
+    CHECK((hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6 && hypervolume({}, {0, 0}) == 0));
     Stream stream(3);
     for (const std::size_t m : {2u, 3u, 4u})
         for (int round = 0; round < 20; ++round) {
@@ -156,6 +154,8 @@ TEST_CASE("plus, elite and best keep the front when there are several objectives
     for (const auto& a : result.front)
         for (const auto& b : result.front)
             CHECK(!dominates(a.fitness.values(), b.fitness.values()));
+    CHECK(result.best->fitness.minimises());
+    CHECK_FALSE(result.front[0].fitness.minimises()); // its values are higher if better
     CHECK(result.best->fitness.objective() == "f1");
     CHECK(run("sample 40 | pareto f1 f2 | repeat 40 " + children + "elite 10 }", schaffer()).front.size() >=
           10);

@@ -99,7 +99,10 @@ TEST_CASE("grouping by | changes neither text nor random numbers") {
 
 TEST_CASE("a scored start competes for the best, unless another problem scored it") {
     const auto first = run("sample 20 | score | best 5", maximum(2, height, -1, 1));
-    const auto kept = run("best 3", maximum(2, height, -1, 1), first.population, {.seed = 2});
+    std::string shown;
+    const Observer<Vector> list = [&](const auto& event) { shown += event.path + " "; };
+    const auto kept = run("best 3", maximum(2, height, -1, 1), first.population, {.seed = 2}, {list});
+    CHECK(shown == "pipeline/given pipeline/best.1 ");
     REQUIRE(kept.best);
     CHECK(kept.population.size() == 3);
     CHECK(kept.best->value() == first.best->value());
@@ -177,8 +180,7 @@ TEST_CASE("an average is the mean of replicates up to its limit, each paid once"
     problem.noise = 1;
     const auto result =
         run("score | average 2 | repeat 10 { average 2 limit=9 }", problem, individuals({1, 0, 0.5, -0.75}));
-    CHECK(result.counters.evaluations == 4 * 9);
-    CHECK(result.counters.asked == 4 * 9);
+    CHECK((result.counters.evaluations == 4 * 9 && result.counters.asked == 4 * 9));
     for (const auto& each : result.population) {
         double mean = 0;
         for (std::uint64_t replicate = 0; replicate < 9; ++replicate)
@@ -218,10 +220,8 @@ TEST_CASE("ask and tell return what is known when the caller ends early") {
         search.tell(questions[i].id, questions[i].genome);
     search.fail(questions[5].id, "broke");
     const auto part = search.result();
-    CHECK(part.stopped == "stop requested");
-    CHECK(part.population.size() == 6);
-    CHECK(part.counters.evaluations == 6);
-    CHECK(part.counters.failures == 1);
+    CHECK((part.stopped == "stop requested" && part.population.size() == 6));
+    CHECK((part.counters.evaluations == 6 && part.counters.failures == 1));
     CHECK(search.ask().empty());
     search.tell(questions[7].id, questions[7].genome); // too late, and no matter
 
