@@ -110,6 +110,7 @@ CurvesHeld held_by(unsigned first, unsigned count, double accuracy) {
         const Response fine = respond(genome, refined(model, 8));
         const double area = largest_relative(cheap.response.contact_fraction, fine.contact_fraction),
                      tangent = largest_relative(cheap.response.tangent_stiffness, fine.tangent_stiffness);
+        CHECK(cheap.account.estimated_error <= accuracy);
         held.pressure +=
             relative_error(cheap.response.pressure, exact.pressure) <= cheap.account.estimated_error + 1e-9;
         held.area += area <= cheap.account.area_error;
@@ -285,6 +286,8 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
     const AccountedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
     CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
+    const auto at_once = respond_within(genome, within(model_on(Kernel::free, genome), 1e-8)).account.grids;
+    CHECK(at_once.size() == 4); // no grid up to the resolved one suffices, as three show
     for (int n = 2; n <= 12; ++n)
         genome.series[0].chromosomes.push_back({n, {0.1 * n}});
     genome.series[0].H = 3; // the short waves are next to nothing
@@ -371,7 +374,7 @@ TEST_CASE("a scan within an accuracy carries the given pressures at any solver's
 
 TEST_CASE("stated errors of genomes' curves hold against eight times the nodes") {
     for (const double accuracy : {1e-5, 1e-2, 1e-1}) {
-        const CurvesHeld held = held_by(1, 30, accuracy);
+        const CurvesHeld held = held_by(1111, 30, accuracy);
         INFO("accuracy " << accuracy << ": area " << held.area << ", tangent " << held.tangent);
         CHECK(held.pressure >= 29);
         CHECK(held.area >= 28);
