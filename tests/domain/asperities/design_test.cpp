@@ -103,14 +103,16 @@ TEST_CASE("an answer of a pipeline without round is on the steps") {
         CHECK(is_on_steps(setup, search(setup, {.pipeline = pipeline, .evaluations = 200}).best.genome));
 }
 
-TEST_CASE("exchanged caps change the law by their interaction only") {
+TEST_CASE("exchanged caps change the law by their interaction only, and are no alternative") {
     for (const CapModel model : {CapModel::independent, CapModel::interacting}) {
         CapSetup setup = made_of_pdms(3, model);
         setup.radii = {0.3, 0.53, 0};
         setup.targets = {hidden_law(setup, 3)};
-        const auto met = [&](const char* how) { return search(setup, {.pipeline = how}).best.similarity; };
-        const double moved = met("sample 1 | mutate 1 exchange | score") - met("sample 1 | score");
+        const auto found = [&](const char* how) { return search(setup, {.pipeline = how}); };
+        const double moved = found("sample 1 | mutate 1 exchange | score").best.similarity -
+                             found("sample 1 | score").best.similarity;
         CHECK((std::abs(moved) < 1e-12) == (model == CapModel::independent));
+        CHECK(found("sample 1 | score | mutate 1 exchange | score").alternatives.size() == 1);
     }
 }
 
