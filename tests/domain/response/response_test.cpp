@@ -110,10 +110,10 @@ TEST_CASE("derivatives of pressures with a hardness follow central differences")
 
 TEST_CASE("a curve is linear, continued with its end slopes and refused beyond its range") {
     const Curve curve{Eigen::Vector3d(1, 2, 4), Eigen::Vector3d(10, 20, 0), 0, 5};
-    CHECK(curve.at(1.5) == Approx(15));
-    CHECK(curve.at(3) == Approx(10));
+    CHECK((curve.at(1.5) == Approx(15) && curve.at(3) == Approx(10) && curve.at(5) == Approx(-10)));
     CHECK(curve.at(0) == Approx(0).margin(1e-12));
-    CHECK(curve.at(5) == Approx(-10));
-    CHECK_THROWS_AS(curve.at(5.1), InputError);
-    CHECK_THROWS_AS(curve.at(-0.1), InputError);
+    for (const double far : {0., 1e6}) // wherever the range is
+        for (const double beyond : {-1e-4, 5 + 1e-4})
+            CHECK_THROWS_AS((Curve{curve.x.array() + far, curve.y, far, far + 5}.at(far + beyond)),
+                            InputError);
 }
