@@ -28,9 +28,7 @@ Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size
     one.genome = {
         random.uniform(0.001, 0.02),
         {{1, random.uniform(0.6, 1), 1.5, two_mm, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
-    one.setup.model.grid = {nodes, two_mm};
-    if (rows > 1)
-        one.setup.model.grid.rows = rows, one.setup.model.grid.width = two_mm;
+    one.setup.model.grid = {nodes, two_mm, false, 0, rows, rows > 1 ? two_mm : 0};
     one.setup.model.body.kernel = Kernel(seed % 3);
     one.setup.model = completed(one.setup.model);
     const Profile profile = sample(one.genome, one.setup.model.grid);
@@ -186,6 +184,8 @@ TEST_CASE("the tolerance is the same on one thread and on three") {
     const Tolerance a = tolerance_of(one.setup, one.genome, {.threads = 1}),
                     b = tolerance_of(one.setup, one.genome, {.threads = 3});
     CHECK(a.draws == 1000);
+    for (const auto& [end, side] : {std::pair(a.share_from, -1), {a.share_to, 1}}) // Wilson's interval
+        CHECK(end - 0.95 == Approx(side * 1.96 * std::sqrt(end * (1 - end) / 1000)));
     CHECK(a.noise_length == two_mm / 60);
     CHECK(column(a.levels, &ToleranceLevel::similarity) == std::vector<double>{0.99, 0.95, 0.9});
     for (const auto value : {&ToleranceLevel::noise_rms, &ToleranceLevel::tilt, &ToleranceLevel::scale})
