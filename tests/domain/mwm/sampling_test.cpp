@@ -196,10 +196,7 @@ TEST_CASE("two children of a cross-over of length scales add up to their parents
         a.scale = 0.01;
         const Genome left = a, right = b;
         ga::Stream stream(seed);
-        if (seed % 3 == 0)
-            cross_uniform(a, b, stream);
-        else
-            cross_points(a, b, seed % 3, stream);
+        seed % 3 == 0 ? cross_uniform(a, b, stream) : cross_points(a, b, seed % 3, stream);
         CHECK_NOTHROW(validate(a, "child"));
         CHECK_NOTHROW(validate(b, "child"));
         CHECK(chromosomes(a) == chromosomes(left));
@@ -209,17 +206,20 @@ TEST_CASE("two children of a cross-over of length scales add up to their parents
     }
 }
 
-TEST_CASE("a one-point cross-over exchanges only the short waves") {
+TEST_CASE("a one-point cross-over exchanges only the short waves, and a uniform one all as often as not") {
     std::mt19937_64 random(33);
     Genome a = random_genome(random, 1, 1, 0.84942, 0.03), b = random_genome(random, 1, 1, 0.84942, 0.03);
-    const auto longest = a.series[0].chromosomes[0].phases;
-    const auto shortest = b.series[0].chromosomes.back().phases;
+    const auto longest = a.series[0].chromosomes[0].phases, shortest = b.series[0].chromosomes.back().phases;
     ga::Stream stream(5);
     cross_points(a, b, 1, stream);
     CHECK(a.series[0].chromosomes[0].phases == longest);
     REQUIRE(a.series.size() == 2);
     if (chromosomes(a) >= chromosomes(b))
         CHECK(a.series[1].chromosomes.back().phases == shortest);
+    int held = 0;
+    for (int i = 0; i < 400; cross_uniform(a, b, stream), ++i)
+        held += a.series[0].chromosomes[0].phases == longest;
+    CHECK(std::abs(held - 200) < 40); // four standard errors
 }
 
 TEST_CASE("a genome with a number that is not finite is refused by its name") {
