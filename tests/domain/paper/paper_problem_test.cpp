@@ -107,6 +107,10 @@ TEST_CASE("the coarsest chromosome of a smooth genome is dominant, and a single 
     const Genome smooth{1, {{1, 3.0, 1.8, 0.84942, {{1, {2.0}}, {2, {1.0}}, {3, {0.5}}, {4, {0.1}}}}}};
     CHECK(rule(smooth).at(0, 0));
     CHECK(reduced(smooth, rule(smooth)).series.size() == 1);
+    const auto on_map = [&](Index n) {
+        return DominanceRule({{n, 1, true, 0, n, 1}, {Kernel::periodic}, {4, 0.5}})(smooth).correlation[0];
+    };
+    CHECK(on_map(128) == on_map(64)); // of a large map every second node
 }
 
 TEST_CASE("a wave that is flat at the nodes is not dominant") {
