@@ -273,7 +273,8 @@ TEST_CASE("a trial of differential evolution crosses the mutant, halfway to a pa
     const std::vector<Variable> box{{0, -10, 10}, {1, -10, 10}, {2, -10, 4}};
     Stream stream(1);
     const Vector trial = Difference{base, a, b, c, 0.5, 0.8, 1}.trial(target, box, stream);
-    CHECK((trial[0] == Approx(1 + 0.5 * 1 + 0.8 * 3) && trial[1] == Approx(1 + 0.5 * 2 - 0.8)));
+    CHECK(trial[0] == Approx(1 + 0.5 * 1 + 0.8 * 3));
+    CHECK(trial[1] == Approx(1 + 0.5 * 2 - 0.8));
     CHECK(trial[2] == (0 + 4) / 2.0);
     int first = 0;
     for (std::uint64_t i = 0; i < 300; ++i) { // with CR = 0 one gene, each as often

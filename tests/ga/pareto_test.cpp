@@ -71,8 +71,10 @@ TEST_CASE("the dominated share grows unless the new point is dominated") {
 }
 
 TEST_CASE("the hypervolume equals that of the union of boxes above the reference") {
-    CHECK((hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4 && hypervolume({{0.5}}, {1}) == 0));
-    CHECK((hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6 && hypervolume({}, {0, 0}) == 0));
+    CHECK(hypervolume({{2.0}, {5.0}, {3.0}}, {1}) == 4);
+    CHECK(hypervolume({{0.5}}, {1}) == 0);
+    CHECK(hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6);
+    CHECK(hypervolume({}, {0, 0}) == 0);
     Stream stream(3);
     for (const std::size_t m : {2u, 3u, 4u})
         for (int round = 0; round < 20; ++round) {

@@ -220,8 +220,10 @@ TEST_CASE("ask and tell return what is known when the caller ends early") {
         search.tell(questions[i].id, questions[i].genome);
     search.fail(questions[5].id, "broke");
     const auto part = search.result();
-    CHECK((part.stopped == "stop requested" && part.population.size() == 6));
-    CHECK((part.counters.evaluations == 6 && part.counters.failures == 1));
+    CHECK(part.stopped == "stop requested");
+    CHECK(part.population.size() == 6);
+    CHECK(part.counters.evaluations == 6);
+    CHECK(part.counters.failures == 1);
     CHECK(search.ask().empty());
     search.tell(questions[7].id, questions[7].genome); // too late, and no matter
 
