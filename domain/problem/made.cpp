@@ -15,21 +15,17 @@ std::uint64_t fixed_draws(const Grid& grid) {
     return static_cast<std::uint64_t>(std::clamp<Index>(3 * grid.shape().nodes() / 4, 48, 384));
 }
 
-/// Load steps that end at the pressure or displacement of the search's last step, under Eq. 11 as well.
-std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetup& made,
-                                      const Profile& surface) {
+/// Load steps that end at the pressure or displacement of the search's last step. Under Eq. 11 all targets
+/// are against pressure.
+std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetup& made) {
     std::vector<Loading> loadings = loadings_of(made, made.model.loading);
     if (!given.max_pressure)
         return loadings;
     double last = 0; // the highest pressure of the targets
     for (const Target& target : given.targets)
-        last = std::max(last, target.against_pressure() ? target.last() : 0);
+        last = std::max(last, target.last());
     for (Loading& loading : loadings)
-        if (loading.to_pressure > 0)
-            loading.to_pressure *= std::max(1., *given.max_pressure / last);
-        else
-            loading.to_displacement = std::max(
-                loading.to_displacement, loading.reach * displacement_range(surface, made.model.body.kernel));
+        loading.to_pressure *= std::max(1., *given.max_pressure / last);
     return loadings;
 }
 
@@ -42,7 +38,7 @@ DesignSetup without_eq_11(DesignSetup setup) {
 
 MadeSurface::MadeSurface(DesignSetup setup, Genome genome)
     : setup_(without_eq_11(setup)), genome_(std::move(genome)), surface_(sample(genome_, setup.model.grid)),
-      loadings_(loadings_of_made(setup, setup_, surface_)) {}
+      loadings_(loadings_of_made(setup, setup_)) {}
 
 double MadeSurface::similarity(const Eigen::VectorXd& errors) const {
     Profile made = surface_;
