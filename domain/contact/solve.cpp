@@ -145,10 +145,10 @@ void check_options(const Body& body, const ContactOptions& options) {
 /// The load step at which the mean pressure is `pressure`, starting from one with less. Newton's method on a
 /// convex piecewise linear function reaches it in a finite number of steps, from above after the first. The
 /// bracket is halved if a step would leave it, or if a step from above gained little. P(Delta) is convex if
-/// contact sets only grow, but need not be with a hardness or layers. In full contact the stiffness of a
-/// periodic half-plane is only rounding.
-LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, const ContactOptions& options,
-                    LoadStep from) {
+/// contact sets only grow, but need not be with a hardness or layers. At the pressure `full` of full contact
+/// a periodic half-plane is singular. A step beyond it ends on the chord to it.
+LoadStep pressed_to(double pressure, double full, const Profile& profile, const Body& body,
+                    const ContactOptions& options, LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
     // With a hardness the solver finds gaps to 1e-11. A bracket narrower than this share of the displacement
     // does not tell pressures apart, and a pressure with this relative error is accepted.
@@ -167,7 +167,10 @@ LoadStep pressed_to(double pressure, const Profile& profile, const Body& body, c
         }
         if (halve || !(next > below && next < above))
             next = std::isfinite(above) ? 0.5 * (below + above) : 2 * from.displacement;
-        next = std::min(next, highest);
+        if (next >= highest)
+            next = from.displacement < 0.999 * highest
+                       ? 0.5 * (from.displacement + highest)
+                       : highest - (highest - from.displacement) * (full - pressure) / (full - from.pressure);
         const bool from_above = from.pressure > pressure;
         const ContactCurve curve = solve_contact(profile, body, {next}, options);
         from = curve.steps.front();
@@ -195,8 +198,10 @@ std::optional<StepSolution> pressed_flat(double load, const ContactProblem& prob
     Loaded state(problem.nodes()), tangent(problem.nodes());
     state.pressure = deviation.array() + load / static_cast<double>(problem.nodes());
     Index lowest = 0;
-    if (!(state.pressure.minCoeff(&lowest) > 0 && state.pressure.maxCoeff() < problem.cap))
+    const double most = state.pressure.maxCoeff();
+    if (!(state.pressure.minCoeff(&lowest) > -1e-12 * most && most < problem.cap))
         return {};
+    state.pressure = state.pressure.cwiseMax(0);
     ContactSet set(problem.nodes());
     set.assign([&](Index i) { return i != lowest; });
     SetSolver(problem).tangent(set, 1e-10, true, tangent);
@@ -235,17 +240,18 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
 ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
                              const std::vector<double>& pressures, const ContactOptions& options) {
     const Eigen::VectorXd deviation =
-        body.relative_to_mean() && body.yields() ? full_contact_pressure(problem) : Eigen::VectorXd();
+        body.relative_to_mean() ? full_contact_pressure(problem) : Eigen::VectorXd();
+    const double full = deviation.size() > 0 ? -deviation.minCoeff() * problem.pressure_unit : HUGE_VAL;
     std::vector<std::optional<StepSolution>> flat(pressures.size());
     std::vector<double> displacements;
-    const double guess = std::min(first_guess(problem, options), largest_displacement(profile, body));
-    LoadStep from = solve_contact(profile, body, {guess}, options).steps.front();
+    const double highest = largest_displacement(profile, body), guess = first_guess(problem, options);
+    LoadStep from = solve_contact(profile, body, {guess < highest ? guess : 0}, options).steps.front();
     for (std::size_t j = 0; j < pressures.size(); ++j) {
         if (deviation.size() > 0)
             flat[j] = pressed_flat(problem.load[j], problem, deviation, options);
         if (flat[j])
             continue;
-        from = pressed_to(pressures[j], profile, body, options, from);
+        from = pressed_to(pressures[j], full, profile, body, options, from);
         displacements.push_back(from.displacement);
     }
     ContactCurve curve = solve_contact(profile, body, displacements, options);

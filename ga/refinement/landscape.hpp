@@ -49,8 +49,7 @@ struct Method {
 struct ResidualMethod : Method {};
 
 /// Makes a method for `refine` from an object that describes itself and has `improve(landscape)`, after
-/// checking its values. It works on residuals if it has `static constexpr bool on_residuals = true`. Methods
-/// and functions that return them are templates: only files that call them compile them.
+/// checking its values. It works on residuals if it has `static constexpr bool on_residuals = true`.
 template <Described V>
 auto method_of(V values) {
     using M = std::conditional_t<V::on_residuals, ResidualMethod, Method>;

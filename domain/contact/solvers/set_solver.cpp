@@ -15,7 +15,6 @@ constexpr double single_rounding = 5e-6;
 /// hundredth of it.
 constexpr double single_depth = 1e-4;
 /// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
-/// If all but one of 251 x 257 nodes touch, the error is 1.6e-6.
 constexpr double single_stiffness = 3e-7;
 /// Maximum number of iterations for the tangent, far above the number ever needed.
 constexpr long max_tangent_iterations = 5000;

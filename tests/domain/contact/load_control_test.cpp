@@ -63,6 +63,14 @@ TEST_CASE("every load is met, though a step from first touch leads to full conta
             for (std::size_t j = 0; j < pressures.size(); ++j)
                 CHECK(curve.steps[j].pressure == Approx(pressures[j]).epsilon(2e-6));
         }
+    const Profile waves = sampled({16'385, 1, true}, [](double x) {
+        const double t = 6.283185307179586 * x;
+        return 0.1 * std::cos(t) + 0.02 * std::cos(5 * t + 1) + 0.002 * std::cos(50 * t + 1);
+    });
+    const double full = full_contact_load(waves, body);
+    for (const std::vector<double>& loads : {std::vector{0.02 * full, 0.1 * full}, {full}})
+        CHECK(solve_contact_at_pressures(waves, body, loads).steps.back().pressure ==
+              Approx(loads.back()).epsilon(2e-6));
 }
 
 TEST_CASE("a periodic map settles at half contact under load and displacement control", "[contact]") {
