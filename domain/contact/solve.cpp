@@ -146,7 +146,7 @@ void check_options(const Body& body, const ContactOptions& options) {
 /// convex piecewise linear function reaches it in a finite number of steps, from above after the first. The
 /// bracket is halved if a step would leave it, or if a step from above gained little. P(Delta) is convex if
 /// contact sets only grow, but need not be with a hardness or layers. At the pressure `full` of full contact
-/// a periodic half-plane is singular. A step beyond it ends on the chord to it.
+/// a periodic half-plane is singular. A step beyond it ends halfway to it, near it on the chord to it.
 LoadStep pressed_to(double pressure, double full, const Profile& profile, const Body& body,
                     const ContactOptions& options, LoadStep from) {
     constexpr double met = 1e-9, little = 0.75;
@@ -194,14 +194,14 @@ LoadStep pressed_to(double pressure, double full, const Profile& profile, const 
 /// such load has the same displacement. K is that of all nodes except the least loaded one, as just below
 /// full contact.
 std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem,
-                                         const Eigen::VectorXd& deviation, const ContactOptions& options) {
+                                         const ContactOptions& options) {
     Loaded state(problem.nodes()), tangent(problem.nodes());
-    state.pressure = deviation.array() + load / static_cast<double>(problem.nodes());
-    Index lowest = 0;
-    const double most = state.pressure.maxCoeff();
-    if (!(state.pressure.minCoeff(&lowest) > -1e-12 * most && most < problem.cap))
+    state.pressure = full_contact_pressure(problem).array() + load / static_cast<double>(problem.nodes());
+    if (!(state.pressure.maxCoeff() < problem.cap))
         return {};
-    state.pressure = state.pressure.cwiseMax(0);
+    Index lowest = 0;
+    state.pressure.minCoeff(&lowest);
+    state.pressure = state.pressure.cwiseMax(0); // below it by rounding
     ContactSet set(problem.nodes());
     set.assign([&](Index i) { return i != lowest; });
     SetSolver(problem).tangent(set, 1e-10, true, tangent);
@@ -238,17 +238,15 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
 
 /// Presses to loads; Newton's method finds their displacements.
 ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
-                             const std::vector<double>& pressures, const ContactOptions& options) {
-    const Eigen::VectorXd deviation =
-        body.relative_to_mean() ? full_contact_pressure(problem) : Eigen::VectorXd();
-    const double full = deviation.size() > 0 ? -deviation.minCoeff() * problem.pressure_unit : HUGE_VAL;
+                             const std::vector<double>& pressures, double full,
+                             const ContactOptions& options) {
     std::vector<std::optional<StepSolution>> flat(pressures.size());
     std::vector<double> displacements;
     const double highest = largest_displacement(profile, body), guess = first_guess(problem, options);
     LoadStep from = solve_contact(profile, body, {guess < highest ? guess : 0}, options).steps.front();
     for (std::size_t j = 0; j < pressures.size(); ++j) {
-        if (deviation.size() > 0)
-            flat[j] = pressed_flat(problem.load[j], problem, deviation, options);
+        if (pressures[j] >= full * (1 - 1e-12))
+            flat[j] = pressed_flat(problem.load[j], problem, options);
         if (flat[j])
             continue;
         from = pressed_to(pressures[j], full, profile, body, options, from);
@@ -343,9 +341,9 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     if (pressures.empty())
         return {};
     ContactProblem problem = make_problem_at(profile, body, pressures, team);
-    if (body.relative_to_mean() && !body.yields())
-        if (const double full = full_contact_load(profile, body); pressures.back() > full)
-            refuse_beyond_full_contact(pressures.back(), full);
+    const double full = body.relative_to_mean() ? full_contact_load(profile, body) : HUGE_VAL;
+    if (!body.yields() && pressures.back() > full)
+        refuse_beyond_full_contact(pressures.back(), full);
     SolverChoice choice = choose_solver(problem, options);
     if (takes_loads(choice.solver, problem)) {
         try {
@@ -355,7 +353,7 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
                 throw;
         }
     }
-    return solve_by_newton(problem, profile, body, pressures, options);
+    return solve_by_newton(problem, profile, body, pressures, full, options);
 }
 
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,

@@ -249,7 +249,8 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
         for (Index c = 0; c < count; ++c) {
             if (from != row)
                 std::copy_n(from + node + c * n, n, row + c * longer);
-            Row(row + c * longer, n) -= mean;
+            if (of_mean_)
+                Row(row + c * longer, n) -= mean;
             std::fill(row + c * longer + n, row + (c + 1) * longer, Real(0));
         }
         FftLibrary<Real>::execute(plan.forward, row, wave);
@@ -270,7 +271,8 @@ void BasicFourierOperator<Real>::apply(const Real* from, Real* to) {
     each_rows([&](Index node, Real* row, Index count, const PlanPair<Real>& plan, auto* wave) {
         FftLibrary<Real>::execute(plan.backward, wave, row);
         for (Index c = 0; c < count; ++c) {
-            Row(row + c * longer, n) += mean * static_cast<Real>(of_mean_.value_or(0));
+            if (of_mean_)
+                Row(row + c * longer, n) += mean * static_cast<Real>(*of_mean_);
             if (to != row)
                 std::copy_n(row + c * longer, n, to + node + c * n);
         }
