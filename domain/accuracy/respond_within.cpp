@@ -183,7 +183,7 @@ class Question {
         const Eigen::VectorXd share = displacement_errors(response_, model_.loading);
         account_.solver_error =
             relative(solver_doubt(response_, count_, share), error_scale(response_.pressure, 0)).maxCoeff();
-        account_.grid_error = account_.dropped_error = 0; // those of coarser grids that did not suffice
+        account_.grid_error = account_.dropped_error = 0; // no coarser grid is used
         take_counting_errors(share, share.maxCoeff() > exact_share ? miscounted : wrong);
         account_.area_error += rows.area_error;
         account_.tangent_error += rows.tangent_error;

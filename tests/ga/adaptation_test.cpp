@@ -373,7 +373,7 @@ TEST_CASE("duel keeps the better of child and parent while L-SHADE's population 
     CHECK(sizes.back() == 4);
     CHECK(result.best->value() < 1e-3);
     const auto orphans = run("score | repeat 2 { duel }", given(), individuals({9, 1, 2}));
-    CHECK(values_of(orphans.population) == Vector{9, 1, 2}); // who has no parent meets none
+    CHECK(values_of(orphans.population) == Vector{9, 1, 2}); // without parents all stay
 }
 
 TEST_CASE("inherited step sizes multiply by log-normal factors in every generation") {

@@ -103,7 +103,7 @@ TEST_CASE("an answer of a pipeline without round is on the steps") {
         CHECK(is_on_steps(setup, search(setup, {.pipeline = pipeline, .evaluations = 200}).best.genome));
 }
 
-TEST_CASE("exchanged caps change the law by their interaction only, and are no alternative") {
+TEST_CASE("exchanged caps change the law by their interaction only, and do not add an alternative") {
     for (const CapModel model : {CapModel::independent, CapModel::interacting}) {
         CapSetup setup = made_of_pdms(3, model);
         setup.radii = {0.3, 0.53, 0};

@@ -110,7 +110,7 @@ TEST_CASE("the coarsest chromosome of a smooth genome is dominant, and a single 
     const auto on_map = [&](Index n) {
         return DominanceRule({{n, 1, true, 0, n, 1}, {Kernel::periodic}, {4, 0.5}})(smooth).correlation[0];
     };
-    CHECK(on_map(128) == on_map(64)); // of a large map every second node
+    CHECK(on_map(128) == on_map(64)); // a large map counts by every second node
 }
 
 TEST_CASE("a wave that is flat at the nodes is not dominant") {
