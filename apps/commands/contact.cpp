@@ -11,8 +11,6 @@
 #include "domain/contact/interface.hpp"
 #include "domain/text/atomic_file.hpp"
 
-#include <numbers>
-
 namespace app {
 
 namespace {
@@ -192,9 +190,7 @@ Pressed pressed_area(const Settings& settings) {
 /// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
 std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
     constexpr double min_nodes = 8 * (1 - 1e-9);
-    const auto lines = discrete_spectrum(genome);
-    const double nodes =
-        lines.empty() ? min_nodes : 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
+    const double nodes = shortest_wave(genome) / grid.spacing();
     return nodes < min_nodes ? "note: the shortest wavelength is " + readable(nodes) +
                                    " nodes long, under 8: light contact depends on the grid"
                              : "";

@@ -12,7 +12,6 @@
 #include "domain/text/atomic_file.hpp"
 
 #include <cstdio>
-#include <numbers>
 
 namespace app {
 
@@ -98,7 +97,7 @@ Description described_profile(const Settings& settings) {
     std::vector<rough::SpectralLine> lines;
     if (source.genome) {
         lines = rough::discrete_spectrum(*source.genome);
-        const double shortest = 2 * std::numbers::pi / lines.back().wave_number / grid.spacing();
+        const double shortest = shortest_wave(*source.genome) * (1 + 1e-9) / grid.spacing();
         account =
             source.name + ": a profile of " + readable(grid.length, 6) + " mm with " +
             std::to_string(lines.size()) + " waves, of which the shortest is " + readable(shortest) +

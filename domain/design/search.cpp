@@ -281,13 +281,17 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     return result;
 }
 
-Unreachable unreachable(const DesignSetup& setup, double required) {
-    Unreachable found{out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure)};
+Unreachable unreachable(std::vector<OutOfReach> reasons, double required) {
+    Unreachable found{std::move(reasons)};
     for (const OutOfReach& reason : found.reasons)
         found.bound = std::min(found.bound, reason.bound);
     if (found.bound >= required)
         found.reasons.clear();
     return found;
+}
+
+Unreachable unreachable(const DesignSetup& setup, double required) {
+    return unreachable(out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure), required);
 }
 
 } // namespace rough

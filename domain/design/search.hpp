@@ -83,6 +83,9 @@ struct Unreachable {
 /// similarity.
 constexpr double exact_enough = 0.999;
 
+/// The reasons, and the lowest of their bounds.
+Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
+
 /// The reasons and the bound for a set-up without approximations. The targets are out of reach if no profile
 /// can have the similarity `required`.
 Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);

@@ -49,10 +49,8 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
                              peak.width);
         distance.push_back(nearest);
     }
-    std::vector<int> order(distance.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, {}, [&](int i) { return distance[static_cast<std::size_t>(i)]; });
-    return order;
+    const auto order = ascending(distance);
+    return {order.begin(), order.end()};
 }
 
 /// The order in which nodes touch if contact is on tips at an even pitch, with valleys between them that
@@ -67,10 +65,8 @@ std::vector<int> tips_order(const Grid& grid, double finest, ga::Stream& random)
                      tip = pitch * (std::round(x / pitch - shift) + shift), off = std::abs(x - tip);
         rank.push_back(std::abs(tip) + 0.05 * off + (off > width / 2 ? grid.length : 0));
     }
-    std::vector<int> order(rank.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, {}, [&](int i) { return rank[static_cast<std::size_t>(i)]; });
-    return order;
+    const auto order = ascending(rank);
+    return {order.begin(), order.end()};
 }
 
 constexpr Index shaping_nodes = 256, shaping_side = 24;

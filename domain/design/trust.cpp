@@ -27,7 +27,7 @@ void flag(Trust& trust, const Parts&... parts) {
     trust.flags.push_back(line_with_digits(3, parts...));
 }
 
-/// Root mean square gradient of a map.
+/// Root mean square slope, on a map of the gradient.
 double gradient_of(const Genome& genome, const Grid& grid) {
     const auto all = surface_descriptors(grid);
     const auto slope = std::ranges::find(all, std::string("slope"), &ga::Descriptor<Genome>::name);
@@ -37,10 +37,7 @@ double gradient_of(const Genome& genome, const Grid& grid) {
 void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
                     const DesignResponse& response, Trust& trust) {
     const Profile profile = sample(genome, setup.model.grid);
-    const Index n = profile.nodes();
-    trust.rms_slope = profile.is_2d() ? gradient_of(genome, setup.model.grid)
-                                      : (profile.heights.tail(n - 1) - profile.heights.head(n - 1)).norm() /
-                                            (profile.spacing * std::sqrt(static_cast<double>(n - 1)));
+    trust.rms_slope = gradient_of(genome, setup.model.grid);
     double displacement = 0;
     for (const Response& one : response.responses)
         displacement = std::max(displacement, one.displacement.tail(1)[0]);

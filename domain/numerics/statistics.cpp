@@ -1,6 +1,7 @@
 #include "domain/numerics/statistics.hpp"
 
 #include "ga/base/random.hpp"
+#include "ga/problem/comparison.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -91,15 +92,6 @@ double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
 
 namespace {
 
-/// Positions in ascending order of the values.
-std::vector<std::size_t> ascending(const std::vector<double>& values) {
-    std::vector<std::size_t> order(values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-    return order;
-}
-
 /// Twice a rank or a sum of ranks, which is a whole number.
 std::size_t doubled(double rank) { return static_cast<std::size_t>(2 * rank); }
 
@@ -127,6 +119,10 @@ double squares(const std::vector<double>& values) {
 }
 
 } // namespace
+
+std::vector<std::size_t> ascending(const std::vector<double>& values) {
+    return ga::in_order(values.size(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+}
 
 std::vector<double> ranks(const std::vector<double>& values) {
     const std::vector<std::size_t> order = ascending(values);

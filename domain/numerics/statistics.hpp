@@ -46,6 +46,9 @@ Interval bootstrap_interval(std::size_t n,
 /// Slope of the least-squares line through the points (x, y); NaN for fewer than two.
 double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
 
+/// Positions in ascending order of the values; ties by position. No value may be NaN.
+std::vector<std::size_t> ascending(const std::vector<double>& values);
+
 /// Ranks from 1 for the smallest; equal values share the mean of theirs. No value may be NaN.
 std::vector<double> ranks(const std::vector<double>& values);
 

@@ -80,11 +80,9 @@ CapRun cap_run_from(const Settings& settings) {
         setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
     take(settings, app::fields_of(run.options));
-    run.out_of_reach = out_of_reach(setup);
-    for (const rough::OutOfReach& reason : run.out_of_reach)
-        run.bound = std::min(run.bound, reason.bound);
-    if (run.bound >= (settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough))
-        run.out_of_reach.clear();
+    run.unreachable =
+        rough::unreachable(out_of_reach(setup), settings.has("reach-similarity") ? setup.required_similarity
+                                                                                 : rough::exact_enough);
     return run;
 }
 
@@ -93,10 +91,10 @@ Summary summary_of(const CapRun& run) {
     const double required = run.setup.required_similarity, lowest = run.found.best.lowest();
     const std::string model = "the " + name_of(run.setup.model) + " model",
                       wanted = "; " + brief(required, 15) + " is required";
-    Summary summary{lowest >= required && run.out_of_reach.empty(), lowest, "", {}};
-    if (!run.out_of_reach.empty())
-        summary.verdict = "out of reach of these caps: " + run.out_of_reach.front().reason +
-                          "; no similarity is above " + readable(run.bound, 4) +
+    Summary summary{lowest >= required && run.unreachable.reasons.empty(), lowest, "", {}};
+    if (!run.unreachable.reasons.empty())
+        summary.verdict = "out of reach of these caps: " + run.unreachable.reasons.front().reason +
+                          "; no similarity is above " + readable(run.unreachable.bound, 4) +
                           "; the best design found has " + readable(run.found.best.similarity, 4);
     else if (std::isnan(lowest))
         summary.verdict = "not verified: similarity " + readable(run.found.best.similarity, 4) + " by " +

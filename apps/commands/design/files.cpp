@@ -214,7 +214,7 @@ json record_json(const DesignRecord& run, const std::vector<rough::Target>& targ
         result["summary"][fact.key] = fact.text;
     result["interrupted"] = run.interrupted;
     result["out_of_reach"] = json::array();
-    for (const auto& reason : run.out_of_reach)
+    for (const auto& reason : run.unreachable.reasons)
         result["out_of_reach"].push_back({{"reason", reason.reason},
                                           {"at", reason.at},
                                           {"highest_similarity", reason.bound},

@@ -47,8 +47,7 @@ inline std::string missed_by(const rough::SearchRun& run) {
 /// The parts of a run that designs of every genome have.
 struct DesignRecord {
     ga::Stopwatch clock;
-    std::vector<rough::OutOfReach> out_of_reach;
-    double bound = 1; ///< no surface has a higher similarity, by exact tests
+    rough::Unreachable unreachable; ///< by exact tests
     std::vector<StageRecord> stages;
     Summary summary;
     bool interrupted = false;

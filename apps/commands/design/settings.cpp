@@ -271,11 +271,9 @@ DesignRun design_from(const Settings& settings,
                                std::to_string(options.starts.size()));
     }
 
-    const rough::Unreachable beyond = rough::unreachable(
-        setup, settings.has("reach-similarity") ? setup.required_similarity : rough::exact_enough);
-    run.out_of_reach = beyond.reasons;
-    run.bound = beyond.bound;
-    if (!run.out_of_reach.empty())
+    run.unreachable = rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity
+                                                                                 : rough::exact_enough);
+    if (!run.unreachable.reasons.empty())
         options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
     return run;
 }

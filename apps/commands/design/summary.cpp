@@ -59,9 +59,9 @@ std::string verdict_of(const DesignRun& run, double verified) {
         conditions += line_of(run.setup.errors.noise > 0 ? ", under noise" : "",
                               run.setup.errors.tilt > 0 ? ", tilted" : "",
                               run.trust_options.hardness > 0 ? ", under the hardness" : "");
-    if (!run.out_of_reach.empty())
-        line = run.out_of_reach.front().verdict() + "; no profile has a similarity above " +
-               readable(run.bound, 4) + "; the best design found has " +
+    if (!run.unreachable.reasons.empty())
+        line = run.unreachable.reasons.front().verdict() + "; no profile has a similarity above " +
+               readable(run.unreachable.bound, 4) + "; the best design found has " +
                (std::isnan(verified) ? readable(designed, 4) + " as designed" : readable(verified, 4));
     else if (std::isnan(verified))
         line = "not verified: similarity " + readable(designed, 4) + " as designed, " + wanted + "; " +
@@ -285,11 +285,12 @@ std::string in_the_way(const DesignRun& run) {
                                     " points within the largest permitted change");
         return all;
     }
-    if (run.bound < run.setup.required_similarity)
-        join(all,
-             line_of("no profile ",
-                     run.out_of_reach.empty() || run.out_of_reach.front().on_this_grid ? "on this grid " : "",
-                     "has a similarity above ", readable(run.bound, 4)));
+    if (run.unreachable.bound < run.setup.required_similarity)
+        join(all, line_of("no profile ",
+                          run.unreachable.reasons.empty() || run.unreachable.reasons.front().on_this_grid
+                              ? "on this grid "
+                              : "",
+                          "has a similarity above ", readable(run.unreachable.bound, 4)));
     const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()),
                  wanted = target.y[largest.point] * nodes;
     if (is_contact_fraction(target.quantity) && 0.5 / wanted > allowed)
@@ -303,7 +304,7 @@ std::string in_the_way(const DesignRun& run) {
         join(all, "the time did not suffice to verify the answer: give more --seconds, or fewer --nodes");
     if (!run.found.stopped.empty())
         join(all, "the search ended early: " + run.found.stopped);
-    else if (run.out_of_reach.empty())
+    else if (run.unreachable.reasons.empty())
         join(all, "the search ended without success: try another --seed or --variant");
     return all;
 }
@@ -337,7 +338,7 @@ Shares off_unasked(const DesignRun& run) {
 
 bool is_found(const DesignRun& run) {
     return verified_of(run) >= run.setup.required_similarity && is_verified(run) &&
-           run.out_of_reach.empty() && run.found.best.within_limits;
+           run.unreachable.reasons.empty() && run.found.best.within_limits;
 }
 
 Summary summary_of(const DesignRun& run) {

@@ -159,8 +159,7 @@ double katsuura(const Array& z) {
 
 /// Indices in ascending order of the numbers.
 std::vector<double> order_of(const std::vector<double>& numbers) {
-    const auto order =
-        ga::in_order(numbers.size(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+    const auto order = rough::ascending(numbers);
     return {order.begin(), order.end()};
 }
 
