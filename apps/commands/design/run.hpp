@@ -137,7 +137,7 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
     work(output, interrupt);
     if (!run.interrupted && settings.choice("pictures") == 0)
         write_page(folder, limit - run.clock.seconds());
-    if (run.found.stopped.empty() || run.found.best.lowest() >= run.setup.required_similarity)
+    if (run.found.stopped.empty() || run.summary.found)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(ga::held(folder / kept));
     tell_notes(run.found.notes);

@@ -50,7 +50,7 @@ bool is_verified(const DesignRun& run) {
     return !has_conditions(run) || (run.trust && run.trust->all_decided);
 }
 
-std::string verdict_of(const DesignRun& run, double verified) {
+std::string verdict_of(const DesignRun& run, double verified, bool found) {
     const double designed = run.found.best.similarity, required = run.setup.required_similarity;
     const bool is_enough = verified >= required;
     const std::string wanted = brief(required, 15) + " is required";
@@ -68,14 +68,16 @@ std::string verdict_of(const DesignRun& run, double verified) {
                (run.interrupted ? "the design was interrupted before the checks on finer grids and load steps"
                                 : "the time did not suffice for the checks on finer grids and load steps");
     else if (run.morphed)
-        line = (is_enough ? "restored: similarity " + readable(verified, 5)
-                          : "not restored: similarity " + below(verified, required)) +
-               ", before " + readable(run.morphed->before, 4) + "; " + wanted + "; lowest similarity " +
+        line = (found ? "restored: similarity " : "not restored: similarity ") +
+               (is_enough ? readable(verified, 5) : below(verified, required)) + ", before " +
+               readable(run.morphed->before, 4) + "; " + wanted + "; lowest similarity " +
                readable(run.found.best.lowest(), 4) + ", " + conditions;
     else if (is_enough)
         line =
-            (is_verified(run) ? "found" : "not verified") + (": lowest similarity " + readable(verified, 5)) +
-            ", " + conditions +
+            (found              ? "found"
+             : is_verified(run) ? missed_by(run.found)
+                                : "not verified") +
+            (": lowest similarity " + readable(verified, 5)) + ", " + conditions +
             (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
         line = missed_by(run.found) + ": the best design has " +
@@ -342,7 +344,7 @@ bool is_found(const DesignRun& run) {
 }
 
 Summary summary_of(const DesignRun& run) {
-    Summary summary{is_found(run), verified_of(run), verdict_of(run, verified_of(run)), {}};
+    Summary summary{is_found(run), verified_of(run), verdict_of(run, verified_of(run), is_found(run)), {}};
     summary.facts = {{"warning", "Warning", run.warning},
                      {"moved", "Change", run.morphed ? moved(*run.morphed) : ""},
                      {"matched", "Requested", matched(run)},

@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 constexpr double longest_wave = 0.84942; ///< mm
 
-bool is_iterative(Solver method) { return method == Solver::polonsky_keer || method == Solver::active_set; }
+bool is_iterative(Solver method) { return method != Solver::automatic && !is_direct(method); }
 
 /// A scene over 1 mm with an exact solution, given for each half-width of the contact (mm) up to 0.4.
 ChartScene exact_scene(const std::string& name, const std::string& words, rough::Kernel kernel,

@@ -2,8 +2,9 @@
 set logscale xy; set format y "10^{%T}"
 set xlabel "Nodes N"; set ylabel "Time per curve (s)"
 file = tables."chart.csv"
-methods = "nested nnls polonsky-keer active-set"
-here(i) = strcol("scene") eq arg && strcol("method") eq word(methods, i) && column("steps") == 20 && \
+is_solver(name) = strcol("scene") eq arg && name ne "auto"
+stats file using (is_solver(strcol("method")) ? collect(strcol("method")) : 0) nooutput
+here(i) = strcol("scene") eq arg && strcol("method") eq nth(names, i) && column("steps") == 20 && \
     strcol("outcome") eq "solved" && (column("tolerance") == 0 || abs(column("tolerance") / 1e-6 - 1) < 0.01)
-plot for [i = 1:4] file using (here(i) ? column("nodes") : NaN):(column("seconds")) with linespoints lc i \
-    title word(methods, i)
+plot for [i = 1:parts(names)] file using (here(i) ? column("nodes") : NaN):(column("seconds")) with linespoints lc i \
+    title nth(names, i)

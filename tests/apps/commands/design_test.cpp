@@ -121,6 +121,10 @@ TEST_CASE("a design that misses its required similarity exits with 3 and a resul
     CHECK(again.code == 3);
     CHECK(again.out.find("is finished") != std::string::npos);
     CHECK(again.out.find(verdict) != std::string::npos);
+    // Nor is an answer found that is similar enough and steeper than allowed.
+    CHECK(rugosa(words + " --force --reach-similarity 0.01 --max-slope 1e-6", folder.path()).code == 3);
+    CHECK_THAT(result_in(folder / "r")["verdict"].get<std::string>(),
+               Catch::StartsWith("not found: lowest similarity") && Catch::Contains("limits on shape"));
 }
 
 TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
