@@ -1,4 +1,3 @@
-#include "apps/commands/design/run.hpp"
 #include "apps/experiments/paper/paper.hpp"
 #include "apps/external/process.hpp"
 #include "apps/prompt/goals.hpp"
@@ -6,6 +5,7 @@
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "ga/base/held_folder.hpp"
 
 #include <csignal>
 #include <cstdlib>

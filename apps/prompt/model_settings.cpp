@@ -207,6 +207,20 @@ std::vector<Setting> model_settings(const std::string& prefix) {
     return settings_of(fields_of(usual), prefix, "The model: grid, elastic body, load steps, solver");
 }
 
+std::vector<Setting> cap_settings(const std::string& prefix) {
+    return {
+        Setting(ga::whole(prefix + "asperities", "", 1,
+                          "spherical caps in an array, NXxNY, instead of a sum of cosines")
+                    .up_to(4096))
+            .several('x'),
+        positive(prefix + "pitch", "", "distance of neighbouring caps, mm [1.5]"),
+        positive(prefix + "radius", "", "radius of all caps, mm [0.526]"),
+        Setting(prefix + "radii", "", "radii of caps as genes, FROM:TO or FROM:TO:STEP, mm").several(':'),
+        Setting(prefix + "heights", "", "heights of the summits, FROM:TO or FROM:TO:STEP, mm [0:0.12:0.001]")
+            .several(':'),
+    };
+}
+
 Setting accuracy_setting(const std::string& prefix, const std::string& against) {
     return ga::number(prefix + "accuracy", "", 1e-9, 1,
                       "largest relative error allowed for a response, 1e-9 to 1, against " + against +

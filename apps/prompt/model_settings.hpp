@@ -22,6 +22,9 @@ double elastic_limit(const Settings& settings, const rough::Body& body);
 /// The settings of a model: --nodes, --length, --kernel … as flags (prefix "") or keys (prefix "model.").
 std::vector<Setting> model_settings(const std::string& prefix = "");
 
+/// The settings of an array of caps, each name behind `prefix`.
+std::vector<Setting> cap_settings(const std::string& prefix = "");
+
 /// --accuracy: the error allowed for the response of a genome. `against` says what the error is relative to.
 Setting accuracy_setting(const std::string& prefix = "",
                          const std::string& against = "the response of the whole model");

@@ -87,7 +87,7 @@ std::string figure_svg(const FigureScript& figure) {
     try {
         svg = figure_document(figure);
     } catch (const rough::InputError& error) {
-        return "<p>No picture: " + html_escape(std::string(error.what())) + ".</p>";
+        return "No picture: " + html_escape(std::string(error.what())) + ".";
     }
     svg.erase(0, svg.find("<svg"));
     svg.insert(4, " role=\"img\" aria-label=\"" + html_escape(description_of(figure.script)) + "\"");

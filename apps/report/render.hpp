@@ -61,7 +61,7 @@ struct FigureScript {
     double seconds = 60;  ///< maximum time
 };
 
-/// The picture as an <svg> element whose colours are variables of the page, or a paragraph with the reason
+/// The picture as an <svg> element whose colours are variables of the page, or the reason
 /// why it could not be drawn. Runs gnuplot without a shell, a start-up file or a file on the disk.
 std::string figure_svg(const FigureScript& figure);
 

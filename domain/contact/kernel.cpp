@@ -97,6 +97,13 @@ double profile_length(const Profile& profile, Kernel kernel) {
     return profile.spacing * static_cast<double>(kernel == Kernel::periodic ? columns : columns - 1);
 }
 
+double largest_displacement(const Profile& profile, const Body& body) {
+    if (!body.relative_to_mean() || body.yields()) // nodes at the hardness may sink in
+        return std::numeric_limits<double>::infinity();
+    const double highest = profile.heights.maxCoeff();
+    return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
+}
+
 double elements(const Profile& profile, Kernel kernel) {
     if (profile.is_2d())
         return static_cast<double>(profile.nodes());

@@ -10,6 +10,10 @@ namespace rough {
 /// delta is the node spacing. For a map L is the length along x, and N the number of nodes along x.
 double profile_length(const Profile& profile, Kernel kernel);
 
+/// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
+/// hardness, otherwise infinity.
+double largest_displacement(const Profile& profile, const Body& body);
+
 /// The number of elements: L/delta for a line, the number of nodes N_x N_y for a map. The mean pressure P is
 /// the sum of the node pressures divided by this number.
 double elements(const Profile& profile, Kernel kernel);

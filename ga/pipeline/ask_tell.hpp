@@ -18,14 +18,9 @@ namespace ga {
 template <Problem P>
 class AskTell : Evaluator<P> {
   public:
-    using Genome = typename P::Genome;   ///< genome of the problem
-    using Outcome = typename P::Outcome; ///< type of the caller's answers
-
-    /// A genome to evaluate.
-    struct Question {
-        std::size_t id; ///< number of the question in the run, from 0
-        Genome genome;  ///< genome to evaluate
-    };
+    using Genome = typename P::Genome;     ///< genome of the problem
+    using Outcome = typename P::Outcome;   ///< type of the caller's answers
+    using Question = ga::Question<Genome>; ///< genome to evaluate, with its number
 
     /// Starts the run; the parameters are those of `run_by`. Throws UsageError if the pipeline cannot work.
     AskTell(Stage<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},

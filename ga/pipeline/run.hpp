@@ -183,4 +183,11 @@ template <Problem P, class G = typename P::Genome>
                   checkpointer);
 }
 
+/// A genome that the caller evaluates.
+template <class G>
+struct Question {
+    std::size_t id; ///< number of the question in the run, from 0
+    G genome;       ///< genome to evaluate
+};
+
 } // namespace ga

@@ -18,14 +18,10 @@ namespace ga {
 template <Problem P>
 class SteadyState {
   public:
-    using Genome = typename P::Genome;   ///< genome of the problem
-    using Outcome = typename P::Outcome; ///< type of the caller's answers
+    using Genome = typename P::Genome;     ///< genome of the problem
+    using Outcome = typename P::Outcome;   ///< type of the caller's answers
+    using Question = ga::Question<Genome>; ///< genome to evaluate, with its number
 
-    /// A genome to evaluate.
-    struct Question {
-        std::size_t id; ///< number of the question in the run, from 0
-        Genome genome;  ///< genome to evaluate
-    };
     /// A question or its answer, in the log.
     struct Event {
         std::size_t id;      ///< number of the question

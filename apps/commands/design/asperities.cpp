@@ -230,20 +230,6 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
 
 } // namespace
 
-std::vector<Setting> cap_settings(const std::string& prefix) {
-    return {
-        Setting(ga::whole(prefix + "asperities", "", 1,
-                          "spherical caps in an array, NXxNY, instead of a sum of cosines")
-                    .up_to(4096))
-            .several('x'),
-        positive(prefix + "pitch", "", "distance of neighbouring caps, mm [1.5]"),
-        positive(prefix + "radius", "", "radius of all caps, mm [0.526]"),
-        Setting(prefix + "radii", "", "radii of caps as genes, FROM:TO or FROM:TO:STEP, mm").several(':'),
-        Setting(prefix + "heights", "", "heights of the summits, FROM:TO or FROM:TO:STEP, mm [0:0.12:0.001]")
-            .several(':'),
-    };
-}
-
 std::vector<Setting> asperity_settings() {
     return joined({cap_settings(),
                    {{"positions", "",

@@ -180,8 +180,6 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
 /// front.csv or made.csv.
 void write_design_drawings(const DesignRun& run, const std::filesystem::path& folder);
 
-/// The settings of an array of caps, each name behind `prefix`.
-std::vector<Setting> cap_settings(const std::string& prefix = "");
 /// The settings that only `rugosa design` with caps has.
 std::vector<Setting> asperity_settings();
 /// `rugosa design --asperities`: a design with spherical caps, from settings to files. Returns the exit code.

@@ -1,7 +1,7 @@
 #include "apps/experiments/solvers/stability.hpp"
 
 #include "apps/experiments/experiment.hpp"
-#include "domain/contact/solvers/problem.hpp"
+#include "domain/contact/kernel.hpp"
 #include "domain/numerics/statistics.hpp"
 
 namespace app {

@@ -57,13 +57,6 @@ int useful_threads(const Profile& profile, int threads) {
     return profile.is_2d() && profile.nodes() >= shared_nodes ? threads : 1;
 }
 
-double largest_displacement(const Profile& profile, const Body& body) {
-    if (!body.relative_to_mean() || body.yields()) // nodes at the hardness may sink in
-        return std::numeric_limits<double>::infinity();
-    const double highest = profile.heights.maxCoeff();
-    return (highest - profile.heights.array()).mean(); // Delta_full = max Z - mean Z
-}
-
 Body checked_body(const Profile& profile, const Body& given, const std::vector<double>& displacements) {
     check_profile(profile);
     if (profile.is_2d() && given.kernel == Kernel::strip)

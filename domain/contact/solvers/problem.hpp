@@ -48,10 +48,6 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body, const s
 /// Number of threads that is useful for a surface: 1 for lines and for maps of fewer than 128 x 128 nodes.
 int useful_threads(const Profile& profile, int threads);
 
-/// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
-/// hardness, otherwise infinity.
-double largest_displacement(const Profile& profile, const Body& body);
-
 /// The problem on every `stride`-th node, along x and y, with `node` among them.
 ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node = 0);
 

@@ -1,6 +1,6 @@
 #include "apps/experiments/solvers/stability.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "domain/contact/solvers/problem.hpp"
+#include "domain/contact/kernel.hpp"
 #include "tests/apps/results.hpp"
 #include "tests/domain/contact/oracle.hpp"
 
