@@ -140,7 +140,7 @@ void serve() {
         if (message.tag == job)
             session.prepare(content.at(0), content.at(1));
         else
-            send(0, interrupt.asked() ? stopped : answers,
+            send(0, interrupt.requested() ? stopped : answers,
                  session.answers_to(content.at(2), content.at(0), content.at(1)));
     }
 }

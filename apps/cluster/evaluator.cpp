@@ -19,7 +19,7 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
   public:
     explicit OnRanks(int threads) : OnThreads(threads), requested_(threads) {}
 
-    void outcomes(const DesignProblem& problem, std::span<ga::Call<DesignProblem>> calls,
+    void outcomes(const DesignProblem& problem, std::span<ga::EvaluationCall<DesignProblem>> calls,
                   const ga::Watch& watch) override {
         if (problem.shares_memory() || calls.size() < 2)
             return OnThreads::outcomes(problem, calls, watch);

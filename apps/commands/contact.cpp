@@ -32,7 +32,7 @@ std::map<std::string, std::string> contact_tables(const rough::Profile& surface,
     const rough::ContactCurve curve = solve_contact(surface, model.body, shown, options);
     const bool is_2d = surface.is_2d();
     Csv loads("load,mean_pressure_MPa,pressure_over_modulus,contact_fraction,spots," +
-              std::string(is_2d ? "largest_spot_mm2" : "widest_spot_mm") +
+              std::string(is_2d ? "max_spot_mm2" : "max_spot_width_mm") +
               ",highest_pressure_MPa,mean_gap_mm");
     std::string along = "load,x_mm,pressure_MPa,gap_mm\n";
     std::vector<std::string> names{"height_mm"};
@@ -301,7 +301,7 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
                     {{"pressure_MPa", response.pressure[last]},
                      {"contact_fraction", response.contact_fraction[last]},
                      {"stiffness_MPa_per_mm", response.tangent_stiffness[last]}}},
-                   {"largest_kkt_residual", response.kkt_residual.maxCoeff()},
+                   {"max_kkt_residual", response.kkt_residual.maxCoeff()},
                    {"name", settings.text(the_given(settings, surface_names, "contact"))},
                    {"notes", notes},
                    {"curve", files.curve.filename().string().substr(files.account.stem().string().size())}});

@@ -89,14 +89,14 @@ int database_build(const Settings& settings, const std::string&) {
         const double left = static_cast<double>(options.genomes - std::min(stored, options.genomes)) / rate;
         progress.show(std::to_string(stored) + " of " + std::to_string(options.genomes) + " genomes, " +
                       duration_words(left) + " left");
-        return !interrupt.asked();
+        return !interrupt.requested();
     };
     options.stop = &interrupt.flag();
     rough::build(store, options);
     const std::uint64_t stored = store.stored();
     say(store.file().string() + ": " + std::to_string(stored) + " genomes stored, " +
         std::to_string(stored - before) + " in the last " + duration_words(clock.seconds()));
-    return interrupt.asked() ? exit_interrupted : 0;
+    return interrupt.requested() ? exit_interrupted : 0;
 }
 
 Command database_build_command() {

@@ -73,10 +73,10 @@ int design(const Settings& settings, const std::string& line) {
                  ga::progress<rough::Genome>([&](const std::string& text) { progress.show(text); })});
         run.setup = exactly(run.found.setup);
         run.searched = run.found.setup;
-        run.interrupted = interrupt.asked();
+        run.interrupted = interrupt.requested();
         run.response = response_of(run.setup, run.found.best);
         if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
-            run.not_asked = off_unasked(run);
+            run.unrequested_errors = errors_not_requested(run);
         run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
         const auto record = [&](const std::filesystem::path& to) {
             run.summary = summary_of(run);
@@ -95,7 +95,7 @@ int design(const Settings& settings, const std::string& line) {
             run.trust_options.stop = run.options.stop;
             run.trust =
                 trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
-            run.interrupted = interrupt.asked();
+            run.interrupted = interrupt.requested();
             record(folder);
         }
         if (!run.interrupted && settings.choice("pictures") == 0)

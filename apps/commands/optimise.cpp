@@ -29,7 +29,7 @@ class ByChildren : public ga::Evaluator<P> {
   public:
     explicit ByChildren(Children& children) : children_(children) {}
 
-    void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
+    void outcomes(const P& problem, std::span<ga::EvaluationCall<P>> calls, const ga::Watch& watch) override {
         std::vector<std::string> genes;
         for (const auto& call : calls)
             genes.push_back(problem.text_of(*call.genome));
@@ -184,7 +184,7 @@ int optimise(const Settings& settings, const std::string& line) {
     if (!children.trouble().empty())
         search.stopped = children.trouble();
     const BestKnown& record = children.record;
-    if (record.best() || interrupt.asked()) {
+    if (record.best() || interrupt.requested()) {
         json result = origin_json({"optimise", line, search.seed, threads, search.inputs});
         result.update(outside_json(search, record, settings));
         result["seconds"] = clock.seconds();
@@ -207,7 +207,7 @@ int optimise(const Settings& settings, const std::string& line) {
         (std::filesystem::exists(search.checkpoint)
              ? "; --resume with more --evaluations or --seconds continues"
              : ""));
-    return interrupt.asked() ? exit_interrupted : 0;
+    return interrupt.requested() ? exit_interrupted : 0;
 }
 
 } // namespace

@@ -75,7 +75,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         output.restored();
         if (!found.result.is_null())
             write(found, origin, folder);
-        const bool goes_on = interrupt.asked() && experiment.resumes;
+        const bool goes_on = interrupt.requested() && experiment.resumes;
         if (!found.result.is_null() && request.pictures && !goes_on) {
             progress.show("report");
             rough::write_atomically(folder / request.page, render(page_source(folder)));
@@ -85,10 +85,10 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     }
     say(folder.string() + ": " +
         (found.result.is_null() ? "interrupted before the first result, nothing written"
-         : interrupt.asked() && experiment.resumes
+         : interrupt.requested() && experiment.resumes
              ? "interrupted, the results so far are in result.json; --resume continues"
              : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s"));
-    return interrupt.asked() ? exit_interrupted : found.code;
+    return interrupt.requested() ? exit_interrupted : found.code;
 }
 
 } // namespace app

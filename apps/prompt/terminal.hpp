@@ -51,7 +51,7 @@ class Interrupt {
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
-    bool asked() const { return flag(); }
+    bool requested() const { return flag(); }
     static const std::atomic<bool>& flag(); ///< for the engine's budget
 };
 

@@ -126,17 +126,18 @@ OutputFolder::~OutputFolder() {
 }
 
 const fs::path& OutputFolder::restored() const {
-    struct stat own {};
+    struct stat held {};
     struct stat there {};
     std::error_code error;
-    if (fstat(locked_, &own) != 0)
+    if (fstat(locked_, &held) != 0)
         return path_;
-    if (own.st_nlink == 0) {
+    if (held.st_nlink == 0) {
         fs::create_directories(path_, error);
         const int fresh = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
         if (fresh >= 0 && dup3(fresh, locked_, O_CLOEXEC) >= 0 && close(fresh) == 0)
             say("note: " + path_.string() + " was removed during the run; the results are in a new one");
-    } else if (stat(path_.c_str(), &there) != 0 || there.st_ino != own.st_ino || there.st_dev != own.st_dev) {
+    } else if (stat(path_.c_str(), &there) != 0 || there.st_ino != held.st_ino ||
+               there.st_dev != held.st_dev) {
         say("note: " + path_.string() + " was moved during the run; the results are in " +
             fs::read_symlink("/proc/self/fd/" + std::to_string(locked_), error).string());
     }

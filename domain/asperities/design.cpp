@@ -111,7 +111,7 @@ CapProblem::CapProblem(CapSetup setup) : setup_(std::move(setup)) {
         throw InputError("target: none given; give at least one");
     for (const Target& target : setup_.targets)
         validate(target);
-    objectives_ = {{"similarity", least_similarity}};
+    objectives_ = {{"similarity", min_similarity}};
     for (std::size_t t = 0; t < setup_.targets.size(); ++t)
         objectives_.push_back({"goal" + std::to_string(t + 1),
                                [t](const Outcome& outcome) { return rough::similarity(outcome[t]); }});
@@ -220,7 +220,7 @@ std::vector<HeightTolerance> height_tolerance(const CapSetup& setup, const CapGe
             CapGenome made = genome;
             for (Index cap = 0; cap < setup.array.caps(); ++cap)
                 made[static_cast<std::size_t>(cap)] += rms * random.normal();
-            errors[draw] = 1 - least_similarity(problem.evaluate(made));
+            errors[draw] = 1 - min_similarity(problem.evaluate(made));
         });
         return quantile(errors, 0.95);
     };

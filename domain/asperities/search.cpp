@@ -43,15 +43,15 @@ Eigen::VectorXd rounded(const ga::Landscape& land, const CapProblem& problem, st
         Eigen::VectorXd x = best, r = model->residuals + model->jacobian * (x - centre);
         std::pair<Index, double> move;
         for (Index moved = 0; moved < moves; ++moved) {
-            double least = cost_of(r) * (1 - 1e-9), by = 0;
+            double lowest = cost_of(r) * (1 - 1e-9), by = 0;
             for (Index i = 0; i < x.size(); ++i)
                 for (const double step : {range(i).step, -range(i).step}) {
                     const double to = range(i).nearest(x[i] + step);
                     if (to == x[i] || failed.contains({i, to}))
                         continue;
                     const double next = cost_of(r + (to - x[i]) * model->jacobian.col(i));
-                    if (next < least)
-                        least = next, move = {i, to}, by = to - x[i];
+                    if (next < lowest)
+                        lowest = next, move = {i, to}, by = to - x[i];
                 }
             if (by == 0)
                 break;
@@ -130,7 +130,7 @@ CapStage independent_stage(const std::string& name, const CapStage& body, bool c
             const CapGenome* like = corrected && !designs.empty() ? &designs.front().genome : nullptr;
             const CapProblem problem(with_independent_caps(context.problem().setup(), like));
             if (like) // its curves by both models
-                context.counters().asked += 2, context.counters().evaluations += 2;
+                context.counters().requested += 2, context.counters().evaluations += 2;
             return run_derived(stages, problem, std::move(designs), context);
         });
 }
@@ -235,7 +235,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
     };
     const auto offer = [&](const CapGenome& genome) {
         const CapProblem::Outcome misfits = problem.evaluate(genome);
-        explored.offer(genome, least_similarity(misfits));
+        explored.offer(genome, min_similarity(misfits));
         return similarities(misfits);
     };
     std::vector<ga::Point> points;
@@ -263,7 +263,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
              [&](const Eigen::VectorXd&a, const Eigen::VectorXd&b) {
                  return (a - b).norm() / std::sqrt(static_cast<double>(a.size())) / range;
              }))
-        result.alternatives.push_back({genome, least_similarity(problem.evaluate(genome)), difference});
+        result.alternatives.push_back({genome, min_similarity(problem.evaluate(genome)), difference});
     result.seconds = clock.seconds();
     ContactOptions contact;
     contact.stop = ending_after(options.seconds - clock.seconds(), options.stop);

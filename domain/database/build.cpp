@@ -19,7 +19,7 @@ class Batches {
         constexpr double max_numbers = 1e7;
         const DatabaseSetup& setup = store.setup();
         const double per_genome =
-            std::max(2 * most_phases(setup.law) + 100, 2. * setup.model.loading.steps + 1);
+            std::max(2 * max_phases(setup.law) + 100, 2. * setup.model.loading.steps + 1);
         size_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(max_numbers / per_genome), 1,
                                           std::max<std::uint64_t>(options.batch, 1));
         stored_ = store.stored();

@@ -183,14 +183,14 @@ struct DatabaseScale {
 
 DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
     const Model wanted = completed(given);
-    Model own = completed(store.setup().model);
-    const double length = wanted.grid.length / own.grid.length;
-    const DatabaseScale scale{length, wanted.body.effective_modulus / own.body.effective_modulus / length};
-    own.grid.length = wanted.grid.length;
-    own.body.effective_modulus = wanted.body.effective_modulus;
-    own.body.datum = settled(own.body.datum * length, wanted.body.datum);
-    own.body.strip_width = settled(own.body.strip_width * length, wanted.body.strip_width);
-    const std::string differs = difference(fields(own), fields(wanted));
+    Model stored = completed(store.setup().model);
+    const double length = wanted.grid.length / stored.grid.length;
+    const DatabaseScale scale{length, wanted.body.effective_modulus / stored.body.effective_modulus / length};
+    stored.grid.length = wanted.grid.length;
+    stored.body.effective_modulus = wanted.body.effective_modulus;
+    stored.body.datum = settled(stored.body.datum * length, wanted.body.datum);
+    stored.body.strip_width = settled(stored.body.strip_width * length, wanted.body.strip_width);
+    const std::string differs = difference(fields(stored), fields(wanted));
     if (!differs.empty())
         throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
                          "; use another");

@@ -43,11 +43,11 @@ void validate(const GenomeDistribution& law) {
            law.gamma_from, " to ", law.gamma_to, " is not a range above 1; give ascending bounds above 1");
     expect(law.shortest > 0 && law.shortest <= law.lambda && std::isfinite(law.lambda), "waves from ",
            law.shortest, " to ", law.lambda, " mm is not a range above 0; give ascending bounds above 0");
-    expect(most_phases(law) <= 1e6, "up to ", most_phases(law),
+    expect(max_phases(law) <= 1e6, "up to ", max_phases(law),
            " phases per genome are more than 1e6; give fewer series or ridges, or longer waves");
 }
 
-double most_phases(const GenomeDistribution& law) {
+double max_phases(const GenomeDistribution& law) {
     const double chromosomes = 1 + std::floor(std::log(law.lambda / law.shortest) / std::log(law.gamma_from));
     return law.series * static_cast<double>(law.ridges) * chromosomes;
 }
@@ -119,9 +119,9 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
 
 std::string difference(const Fields& there, const Fields& wanted) {
     for (const auto& [name, value] : wanted) {
-        const std::string* own = find(there, name);
-        if (!own || *own != value)
-            return name + " is " + (own ? *own : "not set") + ", not " + value;
+        const std::string* here = find(there, name);
+        if (!here || *here != value)
+            return name + " is " + (here ? *here : "not set") + ", not " + value;
     }
     return "";
 }

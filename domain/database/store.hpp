@@ -33,7 +33,7 @@ struct GenomeDistribution {
 void validate(const GenomeDistribution& law);
 
 /// The largest number of phases that a genome of the distribution can have.
-double most_phases(const GenomeDistribution& law);
+double max_phases(const GenomeDistribution& law);
 
 /// Genome number `index` of a distribution. It does not depend on other genomes.
 Genome drawn(const GenomeDistribution& law, std::uint64_t index);

@@ -111,7 +111,7 @@ class LeastChange {
     }
 
     /// Levenberg-Marquardt from 0, which avoids some local optima of the quadratic programming.
-    void least_misfit(int evaluations) {
+    void minimise_misfit(int evaluations) {
         ga::Landscape land;
         land.start = Eigen::VectorXd::Zero(size());
         land.lower = Eigen::VectorXd::Constant(size(), -1);
@@ -192,7 +192,7 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
         search.nearest(first_try);
     if (!search.meets()) {
         const double before = search.merit();
-        search.least_misfit(second_try);
+        search.minimise_misfit(second_try);
         if (search.merit() > before + worth_another_try * std::abs(before))
             search.nearest(second_try);
     }
@@ -206,7 +206,7 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
     for (std::size_t t = 0; t < outcome.misfits.size(); ++t)
         for (Index k = 0; k < outcome.misfits[t].size(); ++k)
             if (std::abs(outcome.misfits[t][k]) > allowed)
-                result.off.push_back({t, setup.targets[t].x[k], outcome.misfits[t][k]});
+                result.missed.push_back({t, setup.targets[t].x[k], outcome.misfits[t][k]});
     result.gradients = search.gradients;
     const auto places = gene_places(genome);
     const auto before = genes(genome), after = genes(search.at(x));
@@ -225,7 +225,7 @@ SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {
     found.best = verified_answer(as_reported(found.setup), morphed.genome);
     found.alternatives = {found.best};
     found.counters.gradients = morphed.gradients;
-    found.counters.asked = morphed.gradients;
+    found.counters.requested = morphed.gradients;
     return found;
 }
 

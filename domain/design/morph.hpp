@@ -26,7 +26,7 @@ struct PhaseChange {
 };
 
 /// A point of a target whose misfit is larger than allowed.
-struct PointOff {
+struct MissedPoint {
     std::size_t target; ///< index of the target, from 0
     double x;           ///< x of the point, in the target's units
     double misfit;      ///< weighted misfit, as in the similarity
@@ -38,7 +38,7 @@ struct Morphed {
     double before = 0;                ///< similarity of the given genome on the set-up's grid
     double after = 0;                 ///< similarity of the changed genome
     std::vector<PhaseChange> changes; ///< one per controlled phase
-    std::vector<PointOff> off;        ///< points that miss the required similarity; empty if none does
+    std::vector<MissedPoint> missed;  ///< points that miss the required similarity; empty if none does
     long gradients = 0;               ///< number of computed curves with derivatives
 };
 

@@ -82,12 +82,13 @@ Pipeline coarser(const ga::Arguments& arguments, const Pipeline& body) {
 /// load steps. An answer that meets them on the search grid is equally far above and below the given targets
 /// in all verifications.
 DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
-    const auto& [own, refined, stepped, both] = verified.misfits;
+    const auto& [on_grid, refined, more_steps, both] = verified.misfits;
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         Target& target = setup.targets[t];
         for (Index k = 0; k < target.points(); ++k) {
-            const auto [least, most] = std::minmax({own[t][k], refined[t][k], stepped[t][k], both[t][k]});
-            const double factor = 1 + (own[t][k] - 0.5 * (least + most)) / target.weight;
+            const auto [lowest, highest] =
+                std::minmax({on_grid[t][k], refined[t][k], more_steps[t][k], both[t][k]});
+            const double factor = 1 + (on_grid[t][k] - 0.5 * (lowest + highest)) / target.weight;
             target.y[k] *= factor;
             if (target.has_band())
                 target.lower[k] *= factor, target.upper[k] *= factor;

@@ -120,13 +120,13 @@ Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification
     if (answer.is_verified()) {
         answer.genome = in_final_form(setup, genome);
     } else {
-        if (answer.on_own.empty()) {
-            answer.on_own = pressed(setup, genome, refined(setup.model, 1));
-            answer.misfits[0] = misfits_of(setup, scored(setup, answer.on_own));
-            answer.similarity = least_similarity(answer.misfits[0]);
+        if (answer.on_grid.empty()) {
+            answer.on_grid = pressed(setup, genome, refined(setup.model, 1));
+            answer.misfits[0] = misfits_of(setup, scored(setup, answer.on_grid));
+            answer.similarity = min_similarity(answer.misfits[0]);
         }
         if (setup.max_pressure)
-            answer.genome.scale = eq_11(setup, answer.on_own.front());
+            answer.genome.scale = eq_11(setup, answer.on_grid.front());
     }
     answer.genome = folded(answer.genome);
     answer.within_limits = holds_limits(setup, answer.genome);
@@ -140,7 +140,7 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
-    return answer.is_verified() ? respond(setup, answer.genome, setup.model) : scored(setup, answer.on_own);
+    return answer.is_verified() ? respond(setup, answer.genome, setup.model) : scored(setup, answer.on_grid);
 }
 
 std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,

@@ -98,7 +98,7 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
     ask("4 times the nodes", refined(setup.model, 4), &Verification::refined);
     Model steps = setup.model;
     steps.loading.steps *= 4;
-    ask("4 times the load steps", steps, &Verification::stepped);
+    ask("4 times the load steps", steps, &Verification::more_steps);
     if (setup.like)
         jobs.push_back({check, in_finer_steps_too, [&] {
                             const DesignSetup finer = in_finer_steps(setup);
@@ -237,25 +237,25 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
 
 std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& answer) {
     const DesignSetup setup = completed(given);
-    const Model own = exactly(setup.model);
+    const Model exact = exactly(setup.model);
     const Target& target = setup.targets.front();
     const auto values = [&](const Model& model) {
         const Curve curve = respond(setup, answer.genome, model).curves.front();
         return Eigen::VectorXd(target.x.unaryExpr([&](double x) { return curve.at(x); }));
     };
-    const Eigen::VectorXd base = values(own);
+    const Eigen::VectorXd base = values(exact);
     std::vector<ErrorSource> budget;
     const auto add = [&](const std::string& kind, const std::string& source, const Model& model) {
         budget.push_back({kind, source, (values(model).array() / base.array() - 1).abs().maxCoeff()});
     };
-    if (own.body.kernel == Kernel::free && !own.grid.is_2d()) {
-        Model far = own;
+    if (exact.body.kernel == Kernel::free && !exact.grid.is_2d()) {
+        Model far = exact;
         far.body.datum *= 4;
         add("model", "the half-plane's datum at 4 times the distance", far);
-        add("model", "a periodic half-plane instead of the free one", with_kernel(own, Kernel::periodic));
+        add("model", "a periodic half-plane instead of the free one", with_kernel(exact, Kernel::periodic));
     }
-    add("numerical", "the grid: 4 times the elements", refined(own, 4));
-    Model steps = own;
+    add("numerical", "the grid: 4 times the elements", refined(exact, 4));
+    Model steps = exact;
     steps.loading.steps *= 4;
     add("numerical", "the load steps: 4 times as many", steps);
     if (setup.model.accuracy > 0)

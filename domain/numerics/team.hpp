@@ -89,10 +89,10 @@ class Team {
     template <class Value>
     double largest_of(Index n, const Value& value) {
         return largest(n, [&](Index first, Index count) {
-            double most = 0;
+            double max = 0;
             for (Index i = first; i < first + count; ++i)
-                most = std::max(most, value(i));
-            return most;
+                max = std::max(max, value(i));
+            return max;
         });
     }
 

@@ -49,12 +49,12 @@ struct Margin {
     std::string name; ///< "shortest_wave_mm", "slope", "height_mm", "radius_mm"
     double limit;     ///< the limit; 0: not set
     double value;     ///< the genome's value, or a bound of it that errs on the safe side
-    bool is_least;    ///< whether the limit is a lower limit
+    bool is_lower;    ///< whether the limit is a lower limit
     /// Whether the value keeps the limit.
-    bool holds() const { return limit == 0 || (is_least ? value >= limit : value <= limit); }
+    bool holds() const { return limit == 0 || (is_lower ? value >= limit : value <= limit); }
     /// The relative distance from the limit: 1 - value/limit, for a lower limit 1 - limit/value. It is
     /// negative beyond the limit, and 1 without a limit.
-    double margin() const { return limit == 0 ? 1 : (is_least ? 1 - limit / value : 1 - value / limit); }
+    double margin() const { return limit == 0 ? 1 : (is_lower ? 1 - limit / value : 1 - value / limit); }
 };
 
 /// A genome's shortest wavelength, largest slope, height range and smallest radius of curvature over [0,

@@ -119,7 +119,7 @@ ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(co
 
 } // namespace
 
-double DesignOutcome::similarity() const { return least_similarity(misfits); }
+double DesignOutcome::similarity() const { return min_similarity(misfits); }
 
 DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads)
     : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),

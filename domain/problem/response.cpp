@@ -243,12 +243,12 @@ std::vector<double> similarities(const DesignSetup& setup, const DesignResponse&
     return similarities(misfits_of(setup, response));
 }
 
-double least_similarity(const std::vector<Eigen::VectorXd>& misfits) {
+double min_similarity(const std::vector<Eigen::VectorXd>& misfits) {
     return std::ranges::min(similarities(misfits));
 }
 
 double similarity(const DesignSetup& setup, const DesignResponse& response) {
-    return least_similarity(misfits_of(setup, response));
+    return min_similarity(misfits_of(setup, response));
 }
 
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine) {

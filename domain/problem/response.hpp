@@ -46,7 +46,7 @@ std::vector<double> similarities(const std::vector<Eigen::VectorXd>& misfits);
 /// The similarity of a response to each target.
 std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response);
 /// The lowest similarity over all targets, by their misfits.
-double least_similarity(const std::vector<Eigen::VectorXd>& misfits);
+double min_similarity(const std::vector<Eigen::VectorXd>& misfits);
 /// The lowest similarity of a response over all targets.
 double similarity(const DesignSetup& setup, const DesignResponse& response);
 /// The lowest similarity of a genome over all targets, on a grid `refine` times finer, within the set-up's

@@ -70,8 +70,9 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
 }
 
 double Verification::worst() const {
-    return std::isnan(similarity + refined + stepped + both) ? std::numeric_limits<double>::quiet_NaN()
-                                                             : std::min({similarity, refined, stepped, both});
+    return std::isnan(similarity + refined + more_steps + both)
+               ? std::numeric_limits<double>::quiet_NaN()
+               : std::min({similarity, refined, more_steps, both});
 }
 
 const DesignSetup& Verifier::finer() const {
@@ -117,12 +118,12 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
     const bool area = setup_.model.grid.is_2d();
     // The misfits in all steps, then in every fourth, which are the set-up's.
     const auto misfits_in = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
-        std::vector<Response> own;
+        std::vector<Response> found;
         for (const Response& response : fine)
-            own.push_back(every(verified_refinement, response));
+            found.push_back(every(verified_refinement, response));
         result.misfits[all_steps] = misfits_of(finer(), scored(finer(), std::move(fine)));
-        result.misfits[own_steps] = misfits_of(setup_, scored(setup_, own));
-        return own;
+        result.misfits[own_steps] = misfits_of(setup_, scored(setup_, found));
+        return found;
     };
     std::vector<Response> fine = pressed(finer(), genome, refined(finer().model, 1));
     std::vector<std::vector<char>> to_solve;
@@ -138,7 +139,7 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
             result.reading_error =
                 std::max(result.reading_error, (by_reading[t] - exact[t]).cwiseAbs().maxCoeff());
     }
-    result.on_own = misfits_in(std::move(fine), 0, 2);
+    result.on_grid = misfits_in(std::move(fine), 0, 2);
     result.on_finer = misfits_in(area ? on_fine_area(genome, to_solve)
                                       : pressed(finer(), genome, refined(finer().model, verified_refinement)),
                                  1, 3);
@@ -164,11 +165,11 @@ Verification Verifier::of(const Genome& genome) const {
     }
     const auto likeness = [&](std::size_t which) {
         return result.misfits[which].empty() ? std::numeric_limits<double>::quiet_NaN()
-                                             : least_similarity(result.misfits[which]);
+                                             : min_similarity(result.misfits[which]);
     };
     result.similarity = likeness(0);
     result.refined = likeness(1);
-    result.stepped = likeness(2);
+    result.more_steps = likeness(2);
     result.both = likeness(3) - result.reading_error;
     result.seconds = clock.seconds();
     return result;

@@ -14,10 +14,10 @@ DesignSetup in_finer_steps(DesignSetup setup, int times = verified_refinement);
 struct Verification {
     double similarity = 0;    ///< similarity on the set-up's grid, in its load steps
     double refined = 0;       ///< similarity on a grid of 4(N - 1) + 1 nodes (periodic: 4 N) along each axis
-    double stepped = 0;       ///< similarity in four times the load steps (in_finer_steps)
+    double more_steps = 0;    ///< similarity in four times the load steps (in_finer_steps)
     double both = 0;          ///< similarity on the finer grid in four times the load steps
     double reading_error = 0; ///< error of interpolated load steps, already subtracted from `both`
-    std::vector<Response> on_own;   ///< responses on the set-up's grid in its load steps
+    std::vector<Response> on_grid;  ///< responses on the set-up's grid in its load steps
     std::vector<Response> on_finer; ///< responses on the finer grid in the set-up's load steps
     double seconds = 0;             ///< wall time of the verification
     /// Misfits of each target, in the order of the four similarities.

@@ -410,7 +410,7 @@ void check(const ScanOptions& options) {
 Source open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    std::string bytes = read_whole(path, most_bytes, [&](std::string_view head) {
+    std::string bytes = read_whole(path, max_file_bytes, [&](std::string_view head) {
         if (!is_binary_map(head))
             expect_text(head, file);
     });

@@ -56,8 +56,8 @@ mode_t mode_for(const std::filesystem::path& target) {
 
 constexpr std::size_t first_bytes = 4096;
 
-[[noreturn]] void refuse_size(const std::filesystem::path& path, std::size_t most) {
-    throw InputError(path.string() + ": has more than " + std::to_string(most) +
+[[noreturn]] void refuse_size(const std::filesystem::path& path, std::size_t max) {
+    throw InputError(path.string() + ": has more than " + std::to_string(max) +
                      " bytes; give a smaller file");
 }
 
@@ -105,7 +105,7 @@ void write_atomically(const std::filesystem::path& name, std::string_view conten
         fsync(opened.get());
 }
 
-std::string read_whole(const std::filesystem::path& path, std::size_t most,
+std::string read_whole(const std::filesystem::path& path, std::size_t max,
                        const std::function<void(std::string_view)>& expect) {
     const Descriptor file(open(ga::held(path).c_str(), O_RDONLY | O_CLOEXEC));
     struct stat there {};
@@ -115,12 +115,12 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most,
         throw InputError(path.string() + ": is a folder; give a file");
     // Files of /proc and pipes do not state their size.
     const auto size = static_cast<std::size_t>(std::max<off_t>(there.st_size, 0));
-    if (size > most)
-        refuse_size(path, most);
+    if (size > max)
+        refuse_size(path, max);
     std::string bytes;
     std::size_t held = 0;
     for (std::size_t room = first_bytes;; room = std::max({size + 1, 2 * held, std::size_t{65536}})) {
-        bytes.resize(std::min(room, most + 1));
+        bytes.resize(std::min(room, max + 1));
         ssize_t got = 0;
         while (held < bytes.size() &&
                ((got = ::read(file.get(), bytes.data() + held, bytes.size() - held)) > 0 ||
@@ -128,8 +128,8 @@ std::string read_whole(const std::filesystem::path& path, std::size_t most,
             held += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
         if (got < 0)
             refuse_path(path, "read", errno);
-        if (held > most)
-            refuse_size(path, most);
+        if (held > max)
+            refuse_size(path, max);
         if (expect && room == first_bytes)
             expect(std::string_view(bytes).substr(0, held));
         if (held < bytes.size()) {

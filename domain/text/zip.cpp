@@ -39,9 +39,9 @@ std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_s
     zip_stat_t found;
     if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &found) != 0)
         return std::nullopt;
-    if (const std::size_t most = std::min(max_size, max_unpacked_); found.size > most)
+    if (const std::size_t max = std::min(max_size, max_unpacked_); found.size > max)
         throw InputError(file_ + ": its entry " + name + " is too large; give one of at most " +
-                         std::to_string(most) + " bytes");
+                         std::to_string(max) + " bytes");
     const Owned<zip_file_t> opened(zip_fopen_index(archive_.get(), found.index, 0));
     std::string bytes(found.size, '\0');
     if (!opened || zip_fread(opened.get(), bytes.data(), bytes.size()) != std::ssize(bytes))

@@ -218,8 +218,7 @@ RandomSurface random_surface(const SelfAffine& of) {
                " mm are not positive lengths in descending order; give the longer one first");
     if (!(of.rms_slope > 0) || !std::isfinite(of.rms_slope) || of.wave_numbers < 1)
         refuse("rms slope: ", of.rms_slope, " is out of range (above 0, finite)");
-    RandomSurface random{{Eigen::VectorXd(of.wave_numbers), {}, Eigen::VectorXd(of.wave_numbers)},
-                         of.is_area};
+    RandomSurface random{{Eigen::VectorXd(of.wave_numbers), {}, Eigen::VectorXd(of.wave_numbers)}, of.is_2d};
     const double lowest = 2 * std::numbers::pi / of.longest,
                  step = std::log(of.longest / of.shortest) / static_cast<double>(of.wave_numbers);
     for (Index k = 0; k < of.wave_numbers; ++k) {
@@ -235,7 +234,7 @@ RandomSurface random_surface(const SelfAffine& of) {
 }
 
 SpectralMoments spectral_moments(const RandomSurface& surface) {
-    const double of_slope = surface.is_area ? 1.0 / 2 : 1, of_curvature = surface.is_area ? 3.0 / 8 : 1;
+    const double of_slope = surface.is_2d ? 1.0 / 2 : 1, of_curvature = surface.is_2d ? 3.0 / 8 : 1;
     return {moment(surface.spectrum, 0), of_slope * moment(surface.spectrum, 2),
             of_curvature * moment(surface.spectrum, 4)};
 }
@@ -244,7 +243,7 @@ double rms_slope(const RandomSurface& surface) { return std::sqrt(moment(surface
 
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed) {
     random_surface(parameters); // refuses what is out of range
-    if (!grid.periodic || grid.is_2d() != parameters.is_area)
+    if (!grid.periodic || grid.is_2d() != parameters.is_2d)
         refuse("self-affine surface: the grid does not fit; give a periodic one, a line for a profile, a "
                "map for a map");
     const Extent shape = grid.shape();
@@ -260,7 +259,7 @@ Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t s
             const double q = std::hypot(dx * static_cast<double>(i), dy * static_cast<double>(j));
             if (q < lowest || q > largest)
                 continue;
-            const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_area ? 1 : 0.5)),
+            const double amplitude = std::pow(q, -parameters.hurst - (parameters.is_2d ? 1 : 0.5)),
                          phase = random.uniform(0, 2 * std::numbers::pi);
             slopes += std::pow(2 * std::numbers::pi * q * amplitude, 2) / 2;
             waves(i % shape.columns, (j + last_row * shape.rows) % shape.rows) +=
@@ -342,11 +341,11 @@ const std::vector<std::string>& theory_names() {
 
 const std::string& name_of(Theory theory) { return theory_names()[static_cast<std::size_t>(theory)]; }
 
-bool holds_for(Theory theory, bool is_area) { return is_area || theory == Theory::persson; }
+bool holds_for(Theory theory, bool is_2d) { return is_2d || theory == Theory::persson; }
 
 TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double effective_modulus,
                             const Eigen::VectorXd& pressures) {
-    if (!holds_for(theory, surface.is_area))
+    if (!holds_for(theory, surface.is_2d))
         refuse(name_of(theory), ": this theory is for maps only; choose persson for a profile");
     if (!(effective_modulus > 0) || !(pressures.array() > 0).all())
         refuse(name_of(theory), ": modulus or a mean pressure is not above 0; give positive ones");

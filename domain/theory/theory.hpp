@@ -9,8 +9,8 @@ namespace rough {
 
 /// A random surface as theories of contact describe it: its mean square height, spread over wavenumbers.
 struct RandomSurface {
-    Spectrum spectrum;   ///< spectrum; only `wave_number` and `power` are read
-    bool is_area = true; ///< true: an isotropic map; false: a profile, constant in the second direction
+    Spectrum spectrum; ///< spectrum; only `wave_number` and `power` are read
+    bool is_2d = true; ///< true: an isotropic map; false: a profile, constant in the second direction
 };
 
 /// The surface with the spectrum of a profile or map, `periodic` if it repeats. Throws InputError as
@@ -24,7 +24,7 @@ struct SelfAffine {
     double longest = 0;      ///< wavelength at the long cut-off, mm
     double shortest = 0;     ///< wavelength at the short cut-off, mm, less than `longest`
     double rms_slope = 0;    ///< h', > 0: root mean square slope of a profile, gradient of a map
-    bool is_area = true;     ///< true: an isotropic map; false: a profile
+    bool is_2d = true;       ///< true: an isotropic map; false: a profile
     Index wave_numbers = 96; ///< number of parts of the spectrum, even in log q, each with its exact power
 };
 /// The surface with these parameters. Throws InputError on a parameter out of range.
@@ -70,9 +70,9 @@ struct TheoryCurve {
     Eigen::VectorXd separation;       ///< distance u of the mean planes of surface and body, mm
 };
 
-/// Whether a theory applies to maps (`is_area`) or profiles. All apply to maps, only Persson's to profiles.
+/// Whether a theory applies to maps (`is_2d`) or profiles. All apply to maps, only Persson's to profiles.
 /// The other theories treat summits as spots, but a profile touches along lines.
-bool holds_for(Theory theory, bool is_area);
+bool holds_for(Theory theory, bool is_2d);
 
 /// The curve of a theory. `effective_modulus` is E*, MPa; pressures are > 0, in any order, MPa. Throws
 /// InputError for moments that no Gaussian surface has, and for a profile if the theory is only for maps.

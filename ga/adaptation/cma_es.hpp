@@ -46,10 +46,10 @@ struct CmaConstants {
             std::min(1 - c_1, 2 * (0.25 + mu_eff + 1 / mu_eff - 2) / ((n + 2) * (n + 2) + mu_eff)); // Eq. 58
         chi = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
         above /= above.sum();
-        const double least = std::min({1 + c_1 / c_mu,                                             // Eq. 50
-                                       1 + 2 * effective(below) / (mu_eff + 2),                    // Eq. 51
-                                       (1 - c_1 - c_mu) / (n * c_mu)});                            // Eq. 52
-        below *= below.sum() < 0 && std::isfinite(least) ? least / -below.sum() : 0;               // Eq. 53
+        const double smallest = std::min({1 + c_1 / c_mu,                                          // Eq. 50
+                                          1 + 2 * effective(below) / (mu_eff + 2),                 // Eq. 51
+                                          (1 - c_1 - c_mu) / (n * c_mu)});                         // Eq. 52
+        below *= below.sum() < 0 && std::isfinite(smallest) ? smallest / -below.sum() : 0;         // Eq. 53
         every = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(1 / (10 * n * (c_1 + c_mu)))); // B.2
     }
 };
@@ -214,9 +214,9 @@ struct CmaPlan {
 
     /// Settings of a run.
     struct Run {
-        std::size_t lambda; ///< number of children
-        double shrink;      ///< factor of the first sigma
-        long most;          ///< maximum number of evaluations; 0 for no limit
+        std::size_t lambda;   ///< number of children
+        double shrink;        ///< factor of the first sigma
+        long max_evaluations; ///< maximum number of evaluations; 0 for no limit
     };
     /// The next run, after one that spent this number of evaluations.
     Run next(long spent, bool both, Stream& random) {
@@ -304,7 +304,7 @@ struct CmaEs : Operator {
             learn(population, order, context.problem(), constants, state);
         if (!state.ended && state.record.spent > 0 &&
             (over(state.cloud, constants, state.record, sigma * state.run.shrink) ||
-             (state.run.most > 0 && state.record.spent >= state.run.most)))
+             (state.run.max_evaluations > 0 && state.record.spent >= state.run.max_evaluations)))
             begin_again(state, random);
         return state.ended ? population : children(std::move(population), best.genome, context, state);
     }
@@ -426,7 +426,7 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
          {s.record.best, s.record.median, s.record.equal, s.record.spent},
          {s.plan.usual, s.plan.restarts, s.plan.large, s.plan.small, s.plan.last_large, s.plan.now_large,
           s.plan.begun},
-         {s.run.lambda, s.run.shrink, s.run.most},
+         {s.run.lambda, s.run.shrink, s.run.max_evaluations},
          s.children,
          s.ended,
          s.mirrored};
@@ -458,12 +458,12 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent);
     CmaPlan& p = s.plan;
     read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
-    read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.most);
+    read_parts(j.at(5), s.run.lambda, s.run.shrink, s.run.max_evaluations);
     for (const long count : {p.large, p.small, p.last_large, s.record.spent})
         expect_fit(count >= 0 && count <= 1L << 53);
-    constexpr std::size_t most = 10'000'000; // children
+    constexpr std::size_t max_children = 10'000'000;
     expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.cloud.sigma > 0 &&
-                                    s.run.lambda <= most && s.plan.usual <= most));
+                                    s.run.lambda <= max_children && s.plan.usual <= max_children));
     read_part(j.at(6), s.children);
     s.ended = j.at(7);
     read_part(j.at(8), s.mirrored);

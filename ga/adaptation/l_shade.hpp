@@ -177,8 +177,8 @@ struct LShade : Operator {
             if (!(gain > 0))
                 continue;
             successes.push_back({trial.F, trial.CR, std::min(gain, std::numeric_limits<double>::max())});
-            if (const std::size_t most = room(population.size()); most > 0) {
-                if (state.beaten.size() >= most)
+            if (const std::size_t max = room(population.size()); max > 0) {
+                if (state.beaten.size() >= max)
                     drop(state.beaten, random.below(state.beaten.size()));
                 state.beaten.push_back(std::move(trial.parent));
             }

@@ -18,7 +18,7 @@ struct Budget {
 
 /// The expenses of a run so far. Only `evaluations` and `remembered` depend on the size of the memory.
 struct Counters {
-    long asked = 0;       ///< requested evaluations, including those answered from memory
+    long requested = 0;   ///< requested evaluations, including those answered from memory
     long evaluations = 0; ///< calls of the problem's evaluate
     long remembered = 0;  ///< requests answered without a call
     long gradients = 0;   ///< calls of the problem's sensitivity

@@ -65,12 +65,12 @@ void parallel_for(std::size_t n, int threads, Job job) {
 }
 
 /// The requested number of threads, or OpenMP's default for 0. Throws UsageError if the number exceeds 1024.
-inline int thread_count(int asked) {
-    constexpr int most = 1024;
-    if (asked > most)
-        throw UsageError("threads: " + std::to_string(asked) + " is out of range (0 to " +
-                         std::to_string(most) + ")");
-    return asked > 0 ? asked : omp_get_max_threads();
+inline int thread_count(int requested) {
+    constexpr int max_threads = 1024;
+    if (requested > max_threads)
+        throw UsageError("threads: " + std::to_string(requested) + " is out of range (0 to " +
+                         std::to_string(max_threads) + ")");
+    return requested > 0 ? requested : omp_get_max_threads();
 }
 
 } // namespace ga

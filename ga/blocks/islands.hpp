@@ -130,10 +130,10 @@ struct Islands : Operator {
             for (auto& [path, state] : loop.states)
                 frame.states[path] = std::move(state);
         const Identity first = context.state.next_identity, step = context.state.identity_step;
-        Identity most = 0; // identities that one island has used
+        Identity max = 0; // identities that one island has used
         for (std::size_t i = 0; i < n; ++i)
-            most = std::max(most, (islands[i]->state.next_identity - first - i * step) / (n * step));
-        context.state.next_identity += most * n * step;
+            max = std::max(max, (islands[i]->state.next_identity - first - i * step) / (n * step));
+        context.state.next_identity += max * n * step;
         for (auto& each : islands)
             context.show_again(*each); // an observer may throw Stopped
     }

@@ -7,10 +7,10 @@ namespace ga {
 /// Whether the last progress was 10,000 generations ago. Progress is an improvement; if `paying` is set, a
 /// requested evaluation is progress, too.
 template <Problem P, class G = typename P::Genome>
-bool idle(const Progress<G>& now, Numbers& own, Numbers& improvement, bool paying, Context<P>& context) {
+bool idle(const Progress<G>& now, Numbers& numbers, Numbers& improvement, bool paying, Context<P>& context) {
     constexpr double patience = 10000; // generations
-    const auto requested = static_cast<double>(context.counters().asked);
-    double &last_requested = own[2], &last_progress = own[3];
+    const auto requested = static_cast<double>(context.counters().requested);
+    double &last_requested = numbers[2], &last_progress = numbers[3];
     if (improves(now, improvement) || (paying && requested > last_requested))
         last_progress = static_cast<double>(now.generation);
     last_requested = requested;
@@ -28,7 +28,7 @@ Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& 
     auto& numbers = frame->numbers; // the block's, those of `improves`, then each rule's
     if (!frame.resumed()) {
         numbers.resize(2 + rules.size());
-        const auto requested = static_cast<double>(context.counters().asked);
+        const auto requested = static_cast<double>(context.counters().requested);
         // evaluations and seconds at the start, evaluations at the last look, generation of the last progress
         numbers[0] = {requested, context.seconds(), requested, 0};
     }
@@ -40,7 +40,7 @@ Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& 
         paying |= rule.text.starts_with(AfterEvaluations::words().name);
     }
     const auto ended = [&] {
-        const Progress<G> now{frame->next, context.counters().asked - static_cast<long>(numbers[0][0]),
+        const Progress<G> now{frame->next, context.counters().requested - static_cast<long>(numbers[0][0]),
                               context.seconds() - numbers[0][1], frame->population};
         bool end = false;
         for (std::size_t i = 0; i < rules.size(); ++i)

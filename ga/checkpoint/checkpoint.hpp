@@ -95,10 +95,10 @@ inline void to_json(json& j, const Permutation& permutation) { j = permutation.o
 inline void from_json(const json& j, Permutation& permutation) { read_part(j, permutation.order); }
 
 inline void to_json(json& j, const Counters& c) {
-    j = {c.asked, c.evaluations, c.remembered, c.gradients, c.failures};
+    j = {c.requested, c.evaluations, c.remembered, c.gradients, c.failures};
 }
 inline void from_json(const json& j, Counters& c) {
-    read_parts(j, c.asked, c.evaluations, c.remembered, c.gradients, c.failures);
+    read_parts(j, c.requested, c.evaluations, c.remembered, c.gradients, c.failures);
 }
 
 template <class G>
@@ -229,7 +229,7 @@ bool can_be_kept(const P& problem, const T& value) {
         return each(value.population, value.kept);
     } else if constexpr (std::same_as<T, Counters>) {
         const auto counts = [](auto... numbers) { return ((numbers >= 0 && numbers <= 1L << 53) && ...); };
-        return counts(value.asked, value.evaluations, value.remembered, value.gradients, value.failures);
+        return counts(value.requested, value.evaluations, value.remembered, value.gradients, value.failures);
     } else if constexpr (std::same_as<T, Snapshot<G>>) {
         return each(value.frames, value.counters) && (!value.best || each(*value.best)) &&
                finite({value.seconds}) && value.seconds >= 0;
@@ -353,7 +353,7 @@ class Checkpoints : public Checkpointer<P> {
   private:
     static constexpr int version = 4;
 
-    struct Kept {
+    struct StoredItem {
         std::string name;
         std::function<json()> write;
         std::function<void(const json&, const P&)> read;
@@ -417,7 +417,7 @@ class Checkpoints : public Checkpointer<P> {
     double next_write_ = 0;
     std::uint64_t run_ = 0;
     std::optional<Population<Genome>> answer_;
-    std::vector<Kept> kept_;
+    std::vector<StoredItem> kept_;
 };
 
 } // namespace ga

@@ -37,7 +37,7 @@ class Log {
             std::string row = event.path + "," + generation;
             for (const std::string& text :
                  {std::to_string(of.individuals), cell(of.best), cell(of.median), number(of.diversity),
-                  std::to_string(counters.asked), std::to_string(counters.evaluations),
+                  std::to_string(counters.requested), std::to_string(counters.evaluations),
                   std::to_string(counters.gradients), std::to_string(counters.failures),
                   number(event.seconds)})
                 row += "," + text;
@@ -70,7 +70,8 @@ class Log {
                 take_up();
             stream_.open(part_, position > 0 ? std::ios::app : std::ios::trunc);
             if (position == 0)
-                put("path,generation,individuals,best,median,diversity,asked,evaluations,gradients,failures,"
+                put("path,generation,individuals,best,median,diversity,requested,evaluations,gradients,"
+                    "failures,"
                     "seconds\n");
         }
         put(text);

@@ -60,7 +60,7 @@ std::string status(const Event<G>& event) {
         std::snprintf(text, sizeof text, "%.6g", *best);
         line += std::string(": best ") + text;
     }
-    return line + ", " + std::to_string(event.counters.asked) + " evaluations";
+    return line + ", " + std::to_string(event.counters.requested) + " evaluations";
 }
 
 /// An observer that passes the status to `show`, at most once per interval (s).

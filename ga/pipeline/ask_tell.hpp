@@ -85,7 +85,7 @@ class AskTell : Evaluator<P> {
 
   private:
     /// Passes the calls to the caller as questions. Waits until they are answered or the run must end.
-    void outcomes(const P&, std::span<Call<P>> calls, const Watch& watch) override {
+    void outcomes(const P&, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         using namespace std::chrono_literals;
         std::unique_lock lock(guard_);
         calls_ = calls;
@@ -119,7 +119,7 @@ class AskTell : Evaluator<P> {
     std::atomic<bool> stop_ = false;
     std::mutex guard_;
     std::condition_variable changed_;
-    std::span<Call<P>> calls_;
+    std::span<EvaluationCall<P>> calls_;
     std::size_t first_ = 0, open_ = 0; ///< id of the first call; number of unanswered calls
     bool done_ = false;
     Result<Genome> result_;

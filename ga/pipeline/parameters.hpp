@@ -21,7 +21,7 @@ struct Parameter {
     /// A real number, a whole number, a word, or all remaining words.
     enum class Kind { number, whole, word, words };
 
-    static constexpr double most = 1e9; ///< largest whole number
+    static constexpr double max_whole = 1e9; ///< largest whole number
 
     std::string name;                    ///< name, the KEY in KEY=VALUE
     Kind kind;                           ///< kind of value
@@ -62,7 +62,7 @@ struct Parameter {
         std::string text = kind == Kind::whole ? "a whole number" : "a number";
         if (lower > -no_limit)
             text += lower == above_zero ? " above 0" : " from " + ga::number(lower);
-        if (upper < (kind == Kind::whole && !in_full ? most : no_limit))
+        if (upper < (kind == Kind::whole && !in_full ? max_whole : no_limit))
             text +=
                 " to " + (kind == Kind::whole ? std::to_string(static_cast<long>(upper)) : ga::number(upper));
         return text;
@@ -82,7 +82,7 @@ inline Parameter number(std::string name, double lower, double upper, std::strin
 [[gnu::cold]] inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
                                      std::string meaning) {
     return {std::move(name), Parameter::Kind::whole, std::move(standard),
-            lower,           Parameter::most,        std::move(meaning)};
+            lower,           Parameter::max_whole,   std::move(meaning)};
 }
 /// A whole number whose default is the value that a new operator has.
 inline Parameter whole(std::string name, double lower, std::string meaning) {

@@ -211,10 +211,10 @@ class Stage {
     bool begins() const { return !places_.empty() && places_.front().step.begins; }
     /// Number of the best individuals of a generation's start that the stages read.
     std::size_t reads_of_start() const {
-        std::size_t most = 0;
+        std::size_t max = 0;
         for (const auto& place : places_)
-            most = std::max(most, place.step.reads_of_start);
-        return most;
+            max = std::max(max, place.step.reads_of_start);
+        return max;
     }
 
   private:

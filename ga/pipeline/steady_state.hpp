@@ -24,9 +24,9 @@ class SteadyState {
 
     /// A question or its answer, in the log.
     struct Event {
-        std::size_t id;      ///< number of the question
-        bool asked = true;   ///< whether it is a question; otherwise it is an answer
-        Reason failure = {}; ///< why the evaluation failed, if it did
+        std::size_t id;          ///< number of the question
+        bool is_question = true; ///< whether it is a question; otherwise it is an answer
+        Reason failure = {};     ///< why the evaluation failed, if it did
     };
 
     /// Prepares a search. `start` makes the first population, whose size is kept. `breed` makes unscored
@@ -86,18 +86,18 @@ class SteadyState {
 
     /// Repeats the steps of a log, with outcomes from the problem's `evaluate`.
     void replay(const std::vector<Event>& log) {
-        std::map<std::size_t, Genome> asked;
+        std::map<std::size_t, Genome> open;
         for (const Event& event : log)
-            if (event.asked) {
+            if (event.is_question) {
                 auto question = ask();
                 if (!question || question->id != event.id)
                     throw UsageError("the log asks question " + std::to_string(event.id) +
                                      ", which this search does not; give the log of the same search");
-                asked.emplace(event.id, std::move(question->genome));
+                open.emplace(event.id, std::move(question->genome));
             } else if (event.failure) {
                 fail(event.id, *event.failure);
             } else {
-                tell(event.id, problem_.evaluate(asked.at(event.id)));
+                tell(event.id, problem_.evaluate(open.at(event.id)));
             }
     }
 
@@ -133,13 +133,13 @@ class SteadyState {
         return true;
     }
     void answer(const Event& event, Evaluation<Outcome> evaluation) {
-        const auto asked = open_.find(event.id);
-        if (asked == open_.end())
+        const auto question = open_.find(event.id);
+        if (question == open_.end())
             throw UsageError("question " + std::to_string(event.id) +
                              " is not open; answer one that ask returned");
-        ledger_.prepay(identify(problem_, asked->second.genome), std::move(evaluation));
-        Individual<Genome> individual = std::move(asked->second);
-        open_.erase(asked);
+        ledger_.prepay(identify(problem_, question->second.genome), std::move(evaluation));
+        Individual<Genome> individual = std::move(question->second);
+        open_.erase(question);
         log_.push_back(event);
         work_in(std::move(individual));
     }

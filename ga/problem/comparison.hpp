@@ -256,11 +256,12 @@ Population<G> front_of(const Population<G>& population) {
             scored.push_back(individual);
     const std::vector<double> worth = merits(scored);
     const bool several = !scored.empty() && scored.front().fitness.several();
-    const double most = worth.empty() ? 0 : *std::max_element(worth.begin(), worth.end());
-    const double least = several ? std::min(0.0, most) : most; // merits of the first front are 0 or more
+    const double highest = worth.empty() ? 0 : *std::max_element(worth.begin(), worth.end());
+    const double lowest =
+        several ? std::min(0.0, highest) : highest; // merits of the first front are 0 or more
     Population<G> front;
     for (std::size_t i = 0; i < scored.size(); ++i)
-        if (worth[i] >= least)
+        if (worth[i] >= lowest)
             front.push_back(std::move(scored[i]));
     return front;
 }

@@ -47,7 +47,7 @@ struct LevenbergMarquardt {
             for (int round = 1; sharpened && last && largest(last->left) > 0 && round < lawson_rounds;
                  ++round) {
                 weights = weights.cwiseProduct(last->left.cwiseAbs());
-                weights = (weights / weights.maxCoeff()).cwiseMax(least_weight);
+                weights = (weights / weights.maxCoeff()).cwiseMax(min_weight);
                 last = step_from(x, *at, weights, damping, land);
                 if (last && largest(last->left) < largest(step->left))
                     step = last;
@@ -76,7 +76,7 @@ struct LevenbergMarquardt {
 
   private:
     static constexpr int lawson_rounds = 20;
-    static constexpr double least_weight = 1e-6;
+    static constexpr double min_weight = 1e-6;
     static constexpr Eigen::Index many_variables = 128;
 
     /// A point in the box and the residuals there by the linear model.

@@ -12,7 +12,7 @@ struct Reading {
 };
 
 /// Minus the largest |r_k| of the residuals r. The slope is taken from the first row k with this value.
-inline Reading least_worst(const Eigen::VectorXd& residuals) {
+inline Reading minus_largest(const Eigen::VectorXd& residuals) {
     Eigen::Index worst = 0;
     const double largest = residuals.cwiseAbs().maxCoeff(&worst);
     return {-largest, -largest, {{worst, residuals[worst] < 0 ? 1.0 : -1.0}}};
@@ -46,7 +46,7 @@ inline Eigen::VectorXd maximised_by_mma(const auto& land, int evaluations,
     return best.x;
 }
 
-/// The method `mma n`: maximised_by_mma() with least_worst(). A domain can make a method with another
+/// The method `mma n`: maximised_by_mma() with minus_largest(). A domain can make a method with another
 /// function of the residuals.
 struct Mma {
     static constexpr bool on_residuals = true; ///< whether it uses residuals and their derivatives
@@ -56,7 +56,7 @@ struct Mma {
     static Words words() { return {"mma", "refinement", "GCMMA on the largest |r|, one row at a time"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
     Eigen::VectorXd improve(const auto& land) const {
-        return maximised_by_mma(land, evaluations, least_worst);
+        return maximised_by_mma(land, evaluations, minus_largest);
     }
 };
 

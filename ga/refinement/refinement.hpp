@@ -196,7 +196,7 @@ struct Refine : Operator {
             throw Stopped{"evaluation budget spent"};
         }
         const long left =
-            std::max(0L, context.ledger().budget().evaluations - context.counters().asked - count);
+            std::max(0L, context.ledger().budget().evaluations - context.counters().requested - count);
         std::vector<std::optional<G>> found(jobs.size());
         Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, EvaluationQueue<P>& door) {
             const auto& individual = *jobs[i];

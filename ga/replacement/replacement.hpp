@@ -27,9 +27,9 @@ struct Elite : Operator {
             if (std::any_of(population.begin(), population.end(), same))
                 continue;
             const auto worst = std::min_element(worth.begin(), worth.begin() + first_of_start);
-            const double own = worth[population.size() + i];
-            if (*worst < own) {
-                *worst = own;
+            const double worth_of_old = worth[population.size() + i];
+            if (*worst < worth_of_old) {
+                *worst = worth_of_old;
                 population[static_cast<std::size_t>(worst - worth.begin())] = old;
             }
         }

@@ -22,7 +22,7 @@ using Evaluation = std::variant<Pending, Outcome, Reason>;
 
 /// One call of `evaluate`: a genome, and the place for the outcome or the reason of a failure.
 template <Problem P>
-struct Call {
+struct EvaluationCall {
     const typename P::Genome* genome;        ///< genome to evaluate
     Evaluation<typename P::Outcome>* answer; ///< place for the result; unchanged if the run must end first
     std::uint64_t replicate = 0;             ///< number of the replicate of a noisy evaluation
@@ -88,7 +88,7 @@ class Evaluator {
   public:
     virtual ~Evaluator() = default;
     /// Answers the calls that begin before the watch expires.
-    virtual void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) = 0;
+    virtual void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) = 0;
     /// Answers requests for derivatives.
     virtual void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) {
         for (Slope<P>* slope : slopes)
@@ -105,7 +105,7 @@ class OnThreads : public Evaluator<P> {
     /// @param threads  number of threads; 0 for OpenMP's default
     explicit OnThreads(int threads) : threads_(thread_count(threads)) {}
 
-    void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
+    void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         parallel_for(calls.size(), threads_, [&](std::size_t i) {
             if (!watch.expired())
                 *calls[i].answer = evaluated(problem, *calls[i].genome, calls[i].replicate);
@@ -138,9 +138,9 @@ class Recording : public Evaluator<P> {
     std::vector<typename P::Genome> differentiated; ///< genomes of derivatives in the order of the requests
     std::vector<std::size_t> batches;               ///< number of calls in each batch
 
-    void outcomes(const P& problem, std::span<Call<P>> calls, const Watch& watch) override {
+    void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         batches.push_back(calls.size());
-        for (const Call<P>& call : calls)
+        for (const EvaluationCall<P>& call : calls)
             evaluated.push_back(*call.genome);
         by_.outcomes(problem, calls, watch);
     }

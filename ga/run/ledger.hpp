@@ -206,7 +206,7 @@ class Ledger : public EvaluationQueue<P> {
     }
 
     /// Whether the budget allows at most this number of further evaluations.
-    bool spent(long evaluations) const { return budget_.evaluations - counters.asked <= evaluations; }
+    bool spent(long evaluations) const { return budget_.evaluations - counters.requested <= evaluations; }
 
     const P& problem() const { return problem_; }          ///< the problem to evaluate
     Evaluator<P>& evaluator() const { return evaluator_; } ///< makes the calls
@@ -257,8 +257,8 @@ class Ledger : public EvaluationQueue<P> {
     void look_up(EvaluationRequest<P>& request) {
         std::size_t within = 0;
         const auto pay = [&] {
-            request.spent |= counters.asked >= budget_.evaluations;
-            counters.asked += request.spent ? 0 : 1;
+            request.spent |= counters.requested >= budget_.evaluations;
+            counters.requested += request.spent ? 0 : 1;
             return !request.spent;
         };
         request.spent = false;
@@ -304,7 +304,7 @@ class Ledger : public EvaluationQueue<P> {
     /// Counts the evaluations that were made and resets pending ones; true if any is pending.
     bool book() {
         bool interrupted = false;
-        for (const Call<P>& call : calls_)
+        for (const EvaluationCall<P>& call : calls_)
             if (Pending* pending = std::get_if<Pending>(call.answer)) {
                 if (pending->why && !stop_reason_)
                     stop_reason_ = *pending->why;
@@ -329,7 +329,7 @@ class Ledger : public EvaluationQueue<P> {
                 throw Stopped{stop_reason_.value_or(watch_.reason())};
             if (request.spent)
                 throw Stopped{"evaluation budget spent"};
-            if (counters.asked > 1) // a single start may fail
+            if (counters.requested > 1) // a single start may fail
                 expect_success();
         } catch (...) {
             request.error = std::current_exception();
@@ -363,7 +363,7 @@ class Ledger : public EvaluationQueue<P> {
     Budget budget_;
     Watch watch_;
     Table<Evaluation<Outcome>> prepaid_;
-    std::vector<Call<P>> calls_;
+    std::vector<EvaluationCall<P>> calls_;
     std::vector<Slope<P>*> slopes_;
     std::size_t heaviest_ = 0;
     bool succeeded_ = false;

@@ -53,12 +53,12 @@ class Rounds {
       public:
         using EvaluationQueue<P>::serve;
         void serve(std::span<EvaluationRequest<P>* const> requests) override {
-            asked = requests;
+            this->requests = requests;
             rounds->wait();
             answered.acquire();
         }
         Rounds* rounds = nullptr;
-        std::span<EvaluationRequest<P>* const> asked;
+        std::span<EvaluationRequest<P>* const> requests;
         std::binary_semaphore answered{0};
         std::exception_ptr error;
         bool done = false;
@@ -117,7 +117,7 @@ class Rounds {
         for (Seat& seat : seats_)
             if (!seat.done) {
                 waiting.push_back(&seat);
-                all.insert(all.end(), seat.asked.begin(), seat.asked.end());
+                all.insert(all.end(), seat.requests.begin(), seat.requests.end());
             }
         if (waiting.empty())
             return false;

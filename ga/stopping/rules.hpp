@@ -10,7 +10,7 @@ namespace ga {
 template <class G>
 struct Progress {
     std::size_t generation;          ///< number of completed generations
-    long asked;                      ///< evaluations requested since the block began
+    long requested;                  ///< evaluations requested since the block began
     double seconds;                  ///< time since the block began, in all processes of the run, s
     const Population<G>& population; ///< population before the generation
 };
@@ -68,21 +68,21 @@ bool improves(const Progress<G>& now, Numbers& memory) {
         const Fitness& fitness = individual.fitness;
         if (!fitness.known())
             return false;
-        const double own = fitness.violation();
-        const double merit = fitness.several() || own > 0 ? -HUGE_VAL : fitness.merit();
-        if (std::pair(own, -merit) < std::pair(violation, -worth))
-            violation = own, worth = merit;
-        if (fitness.several() && own == 0)
+        const double excess = fitness.violation();
+        const double merit = fitness.several() || excess > 0 ? -HUGE_VAL : fitness.merit();
+        if (std::pair(excess, -merit) < std::pair(violation, -worth))
+            violation = excess, worth = merit;
+        if (fitness.several() && excess == 0)
             points.push_back(fitness.values());
     }
     if (!points.empty()) {
         const std::size_t m = points.front().size();
         Point ranges;
         for (std::size_t k = 0; memory.size() < 3 + m; ++k) {
-            const auto [least, most] = std::minmax_element(
+            const auto [lowest, highest] = std::minmax_element(
                 points.begin(), points.end(), [k](const Point& a, const Point& b) { return a[k] < b[k]; });
-            ranges.push_back(std::max((*most)[k] - (*least)[k], 1e-9));
-            memory.push_back((*least)[k] - 0.1 * ranges.back());
+            ranges.push_back(std::max((*highest)[k] - (*lowest)[k], 1e-9));
+            memory.push_back((*lowest)[k] - 0.1 * ranges.back());
         }
         memory.insert(memory.end(), ranges.begin(), ranges.end());
         const auto at = memory.begin() + 3;
@@ -128,7 +128,7 @@ struct AfterEvaluations : StoppingRule {
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers&) const {
-        return now.asked >= n;
+        return now.requested >= n;
     }
 };
 
@@ -184,28 +184,28 @@ struct AtStagnation : StoppingRule {
 };
 
 /// Ends when the population has converged: all individuals are feasible, and the values of every objective
-/// differ by at most `most`. The searches of libpagmo and NLopt call this a tolerance on f.
+/// differ by at most `max_difference`. The searches of libpagmo and NLopt call this a tolerance on f.
 struct AtConvergence : StoppingRule {
-    double most = 0; ///< largest difference, in the objective's units, >= 0
+    double max_difference = 0; ///< largest difference, in the objective's units, >= 0
 
     static Words words() { return {"converged", "stopping", "best and worst differ by at most this"}; }
-    static void describe(auto& self, auto visit) { visit(self.most, value_of(words(), 0)); }
+    static void describe(auto& self, auto visit) { visit(self.max_difference, value_of(words(), 0)); }
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
 
     template <class G>
     bool operator()(const Progress<G>& now, Numbers&) const {
-        Point least, greatest;
+        Point lowest, highest;
         for (const auto& individual : now.population) {
             const Fitness& fitness = individual.fitness;
             if (!fitness.known() || !fitness.feasible())
                 return false;
             const Point values = fitness.several() ? fitness.values() : Point{fitness.merit()};
-            if (least.empty())
-                least = greatest = values;
+            if (lowest.empty())
+                lowest = highest = values;
             for (std::size_t k = 0; k < values.size(); ++k) {
-                least[k] = std::min(least[k], values[k]);
-                greatest[k] = std::max(greatest[k], values[k]);
-                if (greatest[k] - least[k] > most)
+                lowest[k] = std::min(lowest[k], values[k]);
+                highest[k] = std::max(highest[k], values[k]);
+                if (highest[k] - lowest[k] > max_difference)
                     return false;
             }
         }

@@ -154,7 +154,7 @@ class Parser {
     [[gnu::cold]] Stage<P> variant(const std::string& name);
 
   private:
-    static constexpr std::size_t most_stages = 10000;
+    static constexpr std::size_t max_stages = 10000;
 
     /// Resets the state of the previous text.
     [[gnu::cold]] void begin() {
@@ -294,7 +294,7 @@ class Parser {
 
     /// Returns the stage with its column.
     [[gnu::cold]] Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
-        if (++stages_ > most_stages)
+        if (++stages_ > max_stages)
             throw TextError(where, text.column, "more than 10000 stages, with those of variants; use fewer");
         stage.locate(where, text.column);
         return stage;

@@ -7,32 +7,32 @@ namespace ga {
 /// A method to cross two genomes in place. It has words() and describe() like an operator. It also has `void
 /// operator()(const P&, Genome& a, Genome& b, Stream&) const`, constrained by the members of the problem that
 /// it uses.
-template <class Way, class P>
+template <class Method, class P>
 concept Crosses = Problem<P> &&
-    requires(const Way& way, const P& problem, typename P::Genome& genome, Stream& stream) {
-    way(problem, genome, genome, stream);
+    requires(const Method& method, const P& problem, typename P::Genome& genome, Stream& stream) {
+    method(problem, genome, genome, stream);
 };
 
 /// Crosses neighbours: the first with the second, the third with the fourth and so on. Each pair is crossed
 /// with probability `rate`. If the number of individuals is odd, the last individual is not changed. The two
 /// children replace their parents, unscored. Put `random` before this stage to shuffle the pairs.
-template <class Way>
+template <class Method>
 struct Cross : Operator {
-    Way way;         ///< method that crosses two genomes (Crosses)
+    Method method;   ///< method that crosses two genomes (Crosses)
     double rate = 1; ///< probability for each pair, in [0, 1]
-    static constexpr const char* needs = Way::needs;
+    static constexpr const char* needs = Method::needs;
     static Words words() {
-        const Words of_way = Way::words();
+        const Words of_way = Method::words();
         return {"cross " + of_way.name, "cross-over", of_way.meaning};
     }
     static void describe(auto& self, auto visit) {
-        Way::describe(self.way, visit);
+        Method::describe(self.method, visit);
         visit(self.rate, number("rate", 0, 1, "a pair's chance to be crossed").keyed().quiet());
     }
     void check(CheckState& known) const { known.scored.reset(); }
 
     template <class P>
-    requires Crosses<Way, P> PopulationOf<P>
+    requires Crosses<Method, P> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
         Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
         for (std::size_t i = 0; i + 1 < population.size(); i += 2) {
@@ -40,7 +40,7 @@ struct Cross : Operator {
             if (rate < 1 && !stream.chance(rate))
                 continue;
             auto &a = population[i], &b = population[i + 1];
-            way(context.problem(), a.genome, b.genome, stream);
+            method(context.problem(), a.genome, b.genome, stream);
             const Parents parents(a.identity, b.identity);
             context.make_child(a, parents);
             context.make_child(b, parents);
@@ -51,9 +51,9 @@ struct Cross : Operator {
 
 /// The stage `cross` with a method.
 /// @param rate  probability that a pair is crossed, 0 to 1
-template <class Way>
-Cross<Way> cross(Way way, double rate = 1) {
-    return checked(Cross<Way>{{}, std::move(way), rate});
+template <class Method>
+Cross<Method> cross(Method method, double rate = 1) {
+    return checked(Cross<Method>{{}, std::move(method), rate});
 }
 
 /// A genome that is a sequence of genes at positions, so that two genomes may exchange genes.

@@ -10,45 +10,45 @@ namespace ga {
 /// @code
 ///     bool operator()(const P&, Genome&, const Chance&, Stream&) const;   true if a gene changed
 /// @endcode
-template <class Way, class P>
-concept Mutates = Problem<P> && requires(const Way& way, const P& problem, typename P::Genome& genome,
+template <class Method, class P>
+concept Mutates = Problem<P> && requires(const Method& method, const P& problem, typename P::Genome& genome,
                                          const Chance& chance, Stream& stream) {
-    { way(problem, genome, chance, stream) } -> std::same_as<bool>;
+    { method(problem, genome, chance, stream) } -> std::same_as<bool>;
 };
 
 /// Mutates every individual. An individual that changes loses its fitness. If it was scored, the result is a
 /// new individual with the old one as parent.
-template <class Way>
+template <class Method>
 struct Mutate : Operator {
     double rate = 0; ///< probability for each gene, in [0, 1]
-    Way way;         ///< method that changes a genome (Mutates)
-    static constexpr const char* needs = Way::needs;
+    Method method;   ///< method that changes a genome (Mutates)
+    static constexpr const char* needs = Method::needs;
     static Words words() {
-        const Words of_way = Way::words();
+        const Words of_way = Method::words();
         return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
     }
     static void describe(auto& self, auto visit) {
         visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));
-        Way::describe(self.way, visit);
+        Method::describe(self.method, visit);
     }
     std::string text() const {
         std::string text = "mutate " + number(rate);
-        Way copy = way;
-        for (const std::string& part : {Way::words().name, values_in_words(fields_of(copy))})
+        Method copy = method;
+        for (const std::string& part : {Method::words().name, values_in_words(fields_of(copy))})
             text += (part.empty() ? "" : " ") + part;
         return text;
     }
     void check(CheckState& known) const { known.scored.reset(); }
 
     template <class P>
-    requires Mutates<Way, P> PopulationOf<P>
+    requires Mutates<Method, P> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
         const Chance chance(rate);
         Stream next = context.stream(0); // computed ahead, while the processor waits for the previous one
         for (std::size_t i = 0; i < population.size(); ++i) {
             auto& individual = population[i];
             Stream stream = std::exchange(next, context.stream(i + 1));
-            if (!way(context.problem(), individual.genome, chance, stream))
+            if (!method(context.problem(), individual.genome, chance, stream))
                 continue;
             if (individual.fitness.known())
                 context.make_child(individual, Parents(individual.identity));
@@ -277,9 +277,9 @@ inline Reverse reverse() { return {}; }
 
 /// The stage `mutate` with a method.
 /// @param rate  probability that a gene mutates, 0 to 1
-template <class Way = Natural>
-Mutate<Way> mutate(double rate, Way way = {}) {
-    return checked(Mutate<Way>{{}, rate, std::move(way)});
+template <class Method = Natural>
+Mutate<Method> mutate(double rate, Method method = {}) {
+    return checked(Mutate<Method>{{}, rate, std::move(method)});
 }
 
 /// Replaces the population by n new individuals, which the problem draws at random.

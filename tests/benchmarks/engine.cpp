@@ -96,8 +96,8 @@ double overhead(const char* name, const Pipeline& pipeline) {
     for (int i = 0; i < 9; ++i) {
         long asked = 0;
         const double seconds = work_of([&] {
-            asked =
-                run(pipeline, problem, population<std::vector<double>>({{}}), {.threads = 1}).counters.asked;
+            asked = run(pipeline, problem, population<std::vector<double>>({{}}), {.threads = 1})
+                        .counters.requested;
         });
         nanoseconds.push_back(1e9 * seconds / static_cast<double>(asked));
     }

@@ -79,7 +79,7 @@ void forge(const std::string& kind, const json& good, int times, int refused,
 template <class P>
 struct Summing : ga::Evaluator<P> {
     app::BestKnown record;
-    void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch&) override {
+    void outcomes(const P& problem, std::span<ga::EvaluationCall<P>> calls, const ga::Watch&) override {
         for (auto& call : calls) {
             double sum = 0, weighted = 0;
             for (const auto gene : *call.genome) {

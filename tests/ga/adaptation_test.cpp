@@ -340,7 +340,7 @@ TEST_CASE("differential evolution and L-SHADE solve their published problems") {
         const auto result = run(converging + "{ de F=0.8 crossing=" + crossing + " | score | duel }",
                                 minimum(5, functions::sphere), {}, {.seed = 1, .threads = 1});
         CHECK(result.best->value() < 1e-9);
-        CHECK(result.counters.asked < 20000);
+        CHECK(result.counters.requested < 20000);
         for (const auto& individual : result.population)
             CHECK(individual.value() <= result.best->value() + 1e-9);
     }

@@ -34,7 +34,7 @@ Reals slow() {
 /// Events of an observer, which checkpoints store.
 std::vector<std::string> seen;
 const Observer<Vector> observer = [](const auto& event) {
-    seen.push_back(event.path + " " + std::to_string(event.counters.asked));
+    seen.push_back(event.path + " " + std::to_string(event.counters.requested));
 };
 const std::function<void(Checkpoints<Reals>&)> keep_seen = [](Checkpoints<Reals>& checkpoints) {
     seen.clear();
@@ -68,7 +68,7 @@ TEST_CASE("a run resumes to the uninterrupted result after any stop") {
     seen.clear();
     const auto whole = run(nested, Reals{}, {}, {}, {observer});
     const auto all = seen;
-    REQUIRE(whole.counters.asked > 450);
+    REQUIRE(whole.counters.requested > 450);
     for (const long step : {70L, 111L, 333L}) {
         CHECK(bits_of(in_pieces(nested, Reals{}, step, {}, {observer}, keep_seen)) == bits_of(whole));
         CHECK(seen == all);

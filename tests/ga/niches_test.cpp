@@ -215,7 +215,7 @@ TEST_CASE("an emitter returns its parents when budget or memory end before it ha
     const auto start = scored(f, {{0.1, 0.2}, {0.3, 0.4}});
     const auto spent = run("emit 100 x | score", f, start, {.budget = {.evaluations = 30}});
     CHECK(spent.stopped == "evaluation budget spent");
-    CHECK(spent.counters.asked == 30);
+    CHECK(spent.counters.requested == 30);
     CHECK(spent.population.size() == 2);
     const auto large = run("emit 100000000 x | score", f, start, {.population_bytes = std::size_t{1} << 20});
     CHECK(large.stopped == "pipeline/emit.1: a population of 100000000 exceeds the 1 MB for one");

@@ -180,7 +180,7 @@ TEST_CASE("an average is the mean of replicates up to its limit, each paid once"
     problem.noise = 1;
     const auto result =
         run("score | average 2 | repeat 10 { average 2 limit=9 }", problem, individuals({1, 0, 0.5, -0.75}));
-    CHECK((result.counters.evaluations == 4 * 9 && result.counters.asked == 4 * 9));
+    CHECK((result.counters.evaluations == 4 * 9 && result.counters.requested == 4 * 9));
     for (const auto& each : result.population) {
         double mean = 0;
         for (std::uint64_t replicate = 0; replicate < 9; ++replicate)

@@ -158,7 +158,7 @@ TEST_CASE("a refinement never asks for more than the budget, on islands too") {
           "islands 2 rounds=1 { refine lm 30 }", "islands 2 rounds=1 { refine nlopt LN_COBYLA 30 }"})
         for (const long budget : {20, 40, 41}) {
             const auto result = run(pipeline, CurveFit{}, start, {.budget = {.evaluations = budget}});
-            CHECK(result.counters.asked <= budget);
+            CHECK(result.counters.requested <= budget);
             REQUIRE(result.population.size() == 6);
             for (const auto& each : result.population)
                 CHECK(each.value() >= start[each.identity].value());
@@ -314,7 +314,7 @@ TEST_CASE("every algorithm of NLopt runs or is refused by name") {
             const int number = algorithm_number(name); // CHECK would catch what it throws
             CHECK(number == i);
             const auto result = run("score | refine nlopt " + name + " 10", CurveFit{}, CurveFit::start(2));
-            CHECK(result.counters.asked <= 2 + 2 * 11 + 2); // scored, searched, scored
+            CHECK(result.counters.requested <= 2 + 2 * 11 + 2); // scored, searched, scored
         } catch (const UsageError& refused) {
             CHECK(std::string(refused.what()).find(name) != std::string::npos);
             CHECK(std::string(refused.what()).find("unknown") == std::string::npos);

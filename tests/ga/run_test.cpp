@@ -88,7 +88,7 @@ TEST_CASE("a memory too small for one outcome does not affect a result") {
     const auto small = run(pipeline, CurveFit{}, CurveFit::start(40), {.memory_bytes = 1});
     CHECK(large.counters.evaluations == 3 * 40 + 40);
     CHECK(small.counters.evaluations == 7 * 40 + 40);
-    CHECK(small.counters.asked == large.counters.asked);
+    CHECK(small.counters.requested == large.counters.requested);
     CHECK(small.population[0].genome == large.population[0].genome);
     Reals problem; // the memory has room for fewer outcomes the longer they are
     for (const std::size_t length : {1u, 1000u}) {
@@ -105,7 +105,7 @@ TEST_CASE("one evaluation serves every objective, and no genome is evaluated twi
         twice.push_back(individual);
     const auto result = run("score low | score high | score", CurveFit{}, twice);
     CHECK(result.counters.evaluations == 20);
-    CHECK(result.counters.asked == 40);
+    CHECK(result.counters.requested == 40);
     CHECK(result.counters.remembered == 100);
 }
 
@@ -263,7 +263,7 @@ TEST_CASE("an evaluation budget ends a run exactly, with the best so far") {
     CHECK(part.population[0].value() <= whole.population[0].value());
     const auto refined = run("score | repeat 1000 { refine mma 2 genes=tenth }", CurveFit{},
                              CurveFit::start(5), {.budget = {.evaluations = 200}});
-    CHECK(refined.counters.asked <= 200);
+    CHECK(refined.counters.requested <= 200);
     CHECK(refined.best->value() >= run("score", CurveFit{}, CurveFit::start(5)).best->value());
 }
 

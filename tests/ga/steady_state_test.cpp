@@ -45,7 +45,7 @@ TEST_CASE("the log of a steady-state search with answers in any order replays to
     for (const std::uint64_t order : {1u, 2u}) {
         const auto search = search_of(300);
         run_scrambled(*search, order);
-        CHECK(search->result().counters.asked == 300);
+        CHECK(search->result().counters.requested == 300);
         CHECK(search->result().counters.failures == 17);
         CHECK(search->result().population.size() == 10);
         CHECK(search->result().best->value() > -0.05);
@@ -63,10 +63,10 @@ TEST_CASE("a steady-state search asks on while its slowest evaluation is open") 
     const auto slowest = *search->ask();
     for (auto question = search->ask(); question; question = search->ask())
         search->tell(question->id, question->genome);
-    CHECK(search->result().counters.asked == 199);
+    CHECK(search->result().counters.requested == 199);
     CHECK(search->open() == 1);
     search->tell(slowest.id, slowest.genome);
-    CHECK(search->result().counters.asked == 200);
+    CHECK(search->result().counters.requested == 200);
     CHECK_THROWS_WITH(search->tell(slowest.id, slowest.genome),
                       "question 0 is not open; answer one that ask returned");
     CHECK(!search->ask());
@@ -95,7 +95,7 @@ TEST_CASE("a steady-state search on threads keeps to its budget and replays") {
     const auto breed = Stage<Uneven>(tournament(2, 1) | mutate(0.3));
     SteadyState<Uneven> search(sample(8), breed, steady(), Uneven{}, options);
     run_steady(search, Uneven{}, 3);
-    CHECK(search.result().counters.asked == 150);
+    CHECK(search.result().counters.requested == 150);
     CHECK(search.open() == 0);
     SteadyState<Uneven> again(sample(8), breed, steady(), Uneven{}, options);
     again.replay(search.log());

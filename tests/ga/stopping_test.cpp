@@ -42,7 +42,7 @@ TEST_CASE("a new stopping rule ends its block, in code and in text") {
     CHECK(run(stage, Reals{}, {}).population[0].genome == result.population[0].genome);
     CHECK(run(reals("sample 30 | score") | until(any_of(AfterGenerations{{}, 2}, AtSpread{{}, 0}), body),
               Reals{}, {})
-              .counters.asked <= 90);
+              .counters.requested <= 90);
 }
 
 TEST_CASE("a population has converged when all are feasible and their objectives agree") {

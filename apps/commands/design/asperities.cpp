@@ -244,7 +244,7 @@ int design_asperities(const Settings& settings, const std::string& line) {
             search(run.setup, run.options,
                    {recorder<rough::CapGenome>(run.stages),
                     ga::progress<rough::CapGenome>([&](const std::string& text) { progress.show(text); })});
-        run.interrupted = interrupt.asked();
+        run.interrupted = interrupt.requested();
         if (!run.interrupted) {
             progress.show("tolerance");
             run.other_model_error = 0;

@@ -78,10 +78,10 @@ json morph_json(const DesignRun& run) {
              {"before", change.before},
              {"after", change.after},
              {"at_limit", change.at_limit}});
-    for (const rough::PointOff& off : morphed.off) {
-        const rough::Target& target = run.setup.targets[off.target];
+    for (const rough::MissedPoint& missed : morphed.missed) {
+        const rough::Target& target = run.setup.targets[missed.target];
         result["out_of_reach"].push_back(
-            {{"target", target.name}, {columns_of(target.quantity).x, off.x}, {"misfit", off.misfit}});
+            {{"target", target.name}, {columns_of(target.quantity).x, missed.x}, {"misfit", missed.misfit}});
     }
     return result;
 }
@@ -98,8 +98,8 @@ json design_json(const DesignRun& run) {
     result["verified"] = run.found.best.is_verified();
     result["accounts"] = run.accounts;
     result["like"] = run.setup.like ? json(run.setup.like->nodes()) : json();
-    result["summary"].update(
-        {{"lowest", run.summary.verified}, {"not_asked", run.not_asked.value_or(Shares())}});
+    result["summary"].update({{"lowest", run.summary.verified},
+                              {"unrequested_errors", run.unrequested_errors.value_or(Shares())}});
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;

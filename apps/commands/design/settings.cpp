@@ -229,11 +229,11 @@ DesignRun design_from(const Settings& settings,
             settings.refuse("max-pressure", settings.text("max-pressure"),
                             " MPa is too low; give at least the last pressure of ", goal.name, ", ",
                             readable(goal.last(), 6), " MPa");
-    const double least = std::min(grid.widest_spacing(), grid.length / 60);
+    const double shortest = std::min(grid.widest_spacing(), grid.length / 60);
     if (const double length = setup.errors.noise_length;
-        settings.has("noise-length") && (length < least || length > grid.length))
+        settings.has("noise-length") && (length < shortest || length > grid.length))
         settings.refuse("noise-length", settings.text("noise-length"),
-                        " is out of range; give a number from ", readable(least, 6), " to ",
+                        " is out of range; give a number from ", readable(shortest, 6), " to ",
                         readable(grid.length, 6));
     setup.bounds = completed(setup.bounds, grid.length);
     expect_in_order(settings, setup.bounds);

@@ -122,12 +122,12 @@ std::string matched(const DesignRun& run) {
     return all;
 }
 
-std::string not_asked_for(const DesignRun& run) {
+std::string not_requested(const DesignRun& run) {
     if (!run.setup.like)
         return "all other quantities; at the last load " +
                percent(run.response.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
-    std::string all = run.not_asked ? "" : "not verified, because the time did not suffice";
-    for (const auto& [name, share] : run.not_asked.value_or(Shares()))
+    std::string all = run.unrequested_errors ? "" : "not verified, because the time did not suffice";
+    for (const auto& [name, share] : run.unrequested_errors.value_or(Shares()))
         join(all, name + " was not requested and is off by up to " + percent(share));
     return all;
 }
@@ -139,7 +139,7 @@ std::string worst_case(const DesignRun& run) {
     };
     std::string all =
         "similarity " + known(best.similarity) + " on the search grid, " + known(best.refined) +
-        " on a grid 4 times finer, " + known(best.stepped) + " in 4 times the load steps; " +
+        " on a grid 4 times finer, " + known(best.more_steps) + " in 4 times the load steps; " +
         (best.is_verified() ? "the lowest of these and of one with both together is " + known(best.worst())
                             : "so the lowest is not known");
     if (!run.trust)
@@ -264,7 +264,7 @@ std::string at(const rough::Target& target, double x) {
 }
 
 /// Reasons why no answer was found: the largest misfit, then its possible causes.
-std::string in_the_way(const DesignRun& run) {
+std::string obstacles(const DesignRun& run) {
     const auto& targets = run.setup.targets;
     std::size_t worst = 0;
     const auto weighted = [&](std::size_t t) {
@@ -281,7 +281,7 @@ std::string in_the_way(const DesignRun& run) {
         join(all, "the largest misfit is " + percent(largest.misfit) + " of the " +
                       in_words(target.quantity) + at(target, target.x[largest.point]));
     if (run.morphed) {
-        const std::size_t missed = run.morphed->off.size();
+        const std::size_t missed = run.morphed->missed.size();
         join(all, missed == 0 ? ""
                               : "these chromosomes cannot match " + std::to_string(missed) +
                                     " points within the largest permitted change");
@@ -313,7 +313,7 @@ std::string in_the_way(const DesignRun& run) {
 
 } // namespace
 
-Shares off_unasked(const DesignRun& run) {
+Shares errors_not_requested(const DesignRun& run) {
     Shares all;
     const auto& requested = run.setup.targets;
     if (!run.setup.like || !requested.front().against_pressure())
@@ -348,13 +348,13 @@ Summary summary_of(const DesignRun& run) {
     summary.facts = {{"warning", "Warning", run.warning},
                      {"moved", "Change", run.morphed ? moved(*run.morphed) : ""},
                      {"matched", "Requested", matched(run)},
-                     {"not_asked_for", "Not requested", not_asked_for(run)},
+                     {"not_requested", "Not requested", not_requested(run)},
                      {"worst_case", "Checks", worst_case(run)},
                      {"machine", "Tolerance", machine(run)},
                      {"yielding", "Elastic", yielding(run)},
                      {"making", "Can be made", making(run)},
                      {"carries_over", "Valid", carries_over(run)},
-                     {"in_the_way", "Obstacles", summary.found ? "" : in_the_way(run)}};
+                     {"obstacles", "Obstacles", summary.found ? "" : obstacles(run)}};
     std::erase_if(summary.facts, [](const Fact& fact) { return fact.text.empty(); });
     return summary;
 }

@@ -39,10 +39,10 @@ Reached raced(const rough::DesignSetup& setup, const std::string& variant, const
         for (const auto& individual : event.population)
             if (individual.fitness.known(similarity) && !individual.fitness.has_failed())
                 best = std::max(best, individual.fitness.value());
-        tally.note(std::min(attempt.budget, event.counters.asked), 1 - best);
+        tally.note(std::min(attempt.budget, event.counters.requested), 1 - best);
     };
     const rough::SearchResult found = rough::search(setup, options, {watch});
-    tally.note(std::min(attempt.budget, found.counters.asked), 1 - found.best.similarity);
+    tally.note(std::min(attempt.budget, found.counters.requested), 1 - found.best.similarity);
     return tally.reached();
 }
 

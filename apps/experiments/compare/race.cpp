@@ -58,7 +58,7 @@ class Tallied : public ga::Evaluator<OutsideProblem<G>> {
     Tallied(const Instance<G>& instance, Tally& tally)
         : evaluate_(instance.evaluate), nearness_(instance), tally_(tally) {}
 
-    void outcomes(const OutsideProblem<G>&, std::span<ga::Call<OutsideProblem<G>>> calls,
+    void outcomes(const OutsideProblem<G>&, std::span<ga::EvaluationCall<OutsideProblem<G>>> calls,
                   const ga::Watch& watch) override {
         for (auto& call : calls) {
             if (watch.expired())
@@ -119,9 +119,9 @@ Reached raced(const Instance<G>& instance, const std::string& variant, const std
         options.budget = {left, std::numeric_limits<double>::infinity(), &tally.over()};
         try {
             const auto found = ga::run_by(evaluator, stage, problem, {}, options);
-            if (found.counters.asked == 0 || !found.stopped.empty())
+            if (found.counters.requested == 0 || !found.stopped.empty())
                 break;
-            left -= found.counters.asked;
+            left -= found.counters.requested;
         } catch (const ga::NothingLeft&) {
             break;
         }

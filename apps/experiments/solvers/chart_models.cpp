@@ -18,7 +18,7 @@ Profile self_affine(Index nodes, bool is_map, double longest, double shortest, s
     if (is_map)
         grid.rows = nodes, grid.width = 1;
     return realised(
-        {.hurst = 0.8, .longest = longest, .shortest = shortest, .rms_slope = 0.1, .is_area = is_map}, grid,
+        {.hurst = 0.8, .longest = longest, .shortest = shortest, .rms_slope = 0.1, .is_2d = is_map}, grid,
         seed);
 }
 Profile line_on(Index nodes) { return self_affine(nodes, false, 1.0 / 32, 1.0 / 256, 1); }

@@ -120,15 +120,15 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
             }
         }
         if (std::isfinite(best))
-            run.history.push_back({static_cast<double>(event.counters.asked), event.seconds, best});
+            run.history.push_back({static_cast<double>(event.counters.requested), event.seconds, best});
     };
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
     static_cast<VariantRun&>(run) = variant_run(name, found, std::move(stages), clock.seconds());
     run.seed = options.seed;
-    run.last_displacement = scored(found.setup, found.best.on_own).responses.front().displacement.tail(1)[0];
+    run.last_displacement = scored(found.setup, found.best.on_grid).responses.front().displacement.tail(1)[0];
     run.history.push_back(
-        {static_cast<double>(found.counters.asked), run.seconds, std::max(best, run.similarity)});
+        {static_cast<double>(found.counters.requested), run.seconds, std::max(best, run.similarity)});
     return run;
 }
 

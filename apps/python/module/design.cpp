@@ -61,7 +61,7 @@ ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callb
         for (const auto& individual : event.population)
             if (individual.fitness.has_value())
                 best = std::max(best, individual.value());
-        callback([&] { progress(event.path, event.generation, event.counters.asked, best); });
+        callback([&] { progress(event.path, event.generation, event.counters.requested, best); });
     };
 }
 

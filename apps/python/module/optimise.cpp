@@ -101,14 +101,14 @@ class ByPython : public ga::Evaluator<P> {
   public:
     ByPython(Callback& callback, Optimisation& search) : callback_(callback), search_(search) {}
 
-    void outcomes(const P& problem, std::span<ga::Call<P>> calls, const ga::Watch& watch) override {
+    void outcomes(const P& problem, std::span<ga::EvaluationCall<P>> calls, const ga::Watch& watch) override {
         using G = typename P::Genome;
         callback_([&] {
             const auto rows =
                 rows_of<G>(calls, problem.count, [](const auto& call) -> const G& { return *call.genome; });
             const py::object& own = search_.problem;
             const std::size_t objectives = problem.objectives().size();
-            const auto take = [&](ga::Call<P>& call, const py::handle& given) {
+            const auto take = [&](ga::EvaluationCall<P>& call, const py::handle& given) {
                 app::Answer answer = answer_of(given, objectives);
                 search_.record.take({app::genes_text(*call.genome), answer});
                 *call.answer = std::move(answer);
@@ -214,7 +214,7 @@ struct Prepared {
                     (*one)(py::dict("path"_a = event.path, "generation"_a = event.generation,
                                     "genes"_a = genes_of(event.population, problem.count),
                                     "fitness"_a = fitness_of(event.population),
-                                    "evaluations"_a = event.counters.asked));
+                                    "evaluations"_a = event.counters.requested));
                 });
             });
         return all;

@@ -20,7 +20,7 @@ class LawsonHanson {
         reach_solution(approach);
         while (iterations_ < limit) {
             check_stop(options_);
-            const Index worst = most_violated(approach);
+            const Index worst = max_violated(approach);
             if (worst < 0 || factor_.append({static_cast<int>(worst)}) == 0)
                 break;
             passive_[static_cast<std::size_t>(worst)] = 1;
@@ -73,7 +73,7 @@ class LawsonHanson {
     }
 
     /// The node that violates the gap most, or -1.
-    Index most_violated(double approach) {
+    Index max_violated(double approach) {
         const double* u = direct_.apply(factor_.nodes(), pressure_);
         Index worst = -1;
         double deepest = gap_rounding * approach;

@@ -148,19 +148,19 @@ TEST_CASE("the error in quantities that were not requested is on terminal, page 
     setup.model = completed(setup.model);
     setup.targets = {target_like(scan, setup.model, "area", rough::Quantity::area_at_pressure)};
     const rough::Genome genome = rough::genome_from_json(result["variants"]["pipeline"]["genome"], "genome");
-    const double off = summary["not_asked"]["contact area"];
+    const double off = summary["unrequested_errors"]["contact area"];
     CHECK(off == Approx(1 - similarity(setup, genome)).epsilon(1e-6));
     CHECK(summary["found"] == true);
     CHECK(summary["lowest"] == result["variants"]["pipeline"]["similarity_worst"]);
     const std::string page = rough::read_whole(folder / "r/report.html");
     for (const char* fact :
-         {"matched", "not_asked_for", "worst_case", "yielding", "making", "carries_over"}) {
+         {"matched", "not_requested", "worst_case", "yielding", "making", "carries_over"}) {
         const std::string text = summary[fact];
         INFO(fact << ": " << text);
         CHECK_THAT(ended.out, Catch::Contains(text));
         CHECK_THAT(page, Catch::Contains(text.substr(0, 20)));
     }
-    CHECK_THAT(summary["not_asked_for"].get<std::string>(),
+    CHECK_THAT(summary["not_requested"].get<std::string>(),
                Catch::Contains("interface stiffness was not requested"));
     CHECK_THAT(summary["carries_over"].get<std::string>(),
                Catch::Contains("only for this length and the datum"));

@@ -123,7 +123,6 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
 
     for (const auto& [key, value] : {std::pair("similarity", checks[0]),
                                      {"similarity_refined", checks[1]},
-                                     {"similarity_stepped", checks[2]},
                                      {"similarity_worst", lowest}})
         if (variant.contains(key))
             CHECK(variant[key].get<double>() == Approx(value).margin(1e-8));
@@ -145,8 +144,8 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
                 largest = off[static_cast<Index>(k)], at = pressures[k];
     }
     says("matched", {lowest, 100 * (1 - lowest)});
-    says("in_the_way", {100 * largest, 1e3 * at}); // kPa
-    says("not_asked_for", {100 * own.contact_fraction.tail(1)[0]});
+    says("obstacles", {100 * largest, 1e3 * at}); // kPa
+    says("not_requested", {100 * own.contact_fraction.tail(1)[0]});
 
     // 1/K grows by (2 L/(pi E*)) ln 4 with the datum, in the target too.
     const double compliance = 2 * length / (std::numbers::pi * modulus) * std::log(4);

@@ -55,7 +55,7 @@ constexpr Index side = 48;
 Profile ground(double share, bool along_y = true) {
     Grid grid{.nodes = side, .length = 1, .periodic = true};
     const Profile line =
-        realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_area = false}, grid, 3);
+        realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_2d = false}, grid, 3);
     grid.rows = side;
     grid.width = 1;
     Profile map = realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1}, grid, 4);

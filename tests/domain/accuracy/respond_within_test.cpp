@@ -134,7 +134,7 @@ Profile random_map(std::mt19937_64& random, unsigned kind, const Grid& grid) {
             z += noise * std::normal_distribution<double>()(random);
     else
         map.heights *= std::pow(10, rough::testing::uniform(random, -6, -2));
-    const Profile line = realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_area = false},
+    const Profile line = realised({.longest = 0.5, .shortest = 0.125, .rms_slope = 0.1, .is_2d = false},
                                   {grid.nodes, grid.length, true}, random());
     for (Index j = 0; kind == 2 && j < grid.rows; ++j)
         map.heights.segment(j * grid.nodes, grid.nodes) += line.heights;

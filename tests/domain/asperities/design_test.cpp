@@ -210,7 +210,7 @@ TEST_CASE("larger errors of a law allow larger errors of heights, which 95 % of 
             CapGenome made = genome;
             for (double& height : made)
                 height += rms * random.normal();
-            kept += 1 - least_similarity(problem.evaluate(made)) <= error;
+            kept += 1 - min_similarity(problem.evaluate(made)) <= error;
         }
         CHECK(std::abs(kept - 380) <= 26); // both shares are off by sqrt(0.95 0.05/400); four times both
     }

@@ -52,12 +52,9 @@ TEST_CASE("every load is met, though a step from first touch leads to full conta
         pressures.push_back(2.5e-4 * std::pow(320, j / 5.0));
     for (const Index nodes : {512, 1024}) // solved by the factor and by conjugate gradients
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            const Profile profile = realised({.hurst = 0.8,
-                                              .longest = 1.0 / 32,
-                                              .shortest = 1.0 / 256,
-                                              .rms_slope = 0.1,
-                                              .is_area = false},
-                                             {.nodes = nodes, .length = 1, .periodic = true}, seed);
+            const Profile profile = realised(
+                {.hurst = 0.8, .longest = 1.0 / 32, .shortest = 1.0 / 256, .rms_slope = 0.1, .is_2d = false},
+                {.nodes = nodes, .length = 1, .periodic = true}, seed);
             const ContactCurve curve = solve_contact_at_pressures(profile, body, pressures);
             INFO(nodes << " nodes, seed " << seed << ", " << curve.choice);
             for (std::size_t j = 0; j < pressures.size(); ++j)

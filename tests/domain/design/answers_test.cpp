@@ -72,7 +72,7 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
             CHECK(answer.refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
             CHECK(answer.refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
             CHECK(answer.lowest() == answer.worst());
-            CHECK(answer.lowest() <= std::min({answer.similarity, answer.refined, answer.stepped}));
+            CHECK(answer.lowest() <= std::min({answer.similarity, answer.refined, answer.more_steps}));
         }
         if (requested > 1)
             CHECK(found.alternatives[1].difference == Approx(difference(before[0], before[1])));

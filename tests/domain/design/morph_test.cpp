@@ -86,7 +86,7 @@ TEST_CASE("points that the chromosomes cannot meet are named, and phases keep th
     CHECK(nearer.after < default_required_similarity);
     REQUIRE(!nearer.off.empty());
     double worst = 0;
-    for (const PointOff& off : nearer.off)
+    for (const MissedPoint& off : nearer.off)
         worst = std::max(worst, std::abs(off.misfit));
     CHECK(worst == Approx(1 - nearer.after).epsilon(1e-12));
     for (const PhaseChange& change : nearer.changes)

@@ -45,7 +45,7 @@ TEST_CASE("a coarser grid is paid for from the run's budget of evaluations") {
                    {.pipeline = "coarser 1 { shape 4 | score | refine lm 5 } | score | refine lm 20 | best 1",
                     .evaluations = budget,
                     .alternatives = 1});
-        CHECK(found.counters.asked == budget);
+        CHECK(found.counters.requested == budget);
         CHECK(found.stopped == "evaluation budget spent");
     }
 }
@@ -53,7 +53,7 @@ TEST_CASE("a coarser grid is paid for from the run's budget of evaluations") {
 TEST_CASE("the default search restarts until an answer has the required similarity") {
     DesignSetup setup = drawn(64);
     const auto cost = [&](const char* pipeline, long evaluations) {
-        return search(setup, {.pipeline = pipeline, .evaluations = evaluations}).counters.asked;
+        return search(setup, {.pipeline = pipeline, .evaluations = evaluations}).counters.requested;
     };
     const long once = cost("pass", 1000000);
     setup.required_similarity = -1;

@@ -147,10 +147,10 @@ TEST_CASE("the variant like improves its answer until its evaluations are spent"
     SearchOptions options{.pipeline = "like", .evaluations = 130, .alternatives = 1};
     const SearchResult once = search(setup, options);
     REQUIRE(once.best.lowest() < default_required_similarity);
-    options.evaluations = once.counters.asked + 300;
+    options.evaluations = once.counters.requested + 300;
     const SearchResult longer = search(setup, options);
-    CHECK(longer.counters.asked > once.counters.asked);
-    CHECK(longer.counters.asked <= options.evaluations);
+    CHECK(longer.counters.requested > once.counters.requested);
+    CHECK(longer.counters.requested <= options.evaluations);
     CHECK(longer.best.lowest() > once.best.lowest());
 }
 

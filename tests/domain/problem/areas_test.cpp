@@ -59,7 +59,7 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         const Verification verified = Verifier(setup).of(genome);
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-6));
         CHECK(verified.refined == Approx(refined).epsilon(1e-6));
-        CHECK(verified.stepped == Approx(stepped).epsilon(1e-6));
+        CHECK(verified.more_steps == Approx(stepped).epsilon(1e-6));
         CHECK(verified.reading_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Approx(both).margin(3e-3 * (2 - both)));
         CHECK(verified.both ==
@@ -85,13 +85,13 @@ TEST_CASE("a stopped verification of a map has only the similarities solved befo
     CHECK(stopped_after(1000000).worst() == whole.worst());
     const Verification late = stopped_after(count - 1); // in the last step of the finer grid
     CHECK(late.similarity == whole.similarity);
-    CHECK(late.stepped == whole.stepped);
-    CHECK(late.on_own[0].pressure == whole.on_own[0].pressure);
+    CHECK(late.more_steps == whole.more_steps);
+    CHECK(late.on_grid[0].pressure == whole.on_grid[0].pressure);
     CHECK((std::isnan(late.refined) && std::isnan(late.both) && std::isnan(late.worst())));
     CHECK(late.on_finer.empty());
     const Verification at_once = stopped_after(0);
-    CHECK((std::isnan(at_once.similarity) && std::isnan(at_once.stepped) && std::isnan(at_once.worst())));
-    CHECK(at_once.on_own.empty());
+    CHECK((std::isnan(at_once.similarity) && std::isnan(at_once.more_steps) && std::isnan(at_once.worst())));
+    CHECK(at_once.on_grid.empty());
 }
 
 TEST_CASE("a stopped evaluation of a map is reported as stopped, not as a failed genome", "[areas]") {

@@ -273,9 +273,9 @@ TEST_CASE("every kind of pipeline keeps bounds and budget, with equal bits on an
         };
         const auto whole = run_on(1, 1000), again = run_on(2, 1000), part = run_on(2, 20);
         CHECK(whole.stopped.empty());
-        CHECK(whole.counters.asked > 20);
+        CHECK(whole.counters.requested > 20);
         CHECK(part.stopped == "evaluation budget spent");
-        CHECK(part.counters.asked == 20);
+        CHECK(part.counters.requested == 20);
         CHECK(whole.best->value() >= part.best->value());
         REQUIRE(whole.population.size() == again.population.size());
         std::size_t children = 0;

@@ -23,11 +23,11 @@ TEST_CASE("a verification agrees with four separate solutions") {
         const Verification verified = Verifier(setup).of(three_waves());
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-9));
         CHECK(verified.refined == Approx(refined).epsilon(1e-9));
-        CHECK(verified.stepped == Approx(stepped).epsilon(1e-9));
+        CHECK(verified.more_steps == Approx(stepped).epsilon(1e-9));
         CHECK(verified.both == Approx(both).epsilon(1e-9));
         CHECK(verified.worst() ==
-              std::min({verified.similarity, verified.refined, verified.stepped, verified.both}));
-        CHECK(verified.stepped != Approx(verified.similarity).epsilon(1e-6));
+              std::min({verified.similarity, verified.refined, verified.more_steps, verified.both}));
+        CHECK(verified.more_steps != Approx(verified.similarity).epsilon(1e-6));
     }
 }
 
@@ -37,9 +37,9 @@ TEST_CASE("a measured profile has similarity 1 to its response in any load steps
     setup.targets = {target_like(*setup.like, setup.model, "itself")};
     const Verification verified = Verifier(setup).of(three_waves());
     CHECK(verified.similarity == Approx(1));
-    CHECK(verified.stepped == Approx(1));
+    CHECK(verified.more_steps == Approx(1));
     setup.like.reset(); // then only its response in few steps is known
-    CHECK(Verifier(setup).of(three_waves()).stepped < 0.999);
+    CHECK(Verifier(setup).of(three_waves()).more_steps < 0.999);
 }
 
 TEST_CASE("the objectives verified and more_steps agree with the verification and their residuals") {
@@ -47,7 +47,7 @@ TEST_CASE("the objectives verified and more_steps agree with the verification an
     const Verification verified = Verifier(problem.setup()).of(three_waves());
     for (const auto& [name, value] :
          {std::pair("verified", verified.worst()),
-          std::pair("more_steps", std::min(verified.similarity, verified.stepped))}) {
+          std::pair("more_steps", std::min(verified.similarity, verified.more_steps))}) {
         CHECK(rough::testing::fitness(problem, three_waves(), name) == Approx(value).epsilon(1e-9));
         CHECK(1 - problem.sensitivity(three_waves(), name).residuals.cwiseAbs().maxCoeff() ==
               Approx(value).epsilon(1e-9));

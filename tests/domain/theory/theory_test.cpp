@@ -61,7 +61,7 @@ TEST_CASE("moments of a cosine are exact, those of a map are of its sections", "
 TEST_CASE("a self-affine surface has the requested rms slope, cut-offs and moments", "[theory]") {
     for (const bool is_area : {true, false}) {
         SelfAffine of = usual;
-        of.is_area = is_area;
+        of.is_2d = is_area;
         of.wave_numbers = 2000;
         const RandomSurface surface = random_surface(of);
         CHECK(rms_slope(surface) == Approx(0.1).epsilon(1e-12));
@@ -98,7 +98,7 @@ TEST_CASE("stiffness of each theory is the slope of pressure over separation", "
 TEST_CASE("Persson's area is the error function, for profiles and areas", "[theory]") {
     for (const bool is_area : {true, false}) {
         SelfAffine of = usual;
-        of.is_area = is_area;
+        of.is_2d = is_area;
         const TheoryCurve curve = persson(random_surface(of), 2, at({1e-6, 0.02, 1.0}));
         CHECK(curve.contact_fraction[0] * 2 * 0.1 / 1e-6 == Approx(persson_slope).epsilon(1e-6));
         CHECK(curve.contact_fraction[1] == Approx(std::erf(std::sqrt(2) * 0.02 / 0.2)));
@@ -196,8 +196,7 @@ TEST_CASE("solved isotropic maps lie between Persson and Bush in area", "[theory
 
 TEST_CASE("a realised surface has its parameters' spectrum and is independent of the grid", "[theory]") {
     for (const bool is_area : {true, false}) {
-        SelfAffine of{
-            .hurst = 0.7, .longest = 0.5, .shortest = 1.0 / 16, .rms_slope = 0.2, .is_area = is_area};
+        SelfAffine of{.hurst = 0.7, .longest = 0.5, .shortest = 1.0 / 16, .rms_slope = 0.2, .is_2d = is_area};
         Grid grid{.nodes = 96, .length = 1, .periodic = true};
         if (is_area)
             grid.rows = 80, grid.width = 0.8;
