@@ -6,11 +6,11 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/response/curve.hpp"
+#include "tests/benchmarks/measure.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 using namespace rough;
 
@@ -55,15 +55,7 @@ void print_least_scene(Model model, unsigned seed, double parts) {
     const double length = model.grid.length;
     const bool periodic = model.body.kernel == Kernel::periodic;
     const Genome smooth{1, {{1, 1, 1.5, length, {{1, {0.3}}}}}};
-    const auto milliseconds = [](const auto& ask) {
-        double least = 1e300;
-        for (int round = 0; round < 5; ++round) {
-            const std::clock_t start = std::clock();
-            ask();
-            least = std::min(least, 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-        }
-        return least;
-    };
+    const auto milliseconds = [](const auto& ask) { return 1e3 * testing::least_seconds(ask, 5); };
     std::vector<double> all;
     for (unsigned scene = 0; scene < 9; ++scene) {
         std::mt19937_64 random(seed + scene);

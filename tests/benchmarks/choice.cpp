@@ -1,9 +1,8 @@
 // Fits the cost model of domain/contact/choice.cpp, and verifies the choices made by it. The first argument
 // seeds the profiles.
 
-#include "domain/contact/solvers/problem.hpp"
+#include "domain/response/response.hpp"
 #include "tests/benchmarks/measure.hpp"
-#include "tests/domain/contact/scenes.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <Eigen/QR>
@@ -11,20 +10,8 @@
 #include <cstdio>
 
 using namespace rough;
-using rough::testing::processor_seconds;
 
 namespace {
-
-/// The lowest of three times, or one time if it is long.
-double least_seconds(const std::function<void()>& work) {
-    double least = HUGE_VAL;
-    for (int k = 0; k < 3 && (k == 0 || least < 0.3); ++k) {
-        const double start = processor_seconds();
-        work();
-        least = std::min(least, processor_seconds() - start);
-    }
-    return least;
-}
 
 struct Measured {
     double nodes, steps, contact;         ///< contact: nodes at the last step
@@ -50,15 +37,14 @@ Measured measured(const Profile& profile, Kernel kernel, int steps, double reach
     body.kernel = kernel;
     body.datum = body.strip_width = 0.84942;
     body.strip_width /= 511;
-    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    const auto displacements = scenes::load_steps(
-        profile, steps, reach * std::min(1.0, largest_displacement(profile, body) / range));
+    const auto displacements = step_displacements(profile, body, {.steps = steps, .reach = reach});
     Measured m{static_cast<double>(profile.nodes()), static_cast<double>(steps), 0, 0, 0, 0};
     ContactCurve curve;
     const auto seconds = [&](Solver solver) {
         ContactOptions options;
         options.solver = solver;
-        return least_seconds([&] { curve = solve_contact(profile, body, displacements, options); });
+        return testing::least_seconds([&] { curve = solve_contact(profile, body, displacements, options); },
+                                      3);
     };
     m.active_set = seconds(Solver::active_set);
     m.contact = static_cast<double>(curve.steps.back().contact_nodes);

@@ -4,26 +4,16 @@
 
 #include "domain/accuracy/respond_within.hpp"
 #include "domain/mwm/sobol.hpp"
-#include "ga/base/stopwatch.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "tests/benchmarks/measure.hpp"
 
 #include <cstdio>
 
 using namespace rough;
-using rough::testing::median;
 
 namespace {
 
-/// The lowest of five times, because other work on the machine only adds to them.
-double milliseconds(const std::function<void()>& work) {
-    double least = 1e300;
-    for (int i = 0; i < 5; ++i) {
-        const ga::Stopwatch clock;
-        work();
-        least = std::min(least, 1e3 * clock.seconds());
-    }
-    return least;
-}
+double milliseconds(auto&& work) { return 1e3 * testing::least_seconds(work, 5); }
 
 } // namespace
 
