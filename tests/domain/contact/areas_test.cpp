@@ -4,9 +4,9 @@
 #include "domain/response/response.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/contact/oracle.hpp"
+#include "tests/domain/contact/scenes.hpp"
 
 #include <Eigen/Cholesky>
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using maps::map_of;
@@ -29,16 +29,6 @@ std::vector<double> steps_of(const Profile& profile, Kernel kernel, int steps, d
 }
 
 ContactOptions by(Solver solver) { return {.solver = solver}; }
-
-double worst_difference(const ContactCurve& one, const ContactCurve& other) {
-    double worst = 0;
-    for (std::size_t j = 0; j < one.steps.size(); ++j) {
-        const LoadStep &a = one.steps[j], &b = other.steps[j];
-        worst = std::max({worst, std::abs(a.pressure / b.pressure - 1),
-                          std::abs(a.tangent_stiffness / b.tangent_stiffness - 1)});
-    }
-    return worst;
-}
 
 } // namespace
 
@@ -103,9 +93,7 @@ TEST_CASE("an extruded periodic map gives the profile's curve", "[contact][areas
         const auto displacements = steps_of(profile, Kernel::periodic, 10, 0.95);
         const ContactCurve line = solve_contact(profile, on(Kernel::periodic), displacements),
                            area = solve_contact(map, on(Kernel::periodic), displacements, by(Solver::nested));
-        CHECK(worst_difference(area, line) < 1e-9);
-        for (std::size_t j = 0; j < displacements.size(); ++j)
-            CHECK(area.steps[j].contact_fraction == line.steps[j].contact_fraction);
+        scenes::check_same(area, line, 1e-9);
     }
 }
 
@@ -141,7 +129,7 @@ TEST_CASE("one row of square cells on a half-space is the strip", "[contact][are
     const double patches = 60.0 / 59; // a map's mean pressure is over patches, a profile's over its length
     for (LoadStep& step : area.steps)
         step.pressure *= patches, step.tangent_stiffness *= patches;
-    CHECK(worst_difference(area, line) < 1e-11);
+    scenes::check_same(area, line, 1e-11);
     CHECK(patches * full_contact_stiffness(row, on(Kernel::free)) ==
           Approx(full_contact_stiffness(profile, strip)).epsilon(1e-9));
 }
@@ -246,12 +234,10 @@ TEST_CASE("a transposed map has the same curve", "[contact][areas]") {
         Profile turned{map.heights, map.row_spacing, 24, map.spacing};
         turned.heights = map.heights.reshaped(24, 40).transpose().eval().reshaped();
         const auto displacements = steps_of(map, kernel, 4, 0.8);
-        for (const Solver solver : {Solver::nested, Solver::active_set}) {
-            const double error =
-                worst_difference(solve_contact(map, on(kernel), displacements, by(solver)),
-                                 solve_contact(turned, on(kernel), displacements, by(solver)));
-            CHECK(error < (solver == Solver::nested ? 1e-10 : 4e-6));
-        }
+        for (const Solver solver : {Solver::nested, Solver::active_set})
+            scenes::check_same(solve_contact(map, on(kernel), displacements, by(solver)),
+                               solve_contact(turned, on(kernel), displacements, by(solver)),
+                               solver == Solver::nested ? 1e-10 : 4e-6);
     }
 }
 

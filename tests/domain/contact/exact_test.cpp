@@ -1,8 +1,6 @@
 #include "tests/domain/contact/exact.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 
 namespace {

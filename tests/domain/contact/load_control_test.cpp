@@ -3,8 +3,6 @@
 #include "tests/domain/contact/oracle.hpp"
 #include "tests/domain/contact/scenes.hpp"
 
-#include <catch2/catch.hpp>
-
 using namespace rough;
 
 namespace {

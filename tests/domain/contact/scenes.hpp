@@ -3,6 +3,7 @@
 #include "domain/contact/solve.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -90,6 +91,20 @@ inline std::vector<double> load_steps(const rough::Profile& profile, int steps, 
     for (int j = 1; j <= steps; ++j)
         displacements.push_back(reach * j / steps * range);
     return displacements;
+}
+
+/// Checks that a curve has the pressures, tangent stiffnesses and contact fractions of another one, the first
+/// two within a relative error.
+inline void check_same(const rough::ContactCurve& curve, const rough::ContactCurve& expected,
+                       double epsilon) {
+    REQUIRE(curve.steps.size() == expected.steps.size());
+    for (std::size_t j = 0; j < curve.steps.size(); ++j) {
+        const rough::LoadStep &a = curve.steps[j], &b = expected.steps[j];
+        CAPTURE(j);
+        CHECK(a.pressure == Approx(b.pressure).epsilon(epsilon));
+        CHECK(a.tangent_stiffness == Approx(b.tangent_stiffness).epsilon(epsilon));
+        CHECK(a.contact_fraction == b.contact_fraction);
+    }
 }
 
 } // namespace scenes

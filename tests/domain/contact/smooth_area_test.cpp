@@ -1,34 +1,28 @@
 #include "domain/contact/interface.hpp"
 #include "domain/response/response.hpp"
+#include "tests/domain/contact/scenes.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 
 namespace {
 
-struct Pressing {
-    Profile profile;
-    Body body;
-    std::vector<double> displacements; ///< mm
-};
-
 /// A random profile or map, pressed to `reach` of its height.
-Pressing random_scene(std::mt19937_64& random, const Body& body, std::size_t ridges, double shortest,
-                      Grid grid, double reach) {
+scenes::Scene random_scene(std::mt19937_64& random, const Body& body, std::size_t ridges, double shortest,
+                           Grid grid, double reach) {
     grid.periodic = body.kernel == Kernel::periodic;
-    Pressing scene{sample(testing::random_genome(random, 1, ridges, 0.84942, shortest), grid), body, {}};
+    scenes::Scene scene{sample(testing::random_genome(random, 1, ridges, 0.84942, shortest), grid), body, {}};
     scene.displacements = step_displacements(scene.profile, scene.body, {.reach = reach});
     return scene;
 }
 
-Pressing random_line(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest, double reach) {
+scenes::Scene random_line(std::mt19937_64& random, Kernel kernel, Index nodes, double shortest,
+                          double reach) {
     return random_scene(random, {.kernel = kernel, .strip_width = 0.002}, 1, shortest, {.nodes = nodes},
                         reach);
 }
 
-Pressing random_area(std::mt19937_64& random, Kernel kernel, double reach) {
+scenes::Scene random_area(std::mt19937_64& random, Kernel kernel, double reach) {
     return random_scene(random, {.kernel = kernel}, 3, 0.2, {.nodes = 16, .rows = 14, .width = 0.8}, reach);
 }
 
@@ -69,7 +63,7 @@ TEST_CASE("derivatives of a smooth contact fraction agree with differences") {
         for (int scene = 0; scene < 6; ++scene) {
             if (scene >= 3 && kernel == Kernel::strip)
                 break;
-            const Pressing pressing =
+            const scenes::Scene pressing =
                 scene < 3 ? random_line(random, kernel, 128, 0.05, 0.8) : random_area(random, kernel, 0.8);
             const Profile& profile = pressing.profile;
             const Body& body = pressing.body;
@@ -117,7 +111,7 @@ TEST_CASE("derivatives of a smooth contact fraction agree with differences") {
 TEST_CASE("the smooth contact fraction of a map does not jump when a node enters", "[areas]") {
     std::mt19937_64 random(46);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {
-        Pressing scene = random_area(random, kernel, 0.5);
+        scenes::Scene scene = random_area(random, kernel, 0.5);
         // From just below to just above the displacement at which a node enters, by bisection.
         const auto count = [&](double displacement) {
             return pressed(scene.profile, scene.body, {displacement}).states[0].nodes.size();
