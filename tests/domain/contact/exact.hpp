@@ -93,18 +93,13 @@ inline Contact punch(double displacement, double a, const HalfPlane& body) {
 }
 
 /// A surface of two waves. Its depth below the crests is h1 (1 - cos 2 k x) + h2 (1 - cos 4 k x), with k =
-/// pi/wavelength. h2 is above -h1/4 and at most h1/8.
+/// pi/wavelength. h2 is above -h1/4 and at most h1/8; 0 gives Westergaard's wave. One contact per wavelength;
+/// 0 < a <= wavelength/2.
 inline Contact two_waves(double h1, double h2, double wavelength, double a, double effective_modulus) {
     const double s = std::sin(pi * a / wavelength), s2 = s * s, s4 = s2 * s2, log_s = std::log(s);
     return {pi * effective_modulus * ((h1 + 4 * h2) * s2 - 6 * h2 * s4),
             2 * ((h1 + 4 * h2) * (s2 / 2 - s2 * log_s) - 6 * h2 * (s4 / 4 - s4 * log_s)),
             periodic_punch_stiffness(s, effective_modulus)};
-}
-
-/// Westergaard: a surface with the depth h (1 - cos 2 pi x/wavelength) below its crests; h is `amplitude`.
-/// One contact per wavelength; 0 < a <= wavelength/2.
-inline Contact wave(double amplitude, double wavelength, double a, double effective_modulus) {
-    return two_waves(amplitude, 0, wavelength, a, effective_modulus);
 }
 
 /// One flat punch per wavelength, under a displacement towards the mean plane.
