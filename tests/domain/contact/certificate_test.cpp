@@ -51,6 +51,7 @@ struct Pressed {
     std::vector<int> contact{0, 1, 2};
     Eigen::VectorXd pressure = Eigen::Vector3d(0.5, 1, 0.5);
     Eigen::VectorXd displacement = (Eigen::VectorXd(5) << 0.5, 0.4, 0.3, 0.25, 0).finished();
+    double mean = pressure.sum() / problem.elements; ///< mean pressure of the exact state
 
     Certificate certified() const {
         return certify(problem, approach, contact, pressure, displacement.data());
@@ -67,16 +68,20 @@ void check(const Certificate& found, const Certificate& expected) {
               .margin(1e-14));
 }
 
-} // namespace
-
-TEST_CASE("a certificate reports each corruption by its size over approach or mean pressure", "[contact]") {
-    const Pressed exact;
-    const double mean = exact.pressure.sum() / exact.problem.elements;
-    const auto corrupt = [](auto change, const Certificate& expected) {
+/// Returns a function that changes the exact state, with pressures up to `cap`, and checks its certificate.
+auto corruption(double cap) {
+    return [cap](auto change, const Certificate& expected) {
         Pressed state;
+        state.problem.cap = cap;
         change(state);
         check(state.certified(), expected);
     };
+}
+
+} // namespace
+
+TEST_CASE("a certificate reports each corruption by its size over approach or mean pressure", "[contact]") {
+    const auto corrupt = corruption(HUGE_VAL);
     corrupt([](Pressed&) {}, {});
     corrupt([](Pressed& state) { state.displacement[1] += 0.05; }, {.gap = 0.1}); // a gap in contact
     corrupt([](Pressed& state) { state.displacement[1] -= 0.05; }, {.gap = 0.1, .penetration = 0.1});
@@ -88,7 +93,8 @@ TEST_CASE("a certificate reports each corruption by its size over approach or me
             state.displacement[1] = 0.4 - 0.02;
         },
         {.penetration = 0.04});
-    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(1, -0.2, 1.2); }, {.tension = 0.2 / mean});
+    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(1, -0.2, 1.2); },
+            {.tension = 0.2 / Pressed().mean});
     Pressed pulled;
     pulled.pressure = Eigen::Vector3d(0, -1, 0);
     CHECK(std::isinf(pulled.certified().tension)); // no mean pressure to compare with
@@ -107,14 +113,7 @@ TEST_CASE("a certificate is infinite when a pressure or displacement is not fini
 }
 
 TEST_CASE("nodes at the hardness may penetrate, but have no gap and no more pressure", "[contact]") {
-    const Pressed exact;
-    const double mean = exact.pressure.sum() / exact.problem.elements;
-    const auto corrupt = [](auto change, const Certificate& expected) {
-        Pressed state;
-        state.problem.cap = 1; // the pressure of node 1
-        change(state);
-        check(state.certified(), expected);
-    };
+    const auto corrupt = corruption(1); // the pressure of node 1
     corrupt([](Pressed&) {}, {});
     corrupt([](Pressed& state) { state.displacement[1] -= 0.05; }, {});
     corrupt([](Pressed& state) { state.displacement[1] += 0.05; }, {.gap = 0.1});
@@ -127,5 +126,6 @@ TEST_CASE("nodes at the hardness may penetrate, but have no gap and no more pres
             state.displacement[2] -= 0.1;
         },
         {});
-    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5); }, {.excess = 0.1 / mean});
+    corrupt([](Pressed& state) { state.pressure = Eigen::Vector3d(0.4, 1.1, 0.5); },
+            {.excess = 0.1 / Pressed().mean});
 }
