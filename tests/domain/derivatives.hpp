@@ -19,13 +19,19 @@ inline ResponseJacobian jacobian_of(const Genome& genome, const Model& model) {
         [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
+/// The values, with the value at index g increased by `by`.
+inline std::vector<double> moved(std::vector<double> values, std::size_t g, double by) {
+    values[g] += by;
+    return values;
+}
+
 /// Checks derivatives against central differences in every gene. A probe is omitted if the contact set or an
 /// extreme node changes in between. At least a third of the probes must remain.
 inline void check_derivatives(const Genome& genome, const Model& model,
                               const std::vector<Derivative>& derivatives) {
-    const auto corners = [&](const Genome& moved, const Response& response) {
+    const auto corners = [&](const Genome& at, const Response& response) {
         Index highest, lowest;
-        const Profile profile = sample(moved, model.grid);
+        const Profile profile = sample(at, model.grid);
         profile.heights.maxCoeff(&highest);
         profile.heights.minCoeff(&lowest);
         return std::tuple(Eigen::VectorXd(response.contact_fraction), highest, lowest);
@@ -35,10 +41,8 @@ inline void check_derivatives(const Genome& genome, const Model& model,
     std::size_t kept = 0;
     for (std::size_t g = 0; g < values.size(); ++g) {
         const double h = 1e-5;
-        auto up = values, down = values;
-        up[g] += h;
-        down[g] -= h;
-        const Genome above = with_genes(genome, up), below = with_genes(genome, down);
+        const Genome above = with_genes(genome, moved(values, g, h)),
+                     below = with_genes(genome, moved(values, g, -h));
         const Response right = respond(above, model), left = respond(below, model);
         if (corners(above, right) != base || corners(below, left) != base)
             continue;

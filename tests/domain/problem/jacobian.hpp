@@ -2,6 +2,7 @@
 
 #include "domain/problem/drawn_start.hpp"
 #include "domain/problem/problem.hpp"
+#include "tests/domain/derivatives.hpp"
 #include "tests/domain/design/setups.hpp"
 
 namespace rough::testing {
@@ -95,10 +96,8 @@ inline void check_jacobian(const DesignSetup& setup, const Genome& start, const 
     int kept = 0;
     for (std::size_t g = 0; g < values.size(); ++g) {
         const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
-        auto up = values, down = values;
-        up[g] += h;
-        down[g] -= h;
-        const Genome above = problem.with_genes(genome, up), below = problem.with_genes(genome, down);
+        const Genome above = problem.with_genes(genome, moved(values, g, h)),
+                     below = problem.with_genes(genome, moved(values, g, -h));
         if (corners(setup, above, objective) != base || corners(setup, below, objective) != base)
             continue;
         ++kept;

@@ -37,9 +37,8 @@ TEST_CASE("derivatives of misfits under noise and tilt agree with differences") 
         for (std::size_t g = 0; g < values.size(); ++g) {
             const double h = 1e-7 * std::max(1.0, std::abs(values[g]));
             const auto residuals = [&](double step) {
-                auto moved = values;
-                moved[g] += step;
-                return problem.sensitivity(problem.with_genes(genome, moved), "made").residuals;
+                const Genome at = problem.with_genes(genome, rough::testing::moved(values, g, step));
+                return problem.sensitivity(at, "made").residuals;
             };
             const Eigen::ArrayXd error = (residuals(h) - residuals(-h)).array() / (2 * h) -
                                          all.jacobian.col(static_cast<Index>(g)).array();

@@ -1,8 +1,7 @@
 #include "domain/problem/problem.hpp"
 #include "domain/profile/roughness.hpp"
+#include "tests/domain/derivatives.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 
@@ -43,9 +42,7 @@ TEST_CASE("derivatives of descriptors agree with differences") {
             for (std::size_t g = 0; g < genes.size(); ++g) {
                 const double step = 1e-6 * std::max(1.0, std::abs(genes[g]));
                 const auto at = [&](double change) {
-                    auto moved = genes;
-                    moved[g] += change;
-                    return descriptor.of(with_genes(genome, moved));
+                    return descriptor.of(with_genes(genome, rough::testing::moved(genes, g, change)));
                 };
                 CHECK(gradient[g] ==
                       Approx((at(step) - at(-step)) / (2 * step)).epsilon(1e-4).margin(1e-6 * largest));
