@@ -1,5 +1,6 @@
 #pragma once
 
+#include "domain/database/store.hpp"
 #include "tests/apps/program.hpp"
 
 #include <nlohmann/json.hpp>
@@ -56,6 +57,16 @@ inline nlohmann::json timeless(nlohmann::json result) {
     result.erase("threads");
     result.erase("command");
     return without_times(std::move(result));
+}
+
+/// The result without times of a run whose results are in the subfolder "o".
+inline nlohmann::json of_run(const std::filesystem::path& folder) {
+    return timeless(result_in(folder / "o"));
+}
+/// All curves of the database "g.db" in a folder.
+inline nlohmann::json of_database(const std::filesystem::path& folder) {
+    const rough::StoredCurves curves = rough::GenomeStore::open(folder / "g.db").curves(true);
+    return {curves.index, curves.range, curves.pressure, curves.fraction};
 }
 
 /// The rows of numbers in a CSV file. If `header` is not empty, the file must have it.

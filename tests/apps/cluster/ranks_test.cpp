@@ -1,5 +1,4 @@
 #include "apps/cluster/cluster.hpp"
-#include "domain/database/store.hpp"
 #include "domain/numerics/vector_loops.hpp"
 #include "ga/base/stopwatch.hpp"
 #include "tests/apps/results.hpp"
@@ -38,13 +37,6 @@ Ended on_ranks(int ranks, const std::string& words, const fs::path& where) {
 
 /// The lines of the program on stderr, without those of mpirun.
 std::vector<std::string> program_lines(const Ended& ended) { return found(ended.err, "(rugosa: [^\n]*)"); }
-
-json of_folder(const fs::path& where) { return timeless(result_in(where / "o")); }
-
-json of_database(const fs::path& where) {
-    const rough::StoredCurves curves = rough::GenomeStore::open(where / "g.db").curves(true);
-    return {curves.index, curves.range, curves.pressure, curves.fraction};
-}
 
 const std::string design =
     "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --pictures off --pipeline "
@@ -98,18 +90,18 @@ TEST_CASE("a run has the same bits on 1, 2 and 3 ranks", "[ranks]") {
         bool is_shared = true;
     };
     const Case cases[] = {
-        {"design", design, of_folder},
+        {"design", design, of_run},
         {"run",
          "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 64 --set database.pairs=3 "
          "--set paper.sweep-points=0 --out o",
-         of_folder},
+         of_run},
         {"compare", "compare --problems bbob5-1,zdt1,knapsack50,tsp14 --budget 200 --seeds 2 --out o",
-         of_folder},
+         of_run},
         {"database build", "database build g.db --genomes 333 --batch 10 --nodes 64", of_database},
         {"optimise",
          "optimise --genes real:3:-5:5 --evaluate \"'" + fs::path(RUGOSA_PROGRAM).parent_path().string() +
              "/tests/evaluate' sphere\" --minimise --evaluations 200 --out o",
-         of_folder, false}};
+         of_run, false}};
     for (const Case& one : cases)
         DYNAMIC_SECTION(one.name) {
             json alone;
@@ -149,7 +141,7 @@ TEST_CASE("a stopped design resumes on any number of ranks to the same result", 
         const Ended again = on_ranks(resumed_on, longer + " --resume", folder.path());
         INFO(again.err);
         REQUIRE(again.code == 3);
-        CHECK(of_folder(folder.path()) == of_folder(whole.path()));
+        CHECK(of_run(folder.path()) == of_run(whole.path()));
     }
 }
 

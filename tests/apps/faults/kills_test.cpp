@@ -1,8 +1,6 @@
-#include "domain/database/store.hpp"
 #include "tests/apps/results.hpp"
 
 #include <iostream>
-#include <map>
 
 using namespace app::testing;
 using nlohmann::json;
@@ -29,22 +27,10 @@ bool whole_or_none(const fs::path& result) {
     return !fs::exists(result) || json::accept(rough::read_whole(result));
 }
 
-json of_run(const fs::path& folder) { return timeless(result_in(folder / "o")); }
-
-json of_database(const fs::path& folder) {
-    const rough::GenomeStore store = rough::GenomeStore::open(folder / "g.db");
-    const rough::StoredCurves curves = store.curves();
-    const auto steps = curves.index.empty() ? 0 : curves.pressure.size() / curves.index.size();
-    std::map<std::uint64_t, std::vector<double>> rows;
-    for (std::size_t i = 0; i < curves.index.size(); ++i)
-        for (std::size_t j = 0; j < steps; ++j)
-            rows[curves.index[i]].push_back(curves.pressure[i * steps + j]);
-    return rows;
-}
-
 std::vector<Work> all_work() {
     const std::string design =
-        "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --pictures off --seconds 600 "
+        "design --target '" RUGOSA_SOURCE
+        "/experiments/targets/drawn.csv' --nodes 64 --pictures off --seconds 600 "
         "--pipeline 'shape 8 | score | best 4 | refine lm 4 | repeat 12 { tournament 2 | cross uniform | "
         "mutate 0.1 | score | refine lm 4 | elite 1 } | best 2 | score verified' --out o";
     const std::string run =
