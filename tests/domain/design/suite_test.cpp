@@ -1,7 +1,5 @@
 #include "domain/design/search.hpp"
-#include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/domain/design/setups.hpp"
 
 using namespace rough;
 
@@ -75,7 +73,6 @@ TEST_CASE("17 of 20 targets are not out of reach, and at least 16 are met", "[lo
     for (const suite::Wanted& wanted : suite::targets()) {
         DesignSetup setup;
         setup.targets = {wanted.target};
-        setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
         INFO(wanted.target.name);
         CHECK(out_of_reach(setup.targets, setup.model).empty() == wanted.attainable);
         if (!wanted.attainable)
@@ -90,19 +87,13 @@ TEST_CASE("17 of 20 targets are not out of reach, and at least 16 are met", "[lo
 }
 
 TEST_CASE("the drawn target is met to 0.99 from each seed", "[long]") {
-    DesignSetup setup;
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
-    setup.max_pressure = 1.6e-4;
-    setup.limits.shortest_wave = 8 * setup.model.grid.spacing();
+    const DesignSetup setup = testing::drawn(512);
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
         CHECK(search(setup, {.seed = seed}).best.lowest() >= 0.99);
 }
 
 TEST_CASE("the variant atlas finds twenty different surfaces with one stiffness curve", "[long]") {
-    DesignSetup setup;
-    setup.model.grid = {129, 0.84942};
-    setup.max_pressure = 1.6e-4;
-    setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
+    const DesignSetup setup = testing::drawn(129);
     const SearchResult found = search(setup, {.pipeline = "atlas", .alternatives = 20});
     REQUIRE(found.alternatives.size() == 20);
     std::vector<Profile> profiles;
