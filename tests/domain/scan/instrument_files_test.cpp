@@ -1,12 +1,10 @@
-#include "domain/errors.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 #include "domain/text/bytes.hpp"
 #include "domain/text/zip.hpp"
 #include "tests/domain/contact/maps.hpp"
+#include "tests/domain/scan/refusal.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 
@@ -132,22 +130,12 @@ Map as_map(const std::string& bytes, const MapLayout& layout = {}) {
     return read_map(folder.write("map", bytes), layout);
 }
 
-/// The one line with which reading is refused.
-std::string refusal_of(auto reading) {
-    try {
-        return "read as " + reading().account;
-    } catch (const InputError& error) {
-        CHECK(std::string(error.what()).find('\n') == std::string::npos);
-        return error.what();
-    }
-}
-
 std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
-    return refusal_of([&] { return read(bytes, options); });
+    return testing::refusal_of([&] { return read(bytes, options); });
 }
 
 std::string map_refusal(const std::string& bytes, const MapLayout& layout = {}) {
-    return refusal_of([&] { return as_map(bytes, layout); });
+    return testing::refusal_of([&] { return as_map(bytes, layout); });
 }
 
 std::string changed(std::string bytes, const std::string& what, const std::string& to) {

@@ -1,11 +1,9 @@
-#include "domain/errors.hpp"
 #include "domain/mwm/sampling.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 #include "tests/domain/scan/quirk_files.hpp"
+#include "tests/domain/scan/refusal.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <cstring>
 
@@ -19,12 +17,7 @@ Source read(const std::string& bytes, ScanOptions options = {.detrend = Detrend:
 }
 
 std::string refusal(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
-    try {
-        return "read as " + read(bytes, options).account;
-    } catch (const InputError& error) {
-        CHECK(std::string(error.what()).find('\n') == std::string::npos);
-        return error.what();
-    }
+    return testing::refusal_of([&] { return read(bytes, options); });
 }
 
 std::string rows(int count, auto height) {
