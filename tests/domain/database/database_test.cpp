@@ -11,6 +11,7 @@
 using namespace rough;
 namespace fs = std::filesystem;
 using rough::testing::built;
+using rough::testing::read_all;
 using rough::testing::small_setup;
 using tests::Folder;
 
@@ -19,16 +20,6 @@ namespace {
 void check_same(const GenomeStore& one, const GenomeStore& other) {
     const StoredCurves a = one.curves(true), b = other.curves(true);
     CHECK((a.index == b.index && a.pressure == b.pressure && a.fraction == b.fraction));
-}
-
-/// Reads everything from a database.
-void use(const fs::path& file) {
-    const GenomeStore store = GenomeStore::open(file);
-    const StoredCurves curves = store.curves(true);
-    for (const std::uint64_t index : curves.index) {
-        store.genome(index);
-        store.response(index);
-    }
 }
 
 /// Writes a value into a database's set-up, with the checksum of its lines (store.cpp).
@@ -259,7 +250,7 @@ TEST_CASE("a database with any alteration is refused") {
     const Folder folder;
     const fs::path good = folder / "good.db";
     built(good, {.genomes = 12, .batch = 4});
-    CHECK_NOTHROW(use(good));
+    CHECK_NOTHROW(read_all(good));
     for (const char* change :
          {"UPDATE genome SET numbers = substr(numbers, 1, 100) WHERE first = 4",
           "UPDATE pressure SET numbers = substr(numbers, 1, 15)",
@@ -275,7 +266,7 @@ TEST_CASE("a database with any alteration is refused") {
         const fs::path bad = folder / "bad.db";
         fs::copy_file(good, bad, fs::copy_options::overwrite_existing);
         SQLite::Database(bad, SQLite::OPEN_READWRITE).exec(change);
-        CHECK_THROWS_AS(use(bad), InputError);
+        CHECK_THROWS_AS(read_all(bad), InputError);
     }
     set_value(good, "ridges", "0");
     CHECK_THROWS_WITH(GenomeStore::open(good), Catch::Contains("genome law: ridges 0 is out of range"));
@@ -287,7 +278,7 @@ TEST_CASE("databases of different program versions are not merged") {
     built(folder / "b.db", {.genomes = 4, .first = 4, .batch = 4});
     CHECK(merge({folder / "a.db", folder / "b.db"}, folder / "both.db") == 8);
     set_value(folder / "b.db", "version", "0.0.1");
-    CHECK_NOTHROW(use(folder / "b.db"));
+    CHECK_NOTHROW(read_all(folder / "b.db"));
     CHECK_THROWS_WITH(merge({folder / "a.db", folder / "b.db"}, folder / "c.db"),
                       Catch::Contains("b.db: made by version 0.0.1, but "));
     CHECK_FALSE(fs::exists(folder / "c.db"));

@@ -22,4 +22,13 @@ inline GenomeStore built(const std::filesystem::path& file, const BuildOptions& 
     return store;
 }
 
+/// Reads everything from a database.
+inline void read_all(const std::filesystem::path& file) {
+    const GenomeStore store = GenomeStore::open(file);
+    for (const std::uint64_t index : store.curves(true).index) {
+        store.genome(index);
+        store.response(index);
+    }
+}
+
 } // namespace rough::testing
