@@ -41,10 +41,6 @@ TEST_CASE("a design of caps writes its array, spots, solids and page") {
     for (const char* file : {"spots.csv", "curves.csv", "tile.stl", "mould.3mf"})
         CHECK(std::filesystem::file_size(folder / "r" / file) > 0);
     CHECK_THAT(rough::read_whole(folder / "r" / "report.html"), Catch::Contains("Heights of the caps"));
-    // A finished design is not run again.
-    const Ended again = rugosa(caps + "--reach-similarity 0.9 --seed 2 --resume --out r", folder.path());
-    CHECK(again.code == 0);
-    CHECK_THAT(again.out, Catch::Contains("found: lowest similarity"));
 }
 
 TEST_CASE("a law below the area of one cap is reported as out of reach") {
