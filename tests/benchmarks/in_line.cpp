@@ -31,8 +31,8 @@ std::vector<Target> targets(const DatabaseSetup& setup) {
         targets.push_back(target_like(
             fractal_profile(setup.model.grid, 0.5 + 0.08 * i, 1e-3, 100 + static_cast<std::uint64_t>(i)),
             setup.model, "fractal " + std::to_string(i)));
-    for (const char* name : {"target_paper", "target_heldout"}) {
-        targets.push_back(read_target(std::string(RUGOSA_TEST_DATA) + "/" + name + ".csv"));
+    for (const char* name : {"drawn", "heldout"}) {
+        targets.push_back(read_target(std::string(RUGOSA_SOURCE "/experiments/targets/") + name + ".csv"));
         targets.back().name = name;
     }
     return targets;

@@ -39,7 +39,7 @@ Ended on_ranks(int ranks, const std::string& words, const fs::path& where) {
 std::vector<std::string> program_lines(const Ended& ended) { return found(ended.err, "(rugosa: [^\n]*)"); }
 
 const std::string design =
-    "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --pictures off --pipeline "
+    "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 128 --pictures off --pipeline "
     "'shape 12 | score | best 4 | refine lm 6 | repeat 3 { tournament 2 | cross uniform | mutate 0.1 | "
     "score | refine lm 6 | elite 1 } | best 2 | score verified' --out o";
 

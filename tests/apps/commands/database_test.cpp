@@ -15,7 +15,7 @@ TEST_CASE("an interrupted build reports its genomes, exits with 130 and leaves w
 
 TEST_CASE("a query lists the nearest genomes with similarities that can be recomputed") {
     const Folder folder;
-    const std::string target = RUGOSA_TEST_DATA "/target_heldout.csv";
+    const std::string target = RUGOSA_SOURCE "/experiments/targets/heldout.csv";
     done(folder, "database build g.db --genomes 300");
     const Ended answer = done(folder, "database query g.db --target " + target +
                                           " --max-pressure 1.6e-4 --best 3 --out best.json");

@@ -72,7 +72,8 @@ TEST_CASE("the answers of all variants hold the limits on shape") {
     const std::vector<std::string> few{"default", "sog", "gco"}; // Eq. 11 leaves amplitude no freedom
     for (const std::string mode : {"", " --max-pressure 1.6e-4"})
         for (const std::string& variant : mode.empty() ? all : few) {
-            const std::string words = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 "
+            const std::string words = "design --target '" RUGOSA_SOURCE
+                                      "/experiments/targets/drawn.csv' --nodes 128 "
                                       "--pictures off --max-slope 6e-4 --max-height 2e-4 "
                                       "--min-radius 5 --shortest-wave 0.04 --force --variant " +
                                       variant + mode;
@@ -87,7 +88,7 @@ TEST_CASE("the genes of a design keep to the given bounds") {
     const Folder folder;
     const json all = result_of(
         folder,
-        "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --shortest-wave 0.1 "
+        "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 --shortest-wave 0.1 "
         "--pictures off --pipeline 'sample 8 | score | refine lm 3 | best 1' --hurst-from 0.6 --hurst-to "
         "0.65 --gamma-from 1.75 --gamma-to 1.8 --lambda-from 0.5 --lambda-to 0.6")["variants"]["pipeline"]
                                                                                   ["genome"]["series"];

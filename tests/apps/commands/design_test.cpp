@@ -9,9 +9,9 @@ using nlohmann::json;
 
 namespace {
 
-const std::string drawn = "design --target '" RUGOSA_TEST_DATA "/target_paper.csv'";
+const std::string drawn = "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv'";
 const std::string small =
-    "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 65 --force --out r "
+    "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 65 --force --out r "
     "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'";
 const std::string pictured = " --pipeline 'shape 6 | score | best 2 | refine lm 8 | best 2'";
 const std::string brief = " --pictures off" + pictured;
@@ -32,7 +32,7 @@ rough::DesignSetup setup_of(const json& result) {
     if (!result["datum_mm"].is_null())
         setup.model.body.datum = result["datum_mm"];
     setup.model.loading.steps = result["steps"];
-    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     if (!result["max_pressure_MPa"].is_null())
         setup.max_pressure = result["max_pressure_MPa"].get<double>();
     return completed(setup);
@@ -155,17 +155,17 @@ TEST_CASE("a design leaves a valid result in any time, and when interrupted") {
 TEST_CASE("a design from a database is better than its nearest curves") {
     const Folder folder;
     const std::string target =
-        " --target '" RUGOSA_TEST_DATA "/target_heldout.csv' --nodes 128 --pictures off";
+        " --target '" RUGOSA_SOURCE "/experiments/targets/heldout.csv' --nodes 128 --pictures off";
     done(folder, "database build g.db --genomes 2000 --nodes 128");
     const Ended ended = answered(rugosa("design --database g.db --out r" + target, folder.path()));
     CHECK_THAT(ended.out, Catch::Contains("2000 stored curves screened"));
     const json result = result_in(folder / "r");
-    done(folder,
-         "database query g.db --best 1 --out best.json --target '" RUGOSA_TEST_DATA "/target_heldout.csv'");
+    done(folder, "database query g.db --best 1 --out best.json --target '" RUGOSA_SOURCE
+                 "/experiments/targets/heldout.csv'");
     REQUIRE(rugosa("design --database g.db --seconds 1 --out quick" + target, folder.path()).code != 2);
     rough::DesignSetup setup;
     setup.model.grid.nodes = 128;
-    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_heldout.csv")};
+    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv")};
     const rough::Genome best = rough::read_genome(folder / "best.json");
     rough::DesignSetup in_its_steps = setup; // as the answer is reported, not in the database's 20
     in_its_steps.model.loading.steps = result["steps"];
@@ -237,7 +237,8 @@ TEST_CASE("a map without time to verify is reported as not verified", "[areas]")
 TEST_CASE("a design out of time resumes to the same result, but not with another set-up") {
     const Folder folder;
     const std::string words =
-        "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 128 --threads 1 --pictures off "
+        "design --target '" RUGOSA_SOURCE
+        "/experiments/targets/drawn.csv' --nodes 128 --threads 1 --pictures off "
         "--max-slope 0.5 --pipeline 'shape 12 | score | best 4 | refine lm 6 | repeat 12 { tournament 2 | "
         "cross uniform | mutate 0.1 | score | refine lm 6 | elite 1 } | best 2 | score verified'";
     const Ended whole = rugosa(words + " --out whole", folder.path());
@@ -267,7 +268,7 @@ TEST_CASE("the tolerance of a design follows from its genome") {
     setup.model.grid = {65, result["length_mm"], false};
     setup.model.loading.steps = result["steps"];
     setup.required_similarity = 0.8;
-    setup.targets = {rough::read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     setup.errors.noise_length = 0.05;
     const rough::Tolerance expected =
         tolerance_of(setup, rough::genome_from_json(variant["genome"], "genome"), {.seed = 3});

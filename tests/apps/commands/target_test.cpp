@@ -59,7 +59,7 @@ TEST_CASE("a target is checked against its model, and reported if out of reach")
     CHECK(falls.code == 3);
     CHECK(falls.out.find("falls from") != std::string::npos);
     check_refused(rugosa("target --check falls.csv --kernel strip", folder.path()), "kernel");
-    CHECK(rugosa("target --check '" RUGOSA_TEST_DATA "/target_paper.csv'").code == 0);
+    CHECK(rugosa("target --check '" RUGOSA_SOURCE "/experiments/targets/drawn.csv'").code == 0);
     folder.write("soft.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.01\n1e-5,0.02\n");
     const Ended soft = rugosa("target --check soft.csv", folder.path());
     CHECK(soft.code == 3);

@@ -44,7 +44,7 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
     if (tests::sanitized)
         return; // a sanitizer takes memory too
     const Folder folder;
-    fs::copy_file(RUGOSA_TEST_DATA "/target_paper.csv", folder / "target.csv");
+    fs::copy_file(RUGOSA_SOURCE "/experiments/targets/drawn.csv", folder / "target.csv");
     for (const auto& [name, bytes] : {std::pair("small.txt", 300'000'000), {"large.txt", 2'000'000'000}}) {
         folder.write(name, "");
         fs::resize_file(folder / name, static_cast<std::uintmax_t>(bytes));
@@ -153,7 +153,7 @@ TEST_CASE("a program without memory or threads ends with one line and exit code 
     if (tests::sanitized)
         return;
     const Folder folder;
-    fs::copy_file(RUGOSA_TEST_DATA "/target_paper.csv", folder / "t.csv");
+    fs::copy_file(RUGOSA_SOURCE "/experiments/targets/drawn.csv", folder / "t.csv");
     for (const char* limit : {"100000", "200000"}) { // kB of address space
         const auto ended = app::testing::rugosa(
             "design --target t.csv --threads 64 --evaluations 50 --force --pictures off --out o",
@@ -170,7 +170,7 @@ TEST_CASE("an endless loop and a population beyond memory end with a result, in 
     for (const char* pipeline :
          {"sample 4 | repeat 1e9 { score }", "sample 4 | score | tournament 2 size=1e9"}) {
         const Folder folder;
-        fs::copy_file(RUGOSA_TEST_DATA "/target_paper.csv", folder / "target.csv");
+        fs::copy_file(RUGOSA_SOURCE "/experiments/targets/drawn.csv", folder / "target.csv");
         const Spent ended =
             spent("design --target target.csv --nodes 64 --pictures off --seconds 4 --out o --pipeline '" +
                       std::string(pipeline) + "'",

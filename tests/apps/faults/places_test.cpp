@@ -8,7 +8,7 @@ namespace {
 
 const std::string keeping = "RUGOSA_CHECKPOINTS=0 ";
 const std::string design =
-    "design --target '" RUGOSA_TEST_DATA "/target_paper.csv' --nodes 64 --threads 1 --pictures off "
+    "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 --threads 1 --pictures off "
     "--pipeline 'sample 30 | score | repeat 40 { tournament 2 | cross uniform | mutate 0.1 | score } | best "
     "1' ";
 

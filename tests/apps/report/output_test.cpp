@@ -15,7 +15,7 @@ const std::string quick_design =
 struct Desk : Folder {
     Desk() {
         write("genome.json", genome_text(1, 0.8, 1.5, {{1, {0.3}}, {3, {1}}}));
-        write("target.csv", rough::read_whole(RUGOSA_TEST_DATA "/target_paper.csv"));
+        write("target.csv", rough::read_whole(RUGOSA_SOURCE "/experiments/targets/drawn.csv"));
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n5;3\n6;0\n7;2\n8;1\n9;2\n10;0\n11;1\n");
     }
 };

@@ -32,7 +32,7 @@ inline DesignSetup drawn(Index nodes, bool area = false) {
         setup.model.grid.rows = nodes;
         setup.model.grid.width = setup.model.grid.length;
     }
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     setup.max_pressure = p_max;
     return completed(setup);
 }

@@ -14,8 +14,9 @@ using testing::p_max;
 Model paper_model(Index nodes = 512) { return {{nodes, 0.84942, false}, {}, {}, {}}; }
 
 DesignSetup setup_of(const char* target, Index nodes = 512) {
-    return paper_setup(paper_model(nodes), read_target(std::string(RUGOSA_TEST_DATA "/target_") + target),
-                       p_max, p_max / 2);
+    return paper_setup(paper_model(nodes),
+                       read_target(std::string(RUGOSA_SOURCE "/experiments/targets/") + target), p_max,
+                       p_max / 2);
 }
 
 } // namespace
@@ -35,7 +36,7 @@ TEST_CASE("the best of the database meets the held-out target to 0.959, as an in
 
 TEST_CASE("the score does not depend on the scale, and settling reaches p_max") {
     std::mt19937_64 random(21);
-    const DesignProblem problem(setup_of("paper.csv", 128));
+    const DesignProblem problem(setup_of("drawn.csv", 128));
     for (int i = 0; i < 5; ++i) {
         const Genome genome = random_genome(random, 2, 1, 0.84942, 0.05);
         const auto outcome = problem.evaluate(genome);
@@ -51,7 +52,7 @@ TEST_CASE("the score does not depend on the scale, and settling reaches p_max") 
 
 TEST_CASE("a reported similarity has nine exact digits by any solver") {
     std::mt19937_64 random(23);
-    DesignSetup setup = setup_of("paper.csv", 128);
+    DesignSetup setup = setup_of("drawn.csv", 128);
     double error = 0;
     for (int i = 0; i < 3; ++i) {
         const Genome genome = random_genome(random, 2, 1, 0.84942, 0.01);

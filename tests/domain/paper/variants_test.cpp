@@ -14,7 +14,7 @@ using testing::p_max;
 struct Coarse {
     Model model{{64, 0.84942, false}, {}, {}, {}};
     DesignProblem problem{
-        paper_setup(model, read_target(RUGOSA_TEST_DATA "/target_heldout.csv"), p_max, p_max / 2)};
+        paper_setup(model, read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv"), p_max, p_max / 2)};
     Vocabulary words{std::make_shared<DominanceRule>(model)};
     std::vector<Genome> genomes = sobol_database({.pairs = 6, .shortest = model.grid.spacing()});
 };

@@ -9,7 +9,7 @@ namespace {
 DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
     DesignSetup setup;
     setup.model = {{.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8}, {kernel}, {8}};
-    setup.targets = {read_target(RUGOSA_TEST_DATA "/target_paper.csv")};
+    setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
     setup.limits.shortest_wave = 0.25;
     return completed(setup);
 }
