@@ -51,7 +51,7 @@ TEST_CASE("a drifted surface meets its target again after at most as large a cha
         CHECK(back.before < 0.97);
         CHECK(back.after >= default_required_similarity);
         CHECK(back.after == Approx(similarity(setup, back.genome)).margin(1e-9));
-        CHECK(back.off.empty());
+        CHECK(back.missed.empty());
         CHECK(squares(back) <= 0.25 * 0.25 + 0.2 * 0.2);
         REQUIRE(back.changes.size() == 2);
         CHECK(back.changes[0].before == drifted.series[0].chromosomes[1].phases[0]);
@@ -84,10 +84,10 @@ TEST_CASE("points that the chromosomes cannot meet are named, and phases keep th
     const Morphed nearer = morph(setup, drifted, {{1, 2}, {1, 5}}, limit);
     CHECK(nearer.after > nearer.before);
     CHECK(nearer.after < default_required_similarity);
-    REQUIRE(!nearer.off.empty());
+    REQUIRE(!nearer.missed.empty());
     double worst = 0;
-    for (const MissedPoint& off : nearer.off)
-        worst = std::max(worst, std::abs(off.misfit));
+    for (const MissedPoint& missed : nearer.missed)
+        worst = std::max(worst, std::abs(missed.misfit));
     CHECK(worst == Approx(1 - nearer.after).epsilon(1e-12));
     for (const PhaseChange& change : nearer.changes)
         CHECK(std::abs(change.after - change.before) <= 2 * std::numbers::pi * limit * (1 + 1e-12));
