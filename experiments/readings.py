@@ -12,6 +12,7 @@ import json
 import math
 import pathlib
 import shutil
+import statistics
 import subprocess
 import sys
 import time
@@ -19,7 +20,7 @@ import time
 BEGAN = time.monotonic()
 GIVEN = json.loads(sys.argv[1])
 SETTINGS, FOLDER = GIVEN["settings"], pathlib.Path(GIVEN["folder"])
-CHECKPOINTS = FOLDER / "checkpoints"
+CHECKPOINTS, FLAT = FOLDER / "checkpoints", FOLDER / "targets" / "flat.csv"  # the target while the database is built
 PRESSURE, QUICK = float(SETTINGS["readings.max-pressure"]), SETTINGS["readings.quick"] == "on"
 DATABASES = min(int(SETTINGS["readings.databases"]), 2 if QUICK else 1000)
 LENGTH = float(SETTINGS["model.length"] or 0.84942)
@@ -53,21 +54,26 @@ def opened(kept, is_valid):
     try:
         whole = kept.read_text() if kept.stat().st_size < 2e7 else ""
         values = json.loads(whole[65:])
-        good = whole == sealed(kept.stem, whole[65:]) and is_valid(values)
+        if whole == sealed(kept.stem, whole[65:]) and is_valid(values):
+            return values
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        good = False
-    if not good:
-        sys.exit(f"--resume: checkpoints/{kept.name} was altered; remove it, or start again with --force")
-    return values
+        pass
+    sys.exit(f"--resume: checkpoints/{kept.name} was altered; remove it, or start again with --force")
 
 
-def part(name, keys, targets, read, is_valid):
-    """Runs the paper's experiment with these keys; `read` takes the values from its folder. Saved for --resume."""
+def choices_in(reading):
+    """The value of each choice in a reading."""
+    return {choice: list(values)[v] for v, (choice, values) in zip(reading, AXES.items())}
+
+
+def part(name, reading, keys, read, is_valid):
+    """Runs the paper's experiment under a reading; `read` takes the values from its folder. Saved for --resume."""
     kept, folder = CHECKPOINTS / f"{name}.json", CHECKPOINTS / name
     if not kept.exists():
         model = {key: value for key, value in SETTINGS.items() if key.startswith("model.") and value}
+        choices = {key: one for axis, value in choices_in(reading).items() for key, one in AXES[axis][value].items()}
         keys = {"experiment.kind": "paper", "experiment.seed": GIVEN["seed"], **model,
-                "paper.max-pressure": PRESSURE, "paper.sweep-points": 5, **keys, **targets}
+                "paper.max-pressure": PRESSURE, "paper.sweep-points": 5, **choices, **keys}
         folder.mkdir(exist_ok=True)
         (folder / "paper.ini").write_text("".join("[{}]\n{} = {}\n".format(*key.split(".", 1), value)
                                                   for key, value in sorted(keys.items())))
@@ -82,17 +88,6 @@ def part(name, keys, targets, read, is_valid):
     return opened(kept, is_valid)
 
 
-def all_of(work, items):
-    """`work` for each item, in their order."""
-    with concurrent.futures.ThreadPoolExecutor(GIVEN["threads"]) as pool:
-        return list(pool.map(lambda item: work(*item), items))
-
-
-def keys_of(reading):
-    return {key: value for index, axis in zip(reading, AXES.values())
-            for key, value in list(axis.values())[index].items()}
-
-
 def curves_in(folder):
     """K(p) of each genome of the database, as pairs (p, K)."""
     curves = {}
@@ -104,9 +99,8 @@ def curves_in(folder):
 
 def are_curves(curves):
     """Whether these are the curves of 54 pairs and 5 columns of phases."""
-    return len(curves) == 54 * 5 and all(
-        len(curve) > 1 and all(len(point) == 2 and all(type(x) is float and math.isfinite(x) for x in point)
-                               for point in curve) for curve in curves)
+    return len(curves) == 54 * 5 and all(len(curve) > 1 for curve in curves) and all(
+        type(x) is float and math.isfinite(x) for curve in curves for p, k in curve for x in (p, k))
 
 
 def interpolated(curve, p):
@@ -116,31 +110,21 @@ def interpolated(curve, p):
     return y + (z - y) * (p - a) / (b - a)
 
 
-def quantile(values, share):
-    values, place = sorted(values), share * (len(values) - 1)
-    low = int(place)
-    return values[low] + (place - low) * (values[min(low + 1, len(values) - 1)] - values[low])
-
-
 def make_targets(body):
-    """Smoothed quantiles of the database's curves on a body, and the curve of a genome outside it; their files."""
-    label = list(AXES["Body"])[body]
-    flat = FOLDER / "targets" / "flat.csv"
-    flat.write_text(f"pressure_MPa,stiffness_MPa_per_mm\n{PRESSURE / 2},1\n{PRESSURE},1\n")
-    curves = part(f"curves-{body}", {**keys_of((body, *OURS[1:])), "database.pairs": 54, "paper.sweep-points": 0},
-                  {"target.file": flat}, curves_in, are_curves)
+    """Smoothed quartiles of the database's curves on a body, and the curve of a genome outside it; their files."""
+    curves = part(f"curves-{body}", (body, *OURS[1:]),
+                  {"database.pairs": 54, "paper.sweep-points": 0, "target.file": FLAT}, curves_in, are_curves)
+    pressures = [PRESSURE * (0.025 + 0.05 * k) for k in range(20)]
+    at_pressures = [[interpolated(curve, p) for curve in curves[:100]] for p in pressures]
+    lower, median, upper = map(list, zip(*(statistics.quantiles(k, method="inclusive") for k in at_pressures)))
+    for k in (lower, median, upper) * 3:
+        k[1:-1] = [0.25 * (a + c) + 0.5 * b for a, b, c in zip(k, k[1:], k[2:])]
+    to_last = [PRESSURE * (k + 1) / 20 for k in range(20)]
+    held_out = [interpolated(curves[53 * 5 + 3], p) for p in to_last]
     files = []
-    for name, share in zip(TARGETS, (0.5, 0.25, 0.75, None)):
-        if share is None:
-            x = [PRESSURE * (k + 1) / 20 for k in range(20)]
-            y = [interpolated(curves[53 * 5 + 3], p) for p in x]
-        else:
-            x = [PRESSURE * (0.025 + 0.05 * k) for k in range(20)]
-            y = [quantile([interpolated(curve, p) for curve in curves[:100]], share) for p in x]
-            for _ in range(3):
-                y[1:-1] = [0.25 * (a + c) + 0.5 * b for a, b, c in zip(y, y[1:], y[2:])]
-        files.append(FOLDER / "targets" / f"{label} {name}.csv".replace(" ", "-"))
-        files[-1].write_text("pressure_MPa,stiffness_MPa_per_mm\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(x, y)))
+    for name, x, y in zip(TARGETS, (*[pressures] * 3, to_last), (median, lower, upper, held_out)):
+        files.append(FOLDER / "targets" / f"{list(AXES['Body'])[body]} {name}.csv".replace(" ", "-"))
+        write_csv(files[-1], [{"pressure_MPa": p, "stiffness_MPa_per_mm": k} for p, k in zip(x, y)])
     return files
 
 
@@ -152,29 +136,25 @@ def verdicts_in(folder):
 
 def are_verdicts(verdicts):
     return len(verdicts) == len(CLAIMS) and all(
-        set(one) in ({""}, {"drawn", "held-out"}) and all(verdict in SIGNS for verdict in one.values())
-        for one in verdicts)
+        set(one) in ({""}, {"drawn", "held-out"}) and set(one.values()) <= set(SIGNS) for one in verdicts)
 
 
 def plan():
-    """Pairs of a reading and a database. With quick, and for the pressures p̄, one choice at a time."""
+    """The tasks: reading, database and targets. With quick, and for the pressures p̄, one choice at a time."""
     everything = list(itertools.product(*(range(len(values)) for values in AXES.values())))
     near = [one for one in everything if sum(map(bool, one)) <= 1]
     crossed = near if QUICK else [one for one in everything if one in near or not one[-1]]
-    return [(one, 0) for one in crossed] + [(OURS, database + 1) for database in range(DATABASES)]
+    tried = [(one, 0) for one in crossed] + [(OURS, database + 1) for database in range(DATABASES)]
+    return [(*one, first) for one in tried for first in (0, 2)]
 
 
-def tried(reading, database, files):
-    """The cells of a reading: on each target a sign per claim (1 holds, 0 does not, empty: undecidable)."""
-    cells = []
-    for half in (0, 2):
-        targets = {"target.file": files[half], "heldout.file": files[half + 1]}
-        verdicts = part("-".join(map(str, (*reading, database, half))),
-                        {**keys_of(reading), "database.phases": database}, targets, verdicts_in, are_verdicts)
-        for which, name in enumerate(("drawn", "held-out")):
-            cells.append({"reading": reading, "database": database, "target": TARGETS[half + which],
-                          "holds": [SIGNS[one.get(name, one.get(""))] for one in verdicts]})
-    return cells
+def cells_of(reading, database, first, files):
+    """The cells of two targets: a sign per claim (1 holds, 0 does not, empty: undecidable)."""
+    keys = {"database.phases": database, "target.file": files[first], "heldout.file": files[first + 1]}
+    verdicts = part("-".join(map(str, (*reading, database, first))), reading, keys, verdicts_in, are_verdicts)
+    return [{"reading": reading, "database": database, "target": TARGETS[first + which],
+             "holds": [SIGNS[one.get(name, one.get(""))] for one in verdicts]}
+            for which, name in enumerate(("drawn", "held-out"))]
 
 
 def mean(values):
@@ -186,16 +166,19 @@ def percent(share, digits):
     return f"{100 * share:.{max(0, digits - len(str(int(100 * share))))}f} %" if share else "0 %"
 
 
-def write_csv(name, header, rows):
+def write_csv(name, rows):
     with open(FOLDER / name, "w", newline="") as file:
-        csv.writer(file, lineterminator="\n").writerows([header, *rows])
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def widest(shares):
     """The choice that decides most of a claim, if it moves the share by 0.05: the values with most and fewest."""
     choice, values = max(shares.items(), key=lambda one: max(one[1].values()) - min(one[1].values()))
     high, low = max(values, key=values.get), min(values, key=values.get)
-    return [choice, high, values[high], low, values[low]] if values[high] - values[low] >= 0.05 else [None] * 5
+    found = [choice, high, values[high], low, values[low]] if values[high] - values[low] >= 0.05 else [None] * 5
+    return dict(zip(("choice", "highest", "highest_share", "lowest", "lowest_share"), found))
 
 
 def main():
@@ -207,61 +190,58 @@ def main():
     CHECKPOINTS.mkdir(exist_ok=True)
     (FOLDER / "targets").mkdir(exist_ok=True)
     kept.write_text(DESCRIBED)
-    files = all_of(make_targets, [(body,) for body in range(len(AXES["Body"]))])
-    (FOLDER / "targets" / "flat.csv").unlink()
-    found = all_of(tried, [(reading, database, files[reading[0]]) for reading, database in plan()])
-    cells, claims = [cell for one in found for cell in one], CLAIMS
+    write_csv(FLAT, [{"pressure_MPa": p, "stiffness_MPa_per_mm": 1} for p in (PRESSURE / 2, PRESSURE)])
+    with concurrent.futures.ThreadPoolExecutor(GIVEN["threads"]) as pool:
+        files = list(pool.map(make_targets, range(len(AXES["Body"]))))
+        FLAT.unlink()
+        cells = [cell for pair in pool.map(lambda task: cells_of(*task, files[task[0][0]]), plan()) for cell in pair]
     sobol = [cell for cell in cells if cell["database"] == 0]
 
     def share(claim, among, sign="1"):
         return mean(cell["holds"][claim] == sign for cell in among)
 
-    held = {}
-    for cell in sobol:
-        held.setdefault(cell["reading"], []).append(cell["holds"].count("1"))
-    ranked = sorted(held, key=lambda one: (-mean(held[one]), sum(map(bool, one))))
-    rows, shares, words, deciding = [], [], {}, {}
-    for c, claim in enumerate(claims):
+    readings = {one: [cell for cell in sobol if cell["reading"] == one] for one, database, _ in plan() if database == 0}
+    held = {one: mean(cell["holds"].count("1") for cell in among) for one, among in readings.items()}
+    ranked = sorted(held, key=lambda one: (-held[one], sum(map(bool, one))))
+    rows, shares, words = [], [], {}
+    for c, claim in enumerate(CLAIMS):
+        known = {"claim": c + 1, "place": claim["place"], "says": claim["says"]}
         by_choice = {axis: {value: share(c, [cell for cell in sobol if cell["reading"][a] == v])
                             for v, value in enumerate(values)} for a, (axis, values) in enumerate(AXES.items())}
-        known = [c + 1, claim["place"], claim["says"]]
-        rows += [[*known, axis, *one] for axis, values in by_choice.items() for one in values.items()]
-        every, open_in = share(c, sobol), share(c, sobol, "")
-        ours, best = (share(c, [cell for cell in sobol if cell["reading"] == one]) for one in (OURS, ranked[0]))
-        drawn = share(c, [cell for cell in cells if cell["database"]])
-        decider = widest(by_choice)
-        shares.append([*known, ours, best, every, drawn, *decider])
-        words[claim["id"]] = (f"holds in {percent(every, 3)}"
-                              + (f", is undecidable in {percent(open_in, 3)}" if open_in else "")
+        rows += [{**known, "choice": axis, "value": value, "share_holds": holds}
+                 for axis, values in by_choice.items() for value, holds in values.items()]
+        row = {**known, "ours": share(c, readings[OURS]), "best": share(c, readings[ranked[0]]),
+               "every": share(c, sobol), "other_phases": share(c, [cell for cell in cells if cell["database"]]),
+               **widest(by_choice)}
+        shares.append(row)
+        unknown = share(c, sobol, "")
+        words[claim["id"]] = (f"holds in {percent(row['every'], 3)}"
+                              + (f", is undecidable in {percent(unknown, 3)}" if unknown else "")
                               + f" of {len(ranked)} readings on {len(TARGETS)} targets"
-                              + (f"; depends most on {decider[0]}: {decider[1]} {percent(decider[2], 2)}, "
-                                 f"{decider[3]} {percent(decider[4], 2)}" if decider[0] else ""))
-        if decider[0] and 0 < every < 1:
-            deciding[decider[0]] = deciding.get(decider[0], 0) + 1
-    write_csv("cells.csv", [*AXES, "database", "target", *(f"claim_{c + 1}" for c in range(len(claims)))],
-              [[*(list(values)[v] for v, values in zip(cell["reading"], AXES.values())), cell["database"],
-                cell["target"], *cell["holds"]] for cell in cells])
-    write_csv("claims.csv", ["claim", "place", "says", "choice", "value", "share_holds"], rows)
-    write_csv("shares.csv", ["claim", "place", "says", "ours", "best", "every", "other_phases", "choice", "highest",
-                             "highest_share", "lowest", "lowest_share"], shares)
+                              + (f"; depends most on {row['choice']}: {row['highest']} "
+                                 f"{percent(row['highest_share'], 2)}, {row['lowest']} "
+                                 f"{percent(row['lowest_share'], 2)}" if row["choice"] else ""))
+    write_csv("cells.csv", [{**choices_in(cell["reading"]), "database": cell["database"], "target": cell["target"],
+                             **{f"claim_{c + 1}": sign for c, sign in enumerate(cell["holds"])}} for cell in cells])
+    write_csv("claims.csv", rows)
+    write_csv("shares.csv", shares)
 
-    def of(condition):
-        return [{"claim": row[0], "place": row[1], "says": row[2]} for row in shares if condition(row[5])]
-
-    readings = [{"claims_hold": mean(held[one]),
-                 **{axis: list(values)[v] for v, (axis, values) in zip(one, AXES.items())},
-                 "differs": [{"choice": axis, "value": list(values)[v]}
-                             for v, (axis, values) in zip(one, AXES.items()) if v]} for one in ranked]
-    best = readings[0]["claims_hold"]
+    never, always = ([{key: row[key] for key in ("claim", "place", "says")} for row in shares if row["every"] == every]
+                     for every in (0, 1))
+    deciding = [row["choice"] for row in shares if 0 < row["every"] < 1]
+    drawn = [row["other_phases"] for row in shares if row["other_phases"] is not None]
+    best = held[ranked[0]]
     result = {**GIVEN["origin"], "seconds": time.monotonic() - BEGAN, "database_count": DATABASES,
-              "claim_count": len(claims), "target_count": len(TARGETS), "reading_count": len(ranked),
-              "ours_hold": mean(held[OURS]), "best_hold": best, "worst_hold": readings[-1]["claims_hold"],
-              "near_best": sum(one["claims_hold"] >= best - 0.25 for one in readings),
-              "never": of(lambda every: every == 0), "always": of(lambda every: every == 1),
-              "depend": len(of(lambda every: 0 < every < 1)),
-              "deciding": [{"choice": axis, "claims": deciding[axis]} for axis in AXES if axis in deciding],
-              "firm": sum(row[6] is not None and min(row[6], 1 - row[6]) <= 0.05 for row in shares),
-              "readings": readings, "summary": f"most claims hold at once: {best:.3g}"}
+              "claim_count": len(CLAIMS), "target_count": len(TARGETS), "reading_count": len(ranked),
+              "ours_hold": held[OURS], "best_hold": best, "worst_hold": held[ranked[-1]],
+              "near_best": sum(hold >= best - 0.25 for hold in held.values()),
+              "never": never, "always": always, "depend": len(deciding),
+              "deciding": [{"choice": axis, "claims": deciding.count(axis)} for axis in AXES if axis in deciding],
+              "firm": sum(min(holds, 1 - holds) <= 0.05 for holds in drawn),
+              "readings": [{"claims_hold": held[one], **choices_in(one),
+                            "differs": [{"choice": axis, "value": value}
+                                        for v, (axis, value) in zip(one, choices_in(one).items()) if v]}
+                           for one in ranked], "summary": f"most claims hold at once: {best:.3g}"}
     origin = {key: result[key] for key in ("command", "version")}
     (FOLDER / "readings.json").write_text(json.dumps({**origin, "claims": words}, indent=1, ensure_ascii=False) + "\n")
     (FOLDER / "result.json").write_text(json.dumps(result, indent=1) + "\n")
