@@ -168,7 +168,8 @@ TEST_CASE("four threads are 3.5 times as fast as one when evaluations are uneven
 TEST_CASE("an evaluator that throws ends the run with its message, on islands too") {
     struct Cut : Serial<Reals> {
         int batches = 0;
-        void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {
+        void outcomes(const Reals& problem, std::span<EvaluationCall<Reals>> calls,
+                      const Watch& watch) override {
             if (++batches == 3)
                 throw std::runtime_error("the cable is cut");
             Serial<Reals>::outcomes(problem, calls, watch);

@@ -181,7 +181,7 @@ TEST_CASE("blend cross-over is uniform as far beyond the parents as alpha says")
 TEST_CASE("mutation changes each gene with its rate") {
     double flipped = 0;
     for (std::uint64_t seed = 0; seed < 500; ++seed) {
-        const auto bits = mutated(mutate(0).way, Bits(), std::vector<bool>(40), 0.05, seed);
+        const auto bits = mutated(mutate(0).method, Bits(), std::vector<bool>(40), 0.05, seed);
         flipped += static_cast<double>(std::count(bits.begin(), bits.end(), true));
     }
     CHECK(flipped == Approx(1000).margin(5 * std::sqrt(20000 * 0.05 * 0.95)));

@@ -44,7 +44,7 @@ class ProcessPool : public Evaluator<Reals> {
             ::waitpid(worker.process, nullptr, 0);
     }
 
-    void outcomes(const Reals& problem, std::span<Call<Reals>> calls, const Watch& watch) override {
+    void outcomes(const Reals& problem, std::span<EvaluationCall<Reals>> calls, const Watch& watch) override {
         std::size_t next = 0, open = 0;
         do {
             for (Worker& worker : workers_)
@@ -64,7 +64,7 @@ class ProcessPool : public Evaluator<Reals> {
                     Vector outcome(problem.n);
                     const ssize_t size = ::read(workers_[w].out, outcome.data(), 8 * outcome.size());
                     workers_[w].dead = size != static_cast<ssize_t>(8 * outcome.size());
-                    Call<Reals>& call = *std::exchange(workers_[w].call, nullptr);
+                    EvaluationCall<Reals>& call = *std::exchange(workers_[w].call, nullptr);
                     if (workers_[w].dead)
                         *call.answer = reason("its worker died");
                     else
@@ -80,7 +80,7 @@ class ProcessPool : public Evaluator<Reals> {
     struct Worker {
         pid_t process;
         int in, out;
-        Call<Reals>* call;
+        EvaluationCall<Reals>* call;
         bool dead = false;
     };
     std::vector<Worker> workers_;
