@@ -225,11 +225,11 @@ TEST_CASE("BIPOP spends as much on small runs as on large ones, which double, an
     std::size_t last = 10;
     while (last < 1000) {
         const long all = 100 * static_cast<long>(run.lambda);
-        run = plan.next(run.most > 0 ? std::min(run.most, all) : all, true, random);
+        run = plan.next(run.max_evaluations > 0 ? std::min(run.max_evaluations, all) : all, true, random);
         CHECK((plan.now_large ? plan.small >= plan.large : plan.small < plan.large));
         CHECK((plan.now_large ? run.lambda == 2 * last : run.lambda >= 10 && run.lambda <= last / 2));
         CHECK((plan.now_large ? run.shrink == 1 : run.shrink >= 0.01 && run.shrink <= 1));
-        CHECK(plan.now_large == (run.most == 0));
+        CHECK(plan.now_large == (run.max_evaluations == 0));
         last = plan.now_large ? run.lambda : last;
     }
     for (const std::size_t expected : {40u, 160u, 640u})

@@ -110,19 +110,19 @@ TEST_CASE("a target out of reach is reported with the pressures at fault") {
 TEST_CASE("a design that misses its required similarity exits with 3 and a result") {
     const Folder folder;
     const std::string words = drawn + " --nodes 64 --pictures off --pipeline 'sample 4 | score | best 1' "
-                                      "--reach-similarity 0.9999 --out r";
-    const Ended ended = rugosa(words, folder.path());
+                                      "--out r --reach-similarity ";
+    const Ended ended = rugosa(words + "0.9999", folder.path());
     CHECK(ended.code == 3);
     CHECK(ended.err.empty());
     const auto verdict = result_in(folder / "r")["verdict"].get<std::string>();
     CHECK(verdict.find("not found: ") == 0); // the pipeline ended by itself
     // The finished design is not resumed.
-    const Ended again = rugosa(words + " --resume", folder.path());
+    const Ended again = rugosa(words + "0.9999 --resume", folder.path());
     CHECK(again.code == 3);
     CHECK(again.out.find("is finished") != std::string::npos);
     CHECK(again.out.find(verdict) != std::string::npos);
     // Nor is an answer found that is similar enough and steeper than allowed.
-    CHECK(rugosa(words + " --force --reach-similarity 0.01 --max-slope 1e-6", folder.path()).code == 3);
+    CHECK(rugosa(words + "0.01 --force --max-slope 1e-6", folder.path()).code == 3);
     CHECK_THAT(result_in(folder / "r")["verdict"].get<std::string>(),
                Catch::StartsWith("not found: lowest similarity") && Catch::Contains("limits on shape"));
 }
