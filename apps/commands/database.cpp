@@ -22,7 +22,7 @@ Fields fields_of(rough::GenomeDistribution& law) {
         {ga::number("hurst-to", "1.5", 0, 10, "upper bound of H"), law.H_to},
         {ga::number("gamma-from", "1.4", 1, 1000, "lower bound of gamma"), law.gamma_from},
         {ga::number("gamma-to", "2", 1, 1000, "upper bound of gamma"), law.gamma_to},
-        {positive("shortest", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
+        {positive("shortest-wave", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
         {ga::whole("seed", "1", 0, "seed of the genomes").up_to(0x1p53), law.seed},
     };
 }

@@ -46,7 +46,7 @@ GenomeStore create_store(const std::filesystem::path& file, std::uint64_t genome
     setup.law.seed = keywords.take("seed", setup.law.seed);
     setup.law.series = keywords.take("series", setup.law.series);
     setup.model = model_from(keywords);
-    setup.law.shortest = keywords.take("shortest", 8 * setup.model.grid.spacing());
+    setup.law.shortest = keywords.take("shortest_wave", 8 * setup.model.grid.spacing());
     keywords.expect_none_left();
     GenomeStore store = GenomeStore::create(file, setup);
     build_store(store, genomes, threads);
@@ -73,7 +73,7 @@ void add_database(py::module_& module) {
         .def_static(
             "create", &create_store, "file"_a, "genomes"_a = 1000, py::kw_only(), "threads"_a = 0,
             "Makes a database of this many genomes, or adds missing ones. Takes the model keywords of\n"
-            "contact() for a Genome, and seed, series and shortest (mm).")
+            "contact() for a Genome, and seed, series and shortest_wave (mm).")
         .def("build", &build_store, "genomes"_a, py::kw_only(), "threads"_a = 0,
              "Adds genomes until there are this many.")
         .def("query", &query, "targets"_a, "best"_a = 10, py::kw_only(), "max_pressure"_a = py::none(),

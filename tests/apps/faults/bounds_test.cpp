@@ -57,7 +57,7 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
              {"design --target small.txt --out o", "bytes"},
              {"run small.txt --out o", "bytes"},
              {"database info small.txt", "database"},
-             {"database build x.db --ridges 1000 --series 16 --shortest 1e-300", "genome law"},
+             {"database build x.db --ridges 1000 --series 16 --shortest-wave 1e-300", "genome law"},
              {design + "'sample 4 | score | islands 1e8 rounds=2 { score }'", "10000"},
              {design + "'sample 1e10 | score'", "sample"}}) {
         const Spent refused = spent(words, folder.path());
