@@ -202,12 +202,14 @@ void add_design(py::module_& module) {
         .def_property_readonly(
             "found", [](const Design& d) { return is_found(d); },
             "Whether similarity_worst is as high as requested, by default 0.99.")
-        .def_readonly("bound", &Design::bound, "Upper bound of the similarity of every profile.")
+        .def_property_readonly(
+            "bound", [](const Design& d) { return d.unreachable.bound; },
+            "Upper bound of the similarity of every profile.")
         .def_property_readonly(
             "out_of_reach",
             [](const Design& d) {
                 std::vector<std::string> reasons;
-                for (const auto& reason : d.out_of_reach)
+                for (const auto& reason : d.unreachable.reasons)
                     reasons.push_back(reason.verdict());
                 return reasons;
             },
