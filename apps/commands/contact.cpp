@@ -82,7 +82,7 @@ std::vector<Setting> contact_settings() {
 
 /// Sets the accuracy. The solver's tolerance follows from it unless one is given.
 rough::Model within_accuracy(rough::Model model, const Settings& settings) {
-    model.accuracy = accuracy_from(settings);
+    settings.take("accuracy", model.accuracy);
     model.contact.threads = ga::thread_count(settings.whole<int>("threads"));
     model.contact.spots = !settings.has("genome");
     if (model.accuracy > 0 && !settings.given("tolerance"))

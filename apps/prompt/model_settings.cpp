@@ -227,12 +227,6 @@ Setting accuracy_setting(const std::string& prefix, const std::string& against) 
                           " [none: no response is approximated]");
 }
 
-double accuracy_from(const Settings& settings, const std::string& prefix) {
-    double accuracy = 0;
-    settings.take(prefix + "accuracy", accuracy);
-    return accuracy;
-}
-
 rough::Index nodes_from(const Settings& settings) {
     return settings.has("nodes") ? settings.whole<rough::Index>("nodes") : 0;
 }

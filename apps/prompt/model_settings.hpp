@@ -28,8 +28,6 @@ std::vector<Setting> cap_settings(const std::string& prefix = "");
 /// --accuracy: the error allowed for the response of a genome. `against` says what the error is relative to.
 Setting accuracy_setting(const std::string& prefix = "",
                          const std::string& against = "the response of the whole model");
-/// 0 if it is not given.
-double accuracy_from(const Settings& settings, const std::string& prefix = "");
 
 /// --nodes; 0 if it is not given.
 rough::Index nodes_from(const Settings& settings);

@@ -76,7 +76,8 @@ CapRun cap_run_from(const Settings& settings) {
     setup.effective_modulus = model.body.effective_modulus;
     setup.targets = goals_from(settings, model);
     placing(settings, "", [&] { return rough::CapProblem(setup); });
-    if (only_areas(setup) && accuracy_from(settings) >= independent_error)
+    settings.take("accuracy", model.accuracy);
+    if (only_areas(setup) && model.accuracy >= independent_error)
         setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
     take(settings, app::fields_of(run.options));

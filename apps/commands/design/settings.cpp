@@ -241,7 +241,7 @@ DesignRun design_from(const Settings& settings,
     run.limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
                        settings.has("max-height") || settings.has("min-radius");
     run.searched = setup;
-    run.searched.model.accuracy = accuracy_from(settings);
+    settings.take("accuracy", run.searched.model.accuracy);
 
     rough::SearchOptions& options = run.options;
     options.pipeline =

@@ -136,7 +136,7 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     PaperRun run;
     run.origin = origin;
     take_targets(settings, run);
-    run.searched.accuracy = accuracy_from(settings, "model.");
+    settings.take("model.accuracy", run.searched.accuracy);
     run.model = exactly(run.searched);
     run.layout.lambda = run.model.grid.length;
     run.layout.shortest = run.model.grid.spacing();

@@ -88,7 +88,7 @@ Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
     const ga::Stopwatch clock;
     rough::DesignSetup setup;
     setup.model = model_from(settings, "model.");
-    setup.model.accuracy = accuracy_from(settings, "model.");
+    settings.take("model.accuracy", setup.model.accuracy);
     setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
     setup.max_pressure = settings.number("targets.max-pressure");
     Findings found;

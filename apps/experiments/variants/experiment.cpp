@@ -77,7 +77,7 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
             RaceTarget target;
             target.setup.model = surface_model_from(
                 settings.with({{"model.nodes", nodes}}, model_settings("model.")), "model.");
-            target.setup.model.accuracy = accuracy_from(settings, "model.");
+            settings.take("model.accuracy", target.setup.model.accuracy);
             settings.take("database.ridges", target.setup.ridges);
             target.setup.targets = {rough::read_target(path)};
             target.setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);

@@ -28,7 +28,7 @@ std::string text_of(const py::handle& value, const std::string& between) {
 }
 
 rough::Model with_load(rough::Model model, const app::Settings& settings) {
-    model.accuracy = app::accuracy_from(settings);
+    settings.take("accuracy", model.accuracy);
     model = completed(loaded(std::move(model), settings));
     validate(model);
     return model;
