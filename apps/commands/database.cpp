@@ -15,16 +15,15 @@ namespace app {
 namespace {
 
 Fields fields_of(rough::GenomeDistribution& law) {
-    return {
-        {ga::whole("series", "1", 1, "number of series of a genome").up_to(16), law.series},
-        {ga::whole("ridges", "1", 1, "ridges M of each chromosome").up_to(1000), law.ridges},
-        {ga::number("hurst-from", "0.5", 0, 10, "lower bound of H"), law.H_from},
-        {ga::number("hurst-to", "1.5", 0, 10, "upper bound of H"), law.H_to},
-        {ga::number("gamma-from", "1.4", 1, 1000, "lower bound of gamma"), law.gamma_from},
-        {ga::number("gamma-to", "2", 1, 1000, "upper bound of gamma"), law.gamma_to},
+    Fields fields{
+        {ga::whole("series", std::to_string(law.series), 1, "number of series of a genome").up_to(16),
+         law.series},
+        {ga::whole("ridges", std::to_string(law.ridges), 1, "ridges M of each chromosome").up_to(1000),
+         law.ridges},
         {positive("shortest-wave", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
-        {ga::whole("seed", "1", 0, "seed of the genomes").up_to(0x1p53), law.seed},
+        {ga::whole("seed", std::to_string(law.seed), 0, "seed of the genomes").up_to(0x1p53), law.seed},
     };
+    return with_bounds(std::move(fields), law, 1 + 1e-9); // the domain limits the number of waves
 }
 
 Fields fields_of(rough::BuildOptions& options) {
@@ -68,6 +67,7 @@ rough::GenomeStore opened(const Settings& settings) {
     setup.law.lambda = setup.model.grid.length;
     setup.law.shortest = 8 * setup.model.grid.spacing();
     take(settings, fields_of(setup.law));
+    expect_in_order(settings, {"hurst", "gamma"});
     rough::validate(setup.law);
     respond(rough::drawn(setup.law, 0), setup.model); // throws before a file is made
     return rough::GenomeStore::create(file, setup);

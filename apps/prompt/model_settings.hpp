@@ -25,6 +25,20 @@ std::vector<Setting> model_settings(const std::string& prefix = "");
 /// The settings of an array of caps, each name behind `prefix`.
 std::vector<Setting> cap_settings(const std::string& prefix = "");
 
+/// The fields and the bounds of H and gamma of genomes. A genome with a gamma near 1 has very many waves.
+template <class Bounds>
+Fields with_bounds(Fields fields, Bounds& of, double min_gamma = 1.001) {
+    fields.insert(
+        fields.end(),
+        {{ga::number("hurst-from", ga::number(of.H_from), ga::above_zero, 10, "lower bound of H"), of.H_from},
+         {ga::number("hurst-to", ga::number(of.H_to), ga::above_zero, 10, "upper bound of H"), of.H_to},
+         {ga::number("gamma-from", ga::number(of.gamma_from), min_gamma, 1000, "lower bound of gamma"),
+          of.gamma_from},
+         {ga::number("gamma-to", ga::number(of.gamma_to), min_gamma, 1000, "upper bound of gamma"),
+          of.gamma_to}});
+    return fields;
+}
+
 /// --accuracy: the error allowed for the response of a genome. `against` says what the error is relative to.
 Setting accuracy_setting(const std::string& prefix = "",
                          const std::string& against = "the response of the whole model");

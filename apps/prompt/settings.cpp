@@ -385,6 +385,14 @@ void expect_none(const Settings& settings, const std::vector<std::string>& names
             settings.refuse(name, problem);
 }
 
+void expect_in_order(const Settings& settings, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+        if (settings.number(name + "-from") > settings.number(name + "-to"))
+            settings.refuse(name + "-from", settings.text(name + "-from"), " is above ",
+                            settings.place(name + "-to"), ": ", settings.text(name + "-to"),
+                            "; give a lower bound that is not above the upper one");
+}
+
 std::string the_given(const Settings& settings, const std::vector<std::string>& names,
                       const std::string& what) {
     std::string found, flags;

@@ -163,6 +163,8 @@ std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists);
 using rough::names_of;
 /// Throws rough::InputError on the first of these that was given: its place and `problem`.
 void expect_none(const Settings& settings, const std::vector<std::string>& names, const std::string& problem);
+/// Throws rough::InputError if NAME-from is above NAME-to for one of these names.
+void expect_in_order(const Settings& settings, const std::vector<std::string>& names);
 /// The one of these settings that is given. Throws rough::InputError, `what` first, unless exactly one is.
 std::string the_given(const Settings& settings, const std::vector<std::string>& names,
                       const std::string& what);

@@ -13,10 +13,8 @@ namespace {
 
 /// The parameters that the set-up of a design holds.
 Fields fields_of(rough::DesignSetup& setup) {
-    const rough::GeneBounds usual;
-    rough::GeneBounds& bounds = setup.bounds;
     rough::MakingLimits& limits = setup.limits;
-    return {
+    Fields fields{
         {max_pressure_setting(), setup.max_pressure},
         {ga::number("reach-similarity", "", -1, 1,
                     "similarity that an answer must have in all checks. The variants default and like "
@@ -31,19 +29,12 @@ Fields fields_of(rough::DesignSetup& setup) {
         {positive("max-slope", "", "largest slope that can be made"), limits.max_slope},
         {positive("max-height", "", "largest height range, mm"), limits.max_height},
         {positive("min-radius", "", "smallest radius of curvature, mm"), limits.min_radius},
-        {ga::number("hurst-from", ga::number(usual.H_from), ga::above_zero, 10, "lower bound of H"),
-         bounds.H_from},
-        {ga::number("hurst-to", ga::number(usual.H_to), ga::above_zero, 10, "upper bound of H"), bounds.H_to},
-        {ga::number("gamma-from", ga::number(usual.gamma_from), 1.001, 100, "lower bound of gamma"),
-         bounds.gamma_from},
-        {ga::number("gamma-to", ga::number(usual.gamma_to), 1.001, 100, "upper bound of gamma"),
-         bounds.gamma_to},
         {ga::number("lambda-from", "", 1e-12, 1e12,
                     "lower bound of the longest wavelength of a series, mm [L/4]"),
-         bounds.lambda_from},
+         setup.bounds.lambda_from},
         {ga::number("lambda-to", "", 1e-12, 1e12,
                     "upper bound of the longest wavelength of a series, mm [4 L]"),
-         bounds.lambda_to},
+         setup.bounds.lambda_to},
         {positive("noise", "",
                   "rms height noise, mm, under which 95 % of the draws must have the similarity. Profiles "
                   "are searched under it, and maps are verified under it [none]"),
@@ -55,16 +46,7 @@ Fields fields_of(rough::DesignSetup& setup) {
              "tilt, as a height over the length, mm, under which the answer must have the similarity [none]"),
          setup.errors.tilt},
     };
-}
-
-/// Throws if a gene's lower bound is above its upper bound.
-void expect_in_order(const Settings& settings, const rough::GeneBounds& bounds) {
-    for (const auto& [gene, from, to] : {std::tuple(std::string("hurst"), bounds.H_from, bounds.H_to),
-                                         {"gamma", bounds.gamma_from, bounds.gamma_to},
-                                         {"lambda", bounds.lambda_from, bounds.lambda_to}})
-        if (from > to)
-            settings.refuse(gene + "-from", brief(from, 6), " is above ", settings.place(gene + "-to"), ": ",
-                            brief(to, 6), "; give a lower bound that is not above the upper one");
+    return with_bounds(std::move(fields), setup.bounds);
 }
 
 /// The surface in production of --from, --control and --largest-change; nothing without --from.
@@ -236,7 +218,9 @@ DesignRun design_from(const Settings& settings,
                         " is out of range; give a number from ", readable(shortest, 6), " to ",
                         readable(grid.length, 6));
     setup.bounds = completed(setup.bounds, grid.length);
-    expect_in_order(settings, setup.bounds);
+    expect_in_order(settings.with({{"lambda-from", ga::number(setup.bounds.lambda_from)},
+                                   {"lambda-to", ga::number(setup.bounds.lambda_to)}}),
+                    {"hurst", "gamma", "lambda"});
     setup = placing(settings, "", [&] { return completed(setup); });
     run.limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
                        settings.has("max-height") || settings.has("min-radius");

@@ -38,10 +38,6 @@ Fields fields_of(PaperRun& run) {
         {ga::whole("database.pairs", "20", 1, "Sobol pairs (H, gamma)").up_to(100000), layout.pairs},
         {ga::whole("database.phase-columns", "5", 1, "Sobol phase columns").up_to(1000),
          layout.phase_columns},
-        {ga::number("database.hurst-from", "0.5", ga::above_zero, 10, "lowest H"), layout.H_from},
-        {ga::number("database.hurst-to", "1.5", ga::above_zero, 10, "highest H"), layout.H_to},
-        {ga::number("database.gamma-from", "1.4", 1.01, 100, "lowest gamma"), layout.gamma_from},
-        {ga::number("database.gamma-to", "2", 1.01, 100, "highest gamma"), layout.gamma_to},
         {positive("database.A", "1", "amplitude A"), layout.A},
         {positive("database.lambda", "", "longest wave, mm [L]"), layout.lambda},
         {positive("database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"), layout.shortest},
@@ -126,6 +122,7 @@ std::vector<Setting> paper_settings() {
     PaperRun run;
     return joined({settings,
                    settings_of(fields_of(run)),
+                   settings_of(with_bounds({}, run.layout), "database."),
                    scan_settings("target."),
                    model_settings("model."),
                    {accuracy_setting("model.")}});
@@ -141,11 +138,8 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     run.layout.lambda = run.model.grid.length;
     run.layout.shortest = run.model.grid.spacing();
     take(settings, fields_of(run));
-    for (const std::string range : {"database.hurst-", "database.gamma-", "paper.sweep-"})
-        if (settings.number(range + "from") > settings.number(range + "to"))
-            settings.refuse(range + "to", settings.text(range + "to"),
-                            " is below the start of the range; give at least ",
-                            settings.text(range + "from"));
+    take(settings, with_bounds({}, run.layout), "database.");
+    expect_in_order(settings, {"database.hurst", "database.gamma", "paper.sweep"});
     if (settings.has("target.profile"))
         run.max_pressure = run.targets[0].target.last();
     run.p_bar = settings.number("paper.threshold") * run.max_pressure;

@@ -20,11 +20,9 @@ TEST_CASE("a query lists the nearest genomes with similarities that can be recom
     const Ended answer = done(folder, "database query g.db --target " + target +
                                           " --max-pressure 1.6e-4 --best 3 --out best.json");
     CHECK_THAT(answer.out, Catch::Contains("300 curves screened"));
-    const auto row = answer.out.find("\n   1 ");
-    REQUIRE(row != std::string::npos);
-    long genome = 0;
     double similarity = 0, worst = 0;
-    REQUIRE(std::sscanf(answer.out.c_str() + row, " 1 %ld %lf %lf", &genome, &similarity, &worst) == 3);
+    const char* row = std::strstr(answer.out.c_str(), "\n   1 ");
+    REQUIRE((row && std::sscanf(row, " 1 %*d %lf %lf", &similarity, &worst) == 2));
     rough::DesignSetup setup;
     setup.targets = {rough::read_target(target)};
     setup.max_pressure = 1.6e-4;
