@@ -1,6 +1,5 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"

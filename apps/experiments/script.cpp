@@ -79,7 +79,7 @@ Experiment features_experiment() {
                   {"features.starts", "6000", "maximum number of starts"},
                   {"features.held-out", "128", "starts of the held-out check"},
                   {"targets.files", "", "target curves (CSV), separated by commas"},
-                  pressure("targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
+                  max_pressure_setting("targets.", "1.6e-4")},
                  model_settings("model.")}),
             .files = {"features.csv", "waves.csv", "heldout.csv", "best"},
             .run = findings_of_script};
@@ -114,7 +114,7 @@ Experiment readings_experiment() {
                   .of({"off", "on"}),
               ga::whole("readings.databases", "20", 0, "databases with other phases, tried under our reading")
                   .up_to(1000),
-              pressure("readings.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
+              max_pressure_setting("readings.", "1.6e-4")},
              model_settings("model.")}),
         .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
         .run =

@@ -44,12 +44,6 @@ Setting resistivity_setting() {
         "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i");
 }
 
-Setting max_pressure_setting() {
-    return pressure("max-pressure", "",
-                    "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa "
-                    "[amplitude is a gene]");
-}
-
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
     rough::TargetScales scales{.nominal_area = model.grid.is_2d() ? model.grid.nominal_area() : 0};
     if (settings.has("resistivity")) // C = 2 K_i/(E* (rho1 + rho2))

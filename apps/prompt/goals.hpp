@@ -5,11 +5,8 @@
 
 namespace app {
 
-///@{
-/// --resistivity for conductance targets, --max-pressure of Eq. 11.
+/// --resistivity for conductance targets.
 Setting resistivity_setting();
-Setting max_pressure_setting();
-///@}
 
 /// Reads a target file for a model; a conductance with --resistivity. Throws rough::InputError if the file
 /// cannot be read, or if the model that it records differs.

@@ -145,6 +145,12 @@ Setting pressure(const std::string& name, const std::string& fallback, const std
     return ga::number(name, fallback, ga::above_zero, 1e100, meaning);
 }
 
+Setting max_pressure_setting(const std::string& prefix, const std::string& fallback) {
+    return pressure(prefix + "max-pressure", fallback,
+                    "mean pressure at the last load step, to which every genome is rescaled (Eq. 11), MPa" +
+                        std::string(fallback.empty() ? " [amplitude is a gene]" : ""));
+}
+
 std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix, const std::string& group) {
     std::vector<Setting> all;
     for (const Field& field : fields) {

@@ -38,6 +38,7 @@ Setting seed_setting();
 Setting threads_setting();
 Setting force_setting();
 Setting pictures_setting();
+Setting max_pressure_setting(const std::string& prefix = "", const std::string& fallback = "");
 ///@}
 /// A number above 0.
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning);

@@ -23,7 +23,7 @@ std::vector<Setting> compare_settings() {
         ga::whole("compare.curves", "1000", 1, "budget of a run on roughness: curves and gradients")
             .up_to(1e9),
         {"compare.target", "", "target curve (CSV) of roughness"},
-        pressure("compare.max-pressure", "", "p_max of Eq. 11 for roughness, MPa [amplitude is a gene]"),
+        max_pressure_setting("compare."),
         {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
         {"compare.quick", "", "few problems, 5 seeds and 1e3*D evaluations, unless these are given", true}};
     for (const auto& [kind, usual] : usual_contestants())

@@ -23,7 +23,7 @@ using rough::DominanceRule;
 Fields fields_of(PaperRun& run) {
     rough::DatabaseLayout& layout = run.layout;
     return {
-        {pressure("paper.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa"), run.max_pressure},
+        {max_pressure_setting("paper.", "1.6e-4"), run.max_pressure},
         {Setting(
              "paper.dominance", "pressure",
              "Algorithm 1 compares K at the same pressure, K at the same load step, or raw tangents by step")

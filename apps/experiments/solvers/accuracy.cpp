@@ -140,7 +140,7 @@ Experiment accuracy_experiment() {
               ga::whole("accuracy.design-budget", "1500", 10, "curves and gradients for the designed surface")
                   .up_to(1e9),
               {"targets.files", "", "target curve (CSV) of the design"},
-              pressure("targets.max-pressure", "1.6e-4", "p_max of Eq. 11, MPa")},
+              max_pressure_setting("targets.", "1.6e-4")},
              model_settings("model."),
              {accuracy_setting("model.")}}),
         .files = {"savings.csv", "medians.csv", "coverage.csv", "budget.csv"},

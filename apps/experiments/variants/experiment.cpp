@@ -158,7 +158,7 @@ std::vector<Setting> variants_settings() {
         ga::whole("experiment.budget", "3000", 1, "maximum number of curves and gradients of a run")
             .up_to(1e9),
         {"targets.files", "", "target curves (CSV), separated by commas"},
-        pressure("targets.max-pressure", "", "p_max of Eq. 11, MPa [amplitude is a gene]"),
+        max_pressure_setting("targets."),
         positive("targets.shortest-wave", "", "shortest wave, mm [8 node spacings]"),
         ga::whole("database.ridges", "", 1, "ridges of each chromosome [1; on a map 8 directions]").up_to(64),
         {"variants.*", "", "a named variant or a pipeline as text"},
