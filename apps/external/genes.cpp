@@ -26,8 +26,9 @@ std::size_t count_from(const std::string& word, const std::string& where, double
 
 Fields fields_of(OutsideSearch& search) {
     return {
-        {{"variant", "",
-          "ga, nsga2, for numbers bipop-cma-es, ipop-cma-es or lshade [ga; for several objectives nsga2]"},
+        {Setting("variant", "",
+                 "named pipeline, by default ga or, for several objectives, nsga2; others only for numbers")
+             .of(names_of(outside_variants({}, 1))),
          search.variant},
         {{"pipeline", "", "search by this text, with objectives f1, f2, ... (see rugosa operators)"},
          search.pipeline},

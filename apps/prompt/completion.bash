@@ -26,9 +26,11 @@ _rugosa() {
     done
     COMPREPLY=()
     case $previous in
-    --unit) COMPREPLY=($(compgen -W "m mm um nm A in" -- "$current")) ;;
-    --variant) [[ " ${command[*]} " == *" optimise "* ]] && COMPREPLY=($(compgen -W "ga nsga2 bipop-cma-es ipop-cma-es lshade" -- "$current")) || COMPREPLY=($(compgen -W "$(_rugosa_variants "${COMP_WORDS[0]}")" -- "$current")) ;;
-    --*) COMPREPLY=($(compgen -W "$(_rugosa_choices "$previous" "${command[@]}")" -- "$current")) ;;
+    --*)
+        word=$(_rugosa_choices "$previous" "${command[@]}")
+        [[ -z $word && $previous == --variant ]] && word=$(_rugosa_variants "${COMP_WORDS[0]}")
+        COMPREPLY=($(compgen -W "$word" -- "$current"))
+        ;;
     esac
     [ ${#COMPREPLY[@]} -gt 0 ] && return
     if [[ $current == -* ]]; then

@@ -95,7 +95,8 @@ Fields fields_of(ModelParameters& of) {
 Fields fields_of(rough::ScanOptions& options) {
     return {
         {{"unit", "",
-          "unit of a scan's columns without one in their header, e.g. um, or mm,um for x and heights [mm]"},
+          "unit of a scan's columns without one in their header, or mm,um for x and heights; one of " +
+              std::string(rough::known_lengths) + " [mm]"},
          options.unit},
         {positive("spacing", "", "distance of the points of a scan with one column, in the given unit")
              .several('x'),

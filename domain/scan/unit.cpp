@@ -16,8 +16,6 @@ struct KnownUnit {
     std::string_view spellings;
 };
 
-constexpr std::string_view known_lengths = "m, cm, mm, µm, nm, pm, Å, in, mil, µin";
-
 constexpr std::array<KnownUnit, 11> known_units{{
     {"m", 1e3, " m meter metre "},
     {"cm", 10, " cm centimeter centimetre "},

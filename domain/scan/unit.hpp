@@ -13,6 +13,9 @@ struct LengthUnit {
     double in_mm = 1; ///< > 0
 };
 
+/// The length units in words, for messages and help pages.
+constexpr std::string_view known_lengths = "m, cm, mm, um, nm, pm, A, in, mil, uin";
+
 /// The length unit that a word names ("µm", "um", "micron", "Å", "inch", "MM", …), in upper or lower case.
 std::optional<LengthUnit> length_unit(std::string_view word);
 

@@ -22,12 +22,15 @@ bool is_in(std::string_view list, std::string_view word);
 /// The trimmed parts of a text between its commas; none if the text is empty.
 std::vector<std::string> listed(const std::string& text);
 
-/// The member `name` of each row.
+/// The member `name` of each row, or the keys of a map.
 template <class Rows>
 std::vector<std::string> names_of(const Rows& rows) {
     std::vector<std::string> names;
     for (const auto& row : rows)
-        names.push_back(row.name);
+        if constexpr (requires { row.name; })
+            names.push_back(row.name);
+        else
+            names.push_back(row.first);
     return names;
 }
 

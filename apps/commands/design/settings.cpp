@@ -177,9 +177,7 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
                       settings.place("pipeline"));
     if (!settings.has("variant"))
         return settings.has("pipeline") ? settings.text("pipeline") : usual;
-    std::vector<std::string> names;
-    for (const auto& [name, text] : variants)
-        names.push_back(name);
+    const auto names = names_of(variants);
     return names[settings.one_of("variant", names)];
 }
 

@@ -157,9 +157,7 @@ void add_standing(Findings& found, const Group& group, const std::vector<json>& 
             beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
     }
     json& result = found.result["groups"][group.name];
-    std::vector<std::string> names;
-    for (const auto& [name, pipeline] : group.variants())
-        names.push_back(name);
+    auto names = names_of(group.variants());
     std::ranges::stable_sort(names, {}, [&](const std::string& name) {
         return result["variants"][name]["mean_rank"].get<double>();
     });

@@ -1,4 +1,5 @@
 #include "apps/experiments/compare/problems/problems.hpp"
+#include "domain/text/words.hpp"
 
 #include <map>
 #include <numbers>
@@ -130,12 +131,7 @@ const std::map<std::string, FrontProblem>& problems() {
 
 } // namespace
 
-std::vector<std::string> front_problems() {
-    std::vector<std::string> names;
-    for (const auto& [name, problem] : problems())
-        names.push_back(name);
-    return names;
-}
+std::vector<std::string> front_problems() { return rough::names_of(problems()); }
 
 RealInstance front_instance(const std::string& name) {
     const FrontProblem& problem = problems().at(name);
