@@ -55,10 +55,9 @@ void add_genome(py::module_& module) {
                                   "profile");
                 return as_python(rough::sample(genome, model_from(keywords).grid));
             },
-            "nodes"_a = 512, "length"_a = rough::standard_length, "kernel"_a = "free",
-            "Its heights at `nodes` nodes over `length` mm: a Profile, or a Surface if one of them is a "
-            "pair\n"
-            "along x and y.")
+            "nodes"_a = py::none(), "length"_a = py::none(), "kernel"_a = py::none(),
+            "Its heights at `nodes` nodes over `length` mm, by default as in contact(): a Profile, or a\n"
+            "Surface if one of them is a pair along x and y.")
         .def("__repr__", [](const Genome& genome) {
             std::size_t chromosomes = 0;
             for (const auto& series : genome.series)
