@@ -1,9 +1,10 @@
+#include "apps/commands/database.hpp"
+
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/prompt/model_settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/output.hpp"
-#include "domain/database/screen.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <cstdio>
@@ -25,20 +26,6 @@ Fields fields_of(rough::GenomeDistribution& law) {
     return with_bounds(std::move(fields), law, 1 + 1e-9); // the domain limits the number of waves
 }
 
-Fields fields_of(rough::BuildOptions& options) {
-    return {
-        {ga::whole("genomes", "100000", 1, "number of genomes in the file at the end").up_to(1e9),
-         options.genomes},
-        {ga::whole("first", "0", 0, "number of the first genome, for a part that is merged with others")
-             .up_to(1e12),
-         options.first},
-        {ga::whole("batch", "250", 1, "genomes stored at a time, which are lost if the program is killed")
-             .up_to(1e5),
-         options.batch},
-        {threads_setting(), options.threads},
-    };
-}
-
 const Setting file_setting{"file", "", "the database (may be given without the flag)"};
 
 std::filesystem::path given_file(const Settings& settings) {
@@ -48,7 +35,7 @@ std::filesystem::path given_file(const Settings& settings) {
 }
 
 /// The settings that decide the genomes and responses of a database.
-std::vector<Setting> set_up_settings() {
+std::vector<Setting> setup_settings() {
     rough::GenomeDistribution usual;
     return joined({settings_of(fields_of(usual)), model_settings()});
 }
@@ -57,28 +44,13 @@ bool any_given(const Settings& settings, const std::vector<Setting>& of) {
     return std::ranges::any_of(of, [&](const Setting& setting) { return settings.given(setting.name); });
 }
 
-/// The database for the set-up of the flags. An existing file keeps its set-up if no flag of one is given.
-rough::GenomeStore opened(const Settings& settings) {
-    const std::filesystem::path file = given_file(settings);
-    if (!any_given(settings, set_up_settings()) && rough::GenomeStore::begun(file))
-        return rough::GenomeStore::open(file);
-    rough::DatabaseSetup setup{model_from(settings), {}};
-    setup.law.lambda = setup.model.grid.length;
-    setup.law.shortest = 8 * setup.model.grid.spacing();
-    take(settings, fields_of(setup.law));
-    expect_in_order(settings, {"hurst", "gamma"});
-    rough::validate(setup.law);
-    respond(rough::drawn(setup.law, 0), setup.model); // throws before a file is made
-    return rough::GenomeStore::create(file, setup);
-}
-
 int database_build(const Settings& settings, const std::string&) {
     rough::BuildOptions options;
-    take(settings, fields_of(options));
+    take(settings, app::fields_of(options));
     if (!cluster::is_alone())
         options.computing = computing_on_ranks(options.threads);
 
-    rough::GenomeStore store = opened(settings);
+    rough::GenomeStore store = database_from(given_file(settings), settings);
     const Interrupt interrupt;
     Progress progress;
     const std::uint64_t before = store.stored();
@@ -98,14 +70,6 @@ int database_build(const Settings& settings, const std::string&) {
     return interrupt.requested() ? exit_interrupted : 0;
 }
 
-Command database_build_command() {
-    rough::BuildOptions usual;
-    return {"build",
-            joined({{file_setting}, settings_of(fields_of(usual)), set_up_settings()}),
-            database_build,
-            {"file"}};
-}
-
 int database_info(const Settings& settings, const std::string&) {
     const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
     const auto curves = store.curves();
@@ -117,8 +81,6 @@ int database_info(const Settings& settings, const std::string&) {
         std::cout << name << " " << value << "\n";
     return 0;
 }
-
-Command database_info_command() { return {"info", {file_setting}, database_info, {"file"}}; }
 
 int database_merge(const Settings& settings, const std::string&) {
     const Words names = settings.words("files");
@@ -136,29 +98,16 @@ int database_merge(const Settings& settings, const std::string&) {
     return 0;
 }
 
-Command database_merge_command() {
-    return {"merge",
-            {Setting("files", "", "the databases (may be given without the flag)").several('\n'),
-             {"out", "", "the file to write"},
-             force_setting()},
-            database_merge,
-            {"files"}};
-}
-
 int database_query(const Settings& settings, const std::string&) {
     if (!settings.has("target"))
         rough::refuse("--target: missing; name a target file");
     std::filesystem::path out;
     if (settings.has("out"))
         out = expect_writable(settings.text("out"), settings);
-    rough::DesignSetup setup;
-    settings.take("max-pressure", setup.max_pressure);
-    setup.targets = {rough::read_target(settings.text("target"))};
-
+    const std::vector targets{rough::read_target(settings.text("target"))};
     const ga::Stopwatch clock;
     const rough::GenomeStore store = rough::GenomeStore::open(given_file(settings));
-    // The stored curves are scaled to the model of the flags.
-    setup.model = any_given(settings, model_settings()) ? model_from(settings) : store.setup().model;
+    const rough::DesignSetup setup = query_from(settings, store, targets);
     const auto answers =
         stored_answers(store, setup, settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
     if (answers.empty())
@@ -178,29 +127,74 @@ int database_query(const Settings& settings, const std::string&) {
     return 0;
 }
 
-Command database_query_command() {
-    return {"query",
-            joined({{file_setting,
-                     {"target", "", "target file (CSV), as in rugosa design"},
-                     max_pressure_setting(),
-                     ga::whole("best", "10", 1, "how many genomes to name").up_to(10000),
-                     {"out", "", "genome file (JSON) to write the best one to"},
-                     force_setting(),
-                     threads_setting()},
-                    model_settings()}),
-            database_query,
-            {"file"}};
-}
-
 } // namespace
 
+Fields fields_of(rough::BuildOptions& options) {
+    return {
+        {ga::whole("genomes", std::to_string(options.genomes), 1, "number of genomes in the file at the end")
+             .up_to(1e9),
+         options.genomes},
+        {ga::whole("first", std::to_string(options.first), 0,
+                   "number of the first genome, for a part that is merged with others")
+             .up_to(1e12),
+         options.first},
+        {ga::whole("batch", std::to_string(options.batch), 1,
+                   "genomes stored at a time, which are lost if the program is killed")
+             .up_to(1e5),
+         options.batch},
+        {threads_setting(), options.threads},
+    };
+}
+
+std::vector<Setting> build_settings() {
+    rough::BuildOptions options;
+    return joined({settings_of(fields_of(options)), setup_settings()});
+}
+
+rough::GenomeStore database_from(const std::filesystem::path& file, const Settings& settings) {
+    if (!any_given(settings, setup_settings()) && rough::GenomeStore::begun(file))
+        return rough::GenomeStore::open(file);
+    rough::DatabaseSetup setup{model_from(settings), {}};
+    setup.law.lambda = setup.model.grid.length;
+    setup.law.shortest = 8 * setup.model.grid.spacing();
+    take(settings, fields_of(setup.law));
+    expect_in_order(settings, {"hurst", "gamma"});
+    rough::validate(setup.law);
+    respond(rough::drawn(setup.law, 0), setup.model); // throws before a file is made
+    return rough::GenomeStore::create(file, setup);
+}
+
+std::vector<Setting> query_settings() {
+    return joined({{max_pressure_setting(),
+                    ga::whole("best", "10", 1, "number of genomes to list").up_to(1e9), threads_setting()},
+                   model_settings()});
+}
+
+rough::DesignSetup query_from(const Settings& settings, const rough::GenomeStore& store,
+                              const std::vector<rough::Target>& targets) {
+    rough::DesignSetup setup;
+    setup.targets = targets;
+    settings.take("max-pressure", setup.max_pressure);
+    // The stored curves are scaled to the model of the settings.
+    setup.model = any_given(settings, model_settings()) ? model_from(settings) : store.setup().model;
+    return setup;
+}
+
 Command database_command() {
-    return {"database",
-            {},
-            {},
-            {},
-            {database_build_command(), database_info_command(), database_merge_command(),
-             database_query_command()}};
+    const Setting files = Setting("files", "", "the databases (may be given without the flag)").several('\n');
+    const std::vector<Command> parts{
+        {"build", joined({{file_setting}, build_settings()}), database_build, {"file"}},
+        {"info", {file_setting}, database_info, {"file"}},
+        {"merge", {files, {"out", "", "the file to write"}, force_setting()}, database_merge, {"files"}},
+        {"query",
+         joined({{file_setting,
+                  {"target", "", "target file (CSV), as in rugosa design"},
+                  {"out", "", "genome file (JSON) to write the best one to"},
+                  force_setting()},
+                 query_settings()}),
+         database_query,
+         {"file"}}};
+    return {"database", {}, {}, {}, parts};
 }
 
 } // namespace app

@@ -1,3 +1,5 @@
+#include "apps/commands/database.hpp"
+
 #include "apps/python/module/python.hpp"
 
 namespace rugosa::python {
@@ -9,48 +11,36 @@ namespace {
 
 std::vector<StoredAnswer> query(const GenomeStore& store,
                                 const std::variant<rough::Target, std::vector<rough::Target>>& targets,
-                                std::size_t best, std::optional<double> max_pressure, int threads,
-                                const py::kwargs& model) {
-    rough::DesignSetup setup;
-    setup.model = store.setup().model;
-    if (!model.empty()) {
-        Keywords keywords(model, "query");
-        setup.model = model_from(keywords);
-        keywords.expect_none_left();
-    }
+                                const py::object& best, py::kwargs given) {
+    given["best"] = best;
+    const app::Settings settings = Keywords(given, "query").only(app::query_settings());
     const auto* one = std::get_if<rough::Target>(&targets);
-    setup.targets = one ? std::vector{*one} : std::get<1>(targets);
-    setup.max_pressure = max_pressure;
     const py::gil_scoped_release unlocked;
-    return stored_answers(GenomeStore::open(store.file()), setup, best, threads); // another thread may build
+    const GenomeStore own = GenomeStore::open(store.file()); // another thread may build
+    return stored_answers(own, query_from(settings, own, one ? std::vector{*one} : std::get<1>(targets)),
+                          settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
 }
 
-void build_store(const GenomeStore& store, std::uint64_t genomes, int threads) {
-    Interruptible interrupt;
+GenomeStore create_store(const std::filesystem::path& file, const py::object& genomes, py::kwargs given) {
+    given["genomes"] = genomes;
+    const auto settings = Keywords(given, "Database.create").only(app::build_settings());
     rough::BuildOptions options;
-    options.genomes = genomes;
-    options.threads = threads;
+    app::take(settings, app::fields_of(options));
+    Interruptible interrupt;
     options.stop = &interrupt.stop();
-    {
+    GenomeStore store = [&] {
         const py::gil_scoped_release unlocked;
-        GenomeStore own = GenomeStore::open(store.file()); // other threads may read by `store`
-        build(own, options);
-    }
+        GenomeStore built = app::database_from(file, settings);
+        build(built, options);
+        return built;
+    }();
     interrupt.rethrow();
+    return store;
 }
 
-GenomeStore create_store(const std::filesystem::path& file, std::uint64_t genomes, int threads,
-                         const py::kwargs& model) {
-    Keywords keywords(model, "Database.create");
-    rough::DatabaseSetup setup;
-    setup.law.seed = keywords.take("seed", setup.law.seed);
-    setup.law.series = keywords.take("series", setup.law.series);
-    setup.model = model_from(keywords);
-    setup.law.shortest = keywords.take("shortest_wave", 8 * setup.model.grid.spacing());
-    keywords.expect_none_left();
-    GenomeStore store = GenomeStore::create(file, setup);
-    build_store(store, genomes, threads);
-    return store;
+/// Builds in a second store, as other threads may read by `store`.
+void build_store(const GenomeStore& store, const py::object& genomes, const py::kwargs& given) {
+    create_store(GenomeStore::open(store.file()).file(), genomes, given);
 }
 
 } // namespace
@@ -70,17 +60,17 @@ void add_database(py::module_& module) {
             "The genome with the amplitude that matches the targets best.");
     py::class_<GenomeStore>(module, "Database", "A file of genomes and their responses.")
         .def(py::init(&GenomeStore::open), "file"_a, "Opens an existing database.")
-        .def_static(
-            "create", &create_store, "file"_a, "genomes"_a = 1000, py::kw_only(), "threads"_a = 0,
-            "Makes a database of this many genomes, or adds missing ones. Takes the model keywords of\n"
-            "contact() for a Genome, and seed, series and shortest_wave (mm).")
-        .def("build", &build_store, "genomes"_a, py::kw_only(), "threads"_a = 0,
-             "Adds genomes until there are this many.")
-        .def("query", &query, "targets"_a, "best"_a = 10, py::kw_only(), "max_pressure"_a = py::none(),
-             "threads"_a = 0,
-             "The stored genomes nearest to a Target or a list of Targets, sorted by falling\n"
-             "similarity_worst. They are verified as designs are. Model keywords must be those of the\n"
-             "database, except length and modulus, to which it is scaled exactly.")
+        .def_static("create", &create_store, "file"_a, "genomes"_a = py::none(),
+                    documented("Makes a database. An existing one keeps its set-up if none is given.\n",
+                               app::build_settings())
+                        .c_str())
+        .def("build", &build_store, "genomes"_a, "Adds missing genomes. Keywords are those of create().")
+        .def("query", &query, "targets"_a, "best"_a = py::none(),
+             documented("The stored genomes nearest to a Target or a list of Targets, sorted by falling\n"
+                        "similarity_worst. They are verified as designs are. The model must be that of the\n"
+                        "database, except length and modulus, to which it is scaled exactly.\n",
+                        app::query_settings())
+                 .c_str())
         .def("genome", &GenomeStore::genome, "index"_a, "The genome as it is stored.")
         .def("__len__", &GenomeStore::stored);
 }

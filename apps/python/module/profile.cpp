@@ -82,18 +82,14 @@ std::vector<app::Setting> map_options() {
 }
 
 Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
-    Keywords keywords(options, "read");
-    app::Settings settings = keywords.settings(app::joined({{app::area_setting()}, map_options()}));
-    keywords.expect_none_left();
+    auto settings = Keywords(options, "read").only(app::joined({{app::area_setting()}, map_options()}));
     if (!settings.given("detrend"))
         settings = settings.with({{"detrend", "none"}});
     return {app::surface_from(settings.with({{"surface", file.string()}})).heights};
 }
 
 py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {
-    Keywords keywords(options, "read");
-    const app::Settings settings = keywords.settings(app::scan_settings());
-    keywords.expect_none_left();
+    const auto settings = Keywords(options, "read").only(app::scan_settings());
     rough::Source source = app::scan_from(file, settings, 0);
     return py::make_tuple(std::move(source.measured), std::move(source.account));
 }

@@ -57,6 +57,12 @@ class Keywords {
     /// flags.
     app::Settings settings(const std::vector<app::Setting>& known,
                            const std::vector<std::string>& except = {});
+    /// The keywords as by `settings` of a call that takes no others.
+    app::Settings only(const std::vector<app::Setting>& known) {
+        app::Settings all = settings(known);
+        expect_none_left();
+        return all;
+    }
     /// Throws TypeError that names a keyword that was not taken.
     void expect_none_left() const {
         if (!left_.empty())
