@@ -228,10 +228,6 @@ Setting accuracy_setting(const std::string& prefix, const std::string& against) 
                           " [none: no response is approximated]");
 }
 
-rough::Index nodes_from(const Settings& settings) {
-    return settings.has("nodes") ? settings.whole<rough::Index>("nodes") : 0;
-}
-
 rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
     ModelParameters given;
     given.model.grid = grid;
@@ -309,7 +305,9 @@ rough::Source scan_from(const std::filesystem::path& file, const Settings& setti
     return placing(settings, prefix, [&] { return rough::open_scan(file, options); });
 }
 
-rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan) {
+rough::Source source_from(const Settings& settings, const std::string& scan) {
+    rough::Index nodes = 0;
+    settings.take("nodes", nodes);
     if (!settings.has("genome"))
         return scan_from(settings.text(scan), settings, nodes);
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");

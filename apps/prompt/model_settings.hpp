@@ -43,9 +43,6 @@ Fields with_bounds(Fields fields, Bounds& of, double min_gamma = 1.001) {
 Setting accuracy_setting(const std::string& prefix = "",
                          const std::string& against = "the response of the whole model");
 
-/// --nodes; 0 if it is not given.
-rough::Index nodes_from(const Settings& settings);
-
 ///@{
 /// The complete model that the settings describe. Its grid is given, the default or that of a source;
 /// --nodes and --length may change it. Throws rough::InputError if the model has no solution.
@@ -71,9 +68,9 @@ rough::Resolution resolution_from(const Settings& settings);
 rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                         const std::string& prefix = "");
 
-/// Opens the file of --genome, or else of --`scan`. Throws rough::InputError if settings of a scan are given
-/// with a genome.
-rough::Source source_from(const Settings& settings, rough::Index nodes, const std::string& scan = "profile");
+/// Opens the file of --genome, or else of --`scan`, resampled to --nodes if they are given. Throws
+/// rough::InputError if settings of a scan are given with a genome.
+rough::Source source_from(const Settings& settings, const std::string& scan = "profile");
 
 /// --surface: a measured map.
 Setting area_setting();

@@ -183,9 +183,11 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
                   const Settings& settings, rough::DesignSetup& setup, rough::Resolution resolution) {
+    rough::Index nodes = 0;
+    if (!surface.is_2d())
+        settings.take("nodes", nodes);
     setup = like(setup, surface, model, name, rough::likeness_named(settings.text("quantity")),
-                 static_cast<rough::Index>(settings.number("points")),
-                 surface.is_2d() ? 0 : nodes_from(settings), resolution);
+                 static_cast<rough::Index>(settings.number("points")), nodes, resolution);
 }
 
 DesignRun design_from(const Settings& settings) { return design_from(settings, take_targets); }
