@@ -47,7 +47,7 @@ inline std::string missed_by(const rough::SearchRun& run) {
 /// The parts of a run that designs of every genome have.
 struct DesignRecord {
     ga::Stopwatch clock;
-    rough::Unreachable unreachable; ///< by exact tests
+    rough::Unreachable unreachable; ///< reasons and bound of the exact tests
     std::vector<StageRecord> stages;
     Summary summary;
     bool interrupted = false;
