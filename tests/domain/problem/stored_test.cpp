@@ -32,14 +32,65 @@ TEST_CASE("a stored set-up is read back to the bit, and unset values stay unset"
     CHECK(full.like->heights == setup.like->heights);
 }
 
-TEST_CASE("a set-up's description depends on every value that affects a result, not on file names") {
+TEST_CASE("a set-up's description depends on every number that affects a result, not on file names") {
     DesignSetup setup;
-    setup.targets = {Target{}};
-    DesignSetup renamed = setup, harder = setup, wider = setup;
-    renamed.targets[0].name = "elsewhere/target.csv";
-    harder.model.body.hardness = 1;
-    wider.model.grid.width = 1;
-    CHECK(description(renamed) == description(setup));
-    CHECK(description(harder) != description(setup));
-    CHECK(description(wider) != description(setup));
+    setup.targets = {Target{}}, setup.phases = PhaseReach(), setup.like = Profile();
+    setup.max_pressure = setup.threshold = setup.model.body.hardness = 1;
+    DesignSetup other = setup;
+    other.targets[0].name = "elsewhere/target.csv";
+    CHECK(description(other) == description(setup));
+    // A new member does not compile before it has a name here.
+    auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, similarity, ridges,
+           errors] = other;
+    auto& [grid, body, loading, contact, accuracy] = model;
+    auto& [nodes, length, periodic, from, rows, width] = grid;
+    auto& [kernel, modulus, datum, strip_width, hardness, layering] = body;
+    auto& [steps, reach, to_pressure, to_displacement, pressures] = loading;
+    auto& [solver, tolerance, states, memory_limit, threads, stop, spots] = contact;
+    auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
+    auto& [relative, absolute] = *phases;
+    auto& [shortest_wave, slope, height, radius] = limits;
+    auto& [noise, noise_length, tilt] = errors;
+    const auto affects = [&](auto& number) {
+        const auto before = std::exchange(number, number + 1);
+        CHECK(description(other) != description(setup));
+        number = before;
+    };
+    for (double* number : {&accuracy,
+                           &length,
+                           &from,
+                           &width,
+                           &modulus,
+                           &datum,
+                           &strip_width,
+                           &hardness,
+                           &reach,
+                           &to_pressure,
+                           &to_displacement,
+                           &tolerance,
+                           &memory_limit,
+                           &H_from,
+                           &H_to,
+                           &gamma_from,
+                           &gamma_to,
+                           &lambda_from,
+                           &lambda_to,
+                           &relative,
+                           &absolute,
+                           &shortest_wave,
+                           &slope,
+                           &height,
+                           &radius,
+                           &noise,
+                           &noise_length,
+                           &tilt,
+                           &similarity,
+                           &*max_pressure,
+                           &*threshold,
+                           &targets[0].weight,
+                           &like->spacing})
+        affects(*number);
+    affects(nodes), affects(rows), affects(steps), affects(ridges), affects(layering.poissons_ratio);
+    other.model.body.kernel = Kernel::periodic;
+    CHECK(description(other) != description(setup));
 }
