@@ -14,7 +14,7 @@ struct LengthUnit {
 };
 
 /// The length units in words, for messages and help pages.
-constexpr std::string_view known_lengths = "m, cm, mm, um, nm, pm, A, in, mil, uin";
+constexpr std::string_view known_lengths = "m, cm, mm, um, µm, nm, pm, A, Å, in, mil, uin";
 
 /// The length unit that a word names ("µm", "um", "micron", "Å", "inch", "MM", …), in upper or lower case.
 std::optional<LengthUnit> length_unit(std::string_view word);
