@@ -95,7 +95,8 @@ std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int 
     for (const auto& individual : hardest.members) {
         ContactScene scene = bred_scene(bred_name(individual.genome));
         if (scenes.size() < worst && std::ranges::none_of(scenes, [&](const ContactScene& other) {
-                return other.profile.heights == scene.profile.heights && other.pressures == scene.pressures;
+                return std::ranges::equal(other.profile.heights, scene.profile.heights) &&
+                       other.pressures == scene.pressures;
             }))
             scenes.push_back(std::move(scene));
     }
