@@ -76,7 +76,7 @@ int design(const Settings& settings, const std::string& line) {
         run.interrupted = interrupt.requested();
         run.response = response_of(run.setup, run.found.best);
         if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
-            run.unrequested_errors = errors_not_requested(run);
+            run.unrequested_errors = unrequested_errors(run);
         run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
         const auto record = [&](const std::filesystem::path& to) {
             run.summary = summary_of(run);

@@ -61,8 +61,8 @@ struct FigureScript {
     double seconds = 60;  ///< maximum time
 };
 
-/// The picture as an <svg> element whose colours are variables of the page, or the reason
-/// why it could not be drawn. Runs gnuplot without a shell, a start-up file or a file on the disk.
+/// The picture as an <svg> element whose colours are variables of the page, or the reason why it could not be
+/// drawn. Runs gnuplot without a shell, a start-up file or a file on the disk.
 std::string figure_svg(const FigureScript& figure);
 
 /// The picture as an SVG document with fixed colours. Throws rough::InputError if it cannot be drawn.

@@ -71,8 +71,7 @@ class Log {
             stream_.open(part_, position > 0 ? std::ios::app : std::ios::trunc);
             if (position == 0)
                 put("path,generation,individuals,best,median,diversity,requested,evaluations,gradients,"
-                    "failures,"
-                    "seconds\n");
+                    "failures,seconds\n");
         }
         put(text);
         stream_.flush();

@@ -22,8 +22,8 @@ struct Cross : Operator {
     double rate = 1; ///< probability for each pair, in [0, 1]
     static constexpr const char* needs = Method::needs;
     static Words words() {
-        const Words of_way = Method::words();
-        return {"cross " + of_way.name, "cross-over", of_way.meaning};
+        const Words of_method = Method::words();
+        return {"cross " + of_method.name, "cross-over", of_method.meaning};
     }
     static void describe(auto& self, auto visit) {
         Method::describe(self.method, visit);

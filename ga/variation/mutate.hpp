@@ -24,8 +24,9 @@ struct Mutate : Operator {
     Method method;   ///< method that changes a genome (Mutates)
     static constexpr const char* needs = Method::needs;
     static Words words() {
-        const Words of_way = Method::words();
-        return {"mutate" + (of_way.name.empty() ? "" : " " + of_way.name), "mutation", of_way.meaning};
+        const Words of_method = Method::words();
+        return {"mutate" + (of_method.name.empty() ? "" : " " + of_method.name), "mutation",
+                of_method.meaning};
     }
     static void describe(auto& self, auto visit) {
         visit(self.rate, number("rate", std::nullopt, 0, 1, "a gene's chance to mutate"));

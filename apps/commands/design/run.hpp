@@ -68,9 +68,8 @@ struct DesignRun : DesignRecord {
 
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
-    rough::DesignResponse response; ///< response of the answer
-    std::optional<Shares>
-        unrequested_errors; ///< see errors_not_requested(); nothing if the time did not suffice
+    rough::DesignResponse response;           ///< response of the answer
+    std::optional<Shares> unrequested_errors; ///< nothing if the time did not suffice
     std::vector<rough::Margin> margins;
     std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
     std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
@@ -171,7 +170,7 @@ bool is_found(const DesignRun& run);
 /// The summary of a run whose answer was found.
 Summary summary_of(const DesignRun& run);
 /// The quantities of a scan's response that were not requested, and how far the answer's are off at most.
-Shares errors_not_requested(const DesignRun& run);
+Shares unrequested_errors(const DesignRun& run);
 
 /// Writes result.json, and tolerance.csv if the tolerance is known.
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder);

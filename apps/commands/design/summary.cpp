@@ -50,9 +50,10 @@ bool is_verified(const DesignRun& run) {
     return !has_conditions(run) || (run.trust && run.trust->all_decided);
 }
 
-std::string verdict_of(const DesignRun& run, double verified, bool found) {
-    const double designed = run.found.best.similarity, required = run.setup.required_similarity;
-    const bool is_enough = verified >= required;
+std::string verdict_of(const DesignRun& run) {
+    const double designed = run.found.best.similarity, required = run.setup.required_similarity,
+                 verified = verified_of(run);
+    const bool is_enough = verified >= required, found = is_found(run);
     const std::string wanted = brief(required, 15) + " is required";
     std::string conditions = "on finer grids and in finer load steps", line;
     if (run.trust)
@@ -313,7 +314,7 @@ std::string obstacles(const DesignRun& run) {
 
 } // namespace
 
-Shares errors_not_requested(const DesignRun& run) {
+Shares unrequested_errors(const DesignRun& run) {
     Shares all;
     const auto& requested = run.setup.targets;
     if (!run.setup.like || !requested.front().against_pressure())
@@ -344,7 +345,7 @@ bool is_found(const DesignRun& run) {
 }
 
 Summary summary_of(const DesignRun& run) {
-    Summary summary{is_found(run), verified_of(run), verdict_of(run, verified_of(run), is_found(run)), {}};
+    Summary summary{is_found(run), verified_of(run), verdict_of(run), {}};
     summary.facts = {{"warning", "Warning", run.warning},
                      {"moved", "Change", run.morphed ? moved(*run.morphed) : ""},
                      {"matched", "Requested", matched(run)},

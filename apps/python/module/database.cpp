@@ -16,8 +16,9 @@ std::vector<StoredAnswer> query(const GenomeStore& store,
     const app::Settings settings = Keywords(given, "query").only(app::query_settings());
     const auto* one = std::get_if<rough::Target>(&targets);
     const py::gil_scoped_release unlocked;
-    const GenomeStore own = GenomeStore::open(store.file()); // another thread may build
-    return stored_answers(own, query_from(settings, own, one ? std::vector{*one} : std::get<1>(targets)),
+    const GenomeStore opened = GenomeStore::open(store.file()); // another thread may build
+    return stored_answers(opened,
+                          query_from(settings, opened, one ? std::vector{*one} : std::get<1>(targets)),
                           settings.whole<std::size_t>("best"), settings.whole<int>("threads"));
 }
 

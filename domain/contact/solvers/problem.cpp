@@ -122,9 +122,9 @@ ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node
     coarse.gap = gap(Eigen::seqN(first_x, coarse.shape.columns, stride),
                      Eigen::seqN(first_y, coarse.shape.rows, stride))
                      .reshaped();
-    if (problem.is_singular()) // equal shares of the approach of full contact
-        for (double& approach : coarse.approach)
-            approach *= coarse.gap.mean() / problem.gap.mean();
+    const double share = problem.is_singular() ? coarse.gap.mean() / problem.gap.mean() : 1;
+    for (double& approach : coarse.approach)
+        approach *= share;
     coarse.datum = problem.datum / ratio;
     coarse.strip_width = problem.strip_width / ratio;
     coarse.layering = in_units(problem.layering, ratio, 1);

@@ -48,7 +48,8 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body, const s
 /// Number of threads that is useful for a surface: 1 for lines and for maps of fewer than 128 x 128 nodes.
 int useful_threads(const Profile& profile, int threads);
 
-/// The problem on every `stride`-th node, along x and y, with `node` among them.
+/// The problem on every `stride`-th node, along x and y, with `node` among them. If is_singular(), approaches
+/// keep their share of that of full contact, which a grid of another length has elsewhere.
 ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node = 0);
 
 /// Pressures of full contact on a periodic body, less their mean: p = P + H^-1 Z.
