@@ -60,7 +60,8 @@ class Design(WithFolder):
         def fail(*_):
             raise ZeroDivisionError("mine")
 
-        self.assertRaises(ZeroDivisionError, rugosa.design, PRESSURE, STIFFNESS, pipeline=PIPELINE, progress=fail)
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=64, progress=fail)
 
     def test_a_2d_design_without_time_for_verification_has_no_lowest_similarity(self):
         design = rugosa.design(PRESSURE, STIFFNESS, nodes=(20, 20), seconds=1e-3)

@@ -56,41 +56,12 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
         CHECK(description(other) != description(setup));
         number = before;
     };
-    for (double* number : {&accuracy,
-                           &length,
-                           &from,
-                           &width,
-                           &modulus,
-                           &datum,
-                           &strip_width,
-                           &hardness,
-                           &reach,
-                           &to_pressure,
-                           &to_displacement,
-                           &tolerance,
-                           &memory_limit,
-                           &H_from,
-                           &H_to,
-                           &gamma_from,
-                           &gamma_to,
-                           &lambda_from,
-                           &lambda_to,
-                           &relative,
-                           &absolute,
-                           &shortest_wave,
-                           &slope,
-                           &height,
-                           &radius,
-                           &noise,
-                           &noise_length,
-                           &tilt,
-                           &similarity,
-                           &*max_pressure,
-                           &*threshold,
-                           &targets[0].weight,
-                           &like->spacing})
-        affects(*number);
-    affects(nodes), affects(rows), affects(steps), affects(ridges), affects(layering.poissons_ratio);
+    const auto each_affects = [&](auto&... numbers) { (affects(numbers), ...); };
+    each_affects(accuracy, length, from, width, modulus, datum, strip_width, hardness, reach, to_pressure,
+                 to_displacement, tolerance, memory_limit, H_from, H_to, gamma_from, gamma_to, lambda_from,
+                 lambda_to, relative, absolute, shortest_wave, slope, height, radius, noise, noise_length,
+                 tilt, similarity, *max_pressure, *threshold, targets[0].weight, like->spacing, nodes, rows,
+                 steps, ridges, layering.poissons_ratio);
     other.model.body.kernel = Kernel::periodic;
     CHECK(description(other) != description(setup));
 }
