@@ -86,10 +86,10 @@ CapStage round_stage(std::size_t evaluations) {
         const ga::Method rounding{
             "round", [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
         ga::Rounds<CapProblem>::run(
-            designs.size(), context.door(), [&](std::size_t i, ga::EvaluationQueue<CapProblem>& door) {
+            designs.size(), context.queue(), [&](std::size_t i, ga::EvaluationQueue<CapProblem>& queue) {
                 if (designs[i].fitness.has_failed())
                     return;
-                auto found = ga::Search<CapProblem>(problem, door, context.watch(), designs[i],
+                auto found = ga::Search<CapProblem>(problem, queue, context.watch(), designs[i],
                                                     problem.bounds(designs[i].genome), 1 << 20)
                                  .by(rounding, 0);
                 if (found)

@@ -101,9 +101,9 @@ struct Islands : Operator {
                     loops[i].states[path] = state;
         try {
             Rounds<P>::run(
-                n, context.door(),
-                [&](std::size_t i, EvaluationQueue<P>& door) {
-                    Context<P>& island = islands[i].emplace(context, door, i, n);
+                n, context.queue(),
+                [&](std::size_t i, EvaluationQueue<P>& queue) {
+                    Context<P>& island = islands[i].emplace(context, queue, i, n);
                     island.state.loops.push_back(&loops[i]);
                     Population<G>& population = frame.kept[i];
                     auto start = start_of_generation(population, body.reads_of_start());

@@ -186,7 +186,7 @@ struct Emit : Operator {
             EvaluationRequest<P> request;
             for (auto& slope : slopes)
                 request.slopes.push_back(&slope);
-            context.door().serve(request);
+            context.queue().serve(request);
             for (std::size_t i = 0; i < slopes.size(); ++i) {
                 if (slopes[i].sensitivity) {
                     const Eigen::VectorXd down =

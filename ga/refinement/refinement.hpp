@@ -20,10 +20,10 @@ class Search {
 
     /// Prepares a search. `moving` are the genes that move, `limit` is the maximum number of requests. The
     /// problem, the queue, the watch and the individual must outlive the search.
-    Search(const P& problem, EvaluationQueue<P>& door, const Watch& watch,
+    Search(const P& problem, EvaluationQueue<P>& queue, const Watch& watch,
            const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
-        : problem_(problem), door_(door), watch_(watch), individual_(individual), moving_(std::move(moving)),
-          limit_(limit), genes_(genes_of(problem, individual.genome)) {
+        : problem_(problem), queue_(queue), watch_(watch), individual_(individual),
+          moving_(std::move(moving)), limit_(limit), genes_(genes_of(problem, individual.genome)) {
         for (const Variable& variable : moving_) {
             if (variable.gene >= genes_.size())
                 throw UsageError("refine: gene " + std::to_string(variable.gene) +
@@ -90,7 +90,7 @@ class Search {
             return;
         ++asked_;
         try {
-            door_.serve(request);
+            queue_.serve(request);
         } catch (const Stopped&) {
             stopped_ = true;
         } catch (const NothingLeft&) { // here a failure like any other
@@ -145,7 +145,7 @@ class Search {
     }
 
     const P& problem_;
-    EvaluationQueue<P>& door_;
+    EvaluationQueue<P>& queue_;
     const Watch& watch_;
     const Individual<Genome>& individual_;
     std::vector<Variable> moving_;
@@ -198,7 +198,7 @@ struct Refine : Operator {
         const long left =
             std::max(0L, context.ledger().budget().evaluations - context.counters().requested - count);
         std::vector<std::optional<G>> found(jobs.size());
-        Rounds<P>::run(jobs.size(), context.door(), [&](std::size_t i, EvaluationQueue<P>& door) {
+        Rounds<P>::run(jobs.size(), context.queue(), [&](std::size_t i, EvaluationQueue<P>& queue) {
             const auto& individual = *jobs[i];
             const G& original = individual.origin ? *individual.origin : individual.genome;
             std::vector<Variable> moving;
@@ -210,7 +210,7 @@ struct Refine : Operator {
                           [](const Variable& variable) { return !(variable.lower < variable.upper); });
             const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
             found[i] =
-                Search<P>(context.problem(), door, context.watch(), individual, std::move(moving), limit)
+                Search<P>(context.problem(), queue, context.watch(), individual, std::move(moving), limit)
                     .by(method, context.stream(i)());
         });
         Population<G> answers;

@@ -23,17 +23,17 @@ class Context {
     [[gnu::cold]] Context(Ledger<P>& ledger, StagePosition<Genome> place, Identity next_identity,
                           std::size_t population_bytes, std::vector<Observer<Genome>> observers = {},
                           Checkpointer<P>* checkpointer = nullptr)
-        : position(std::move(place)), state(next_identity), ledger_(ledger), door_(ledger), root_(*this),
+        : position(std::move(place)), state(next_identity), ledger_(ledger), queue_(ledger), root_(*this),
           observers_(std::move(observers)), checkpointer_(checkpointer), population_bytes_(population_bytes) {
         for (const auto& objective : problem().objectives())
             names_.push_back(Name(objective.name));
     }
-    /// The context of island `lane` of `lanes`. Its requests go to the queue `door`, its new identities form
+    /// The context of island `lane` of `lanes`. Its requests go to `queue`, its new identities form
     /// a separate sequence, and observers see its events when the round is over.
-    [[gnu::cold]] Context(Context& parent, EvaluationQueue<P>& door, std::size_t lane, std::size_t lanes)
+    [[gnu::cold]] Context(Context& parent, EvaluationQueue<P>& queue, std::size_t lane, std::size_t lanes)
         : position(parent.position), state(parent.state.next_identity + lane * parent.state.identity_step,
                                            parent.state.identity_step * lanes),
-          ledger_(parent.ledger_), door_(door), root_(parent.root_),
+          ledger_(parent.ledger_), queue_(queue), root_(parent.root_),
           population_bytes_(parent.population_bytes_), names_(parent.names_) {
         state.earlier_seconds = parent.state.earlier_seconds;
         if (parent.observed())
@@ -45,7 +45,7 @@ class Context {
     /// A context for a problem that is derived from the parent's, with another ledger (run_derived).
     [[gnu::cold]] Context(Context& parent, Ledger<P>& ledger)
         : position(parent.position), state(parent.state.next_identity, parent.state.identity_step),
-          ledger_(ledger), door_(ledger), root_(*this), population_bytes_(parent.population_bytes_),
+          ledger_(ledger), queue_(ledger), root_(*this), population_bytes_(parent.population_bytes_),
           names_(parent.names_) {
         state.earlier_seconds = parent.seconds();
         if (parent.observed())
@@ -61,7 +61,7 @@ class Context {
 
     const P& problem() const { return ledger_.problem(); } ///< the problem that is solved
     Ledger<P>& ledger() { return ledger_; }                ///< memory, budget and counts
-    EvaluationQueue<P>& door() { return door_; }           ///< queue that makes evaluations
+    EvaluationQueue<P>& queue() { return queue_; }         ///< queue that makes evaluations
     const Watch& watch() const { return ledger_.watch(); } ///< watch of the time in this process
     Counters& counters() { return ledger_.counters; }      ///< evaluations spent so far
     /// Number of threads for work other than evaluations; 1 on an island. It does not affect a result.
@@ -303,7 +303,7 @@ class Context {
     /// throws Stopped.
     void serve(const Population<Genome>& population) {
         try {
-            door_.serve(request_);
+            queue_.serve(request_);
         } catch (const Stopped&) {
             state.in_hand = population;
             throw;
@@ -332,7 +332,7 @@ class Context {
     }
 
     Ledger<P>& ledger_;
-    EvaluationQueue<P>& door_;
+    EvaluationQueue<P>& queue_;
     Context& root_;
     std::vector<Observer<Genome>> observers_;
     Checkpointer<P>* checkpointer_ = nullptr;
