@@ -202,10 +202,10 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     const double lambda = L * random.uniform(1.2, 2.0);
     if (tips) // needs more waves than a series has
         return shaped_as(inverse.profile, harmonic_series(lambda, shortest, H), shortest);
+    const double second_lambda = lambda * random.uniform(0.6, 0.9),
+                 second_gamma = gamma * random.uniform(1.05, 1.2), second_H = H * random.uniform(0.8, 1.2);
     const std::vector<Series> series{drawn_series(setup, H, gamma, lambda),
-                                     drawn_series(setup, H * random.uniform(0.8, 1.2),
-                                                  gamma * random.uniform(1.05, 1.2),
-                                                  lambda * random.uniform(0.6, 0.9))};
+                                     drawn_series(setup, second_H, second_gamma, second_lambda)};
     return shaped_as(inverse.profile, series, shortest);
 }
 

@@ -83,8 +83,9 @@ Genome drawn_start(const DesignSetup& given, ga::Stream random) {
         return genome;
     }
     for (int s = 0; s < 2; ++s) {
-        Series series = drawn_series(setup, random.uniform(0.5, 1.5), random.uniform(1.4, 2.0),
-                                     setup.model.grid.length * (s == 0 ? 1 : random.uniform(0.6, 1.6)));
+        const double lambda = setup.model.grid.length * (s == 0 ? 1 : random.uniform(0.6, 1.6)),
+                     gamma = random.uniform(1.4, 2.0), H = random.uniform(0.5, 1.5);
+        Series series = drawn_series(setup, H, gamma, lambda);
         series.A = s == 0 ? 1 : std::exp(random.uniform(-1.5, 1.5));
         take(std::move(series));
     }
