@@ -93,6 +93,7 @@ Genome drawn_start(const DesignSetup& given, ga::Stream random) {
 }
 
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
+    constexpr double rounding = 1e-12; // a point beyond the curve by this share is at its end
     if (setup.max_pressure)
         return genome;
     const Target& target = setup.targets.front();
@@ -107,10 +108,11 @@ Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
     double best = lowest, nearest = std::numeric_limits<double>::infinity(), ratio = std::pow(2.0, 0.5);
     const auto consider = [&](double scale) {
         const Curve curve = curve_of(target.quantity, scaled(response, scale));
+        const double last = curve.to * (1 + rounding);
         double worst = 0; // points beyond the curve at this amplitude count as a misfit of 1
         for (Index k = 0; k < target.points(); ++k)
-            worst = std::max(worst,
-                             target.x[k] > curve.to ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
+            worst =
+                std::max(worst, target.x[k] > last ? 1 : std::abs(misfit(target, k, curve.at(target.x[k]))));
         if (worst < nearest)
             best = scale, nearest = worst;
     };

@@ -165,12 +165,14 @@ TEST_CASE("the amplitude that fits the curve of a genome is the genome's") {
     std::mt19937_64 random(19);
     DesignSetup setup = drawn_setup(64);
     setup.model.loading.steps = 40; // a fit has no fewer
-    for (int draw = 0; draw < 4; ++draw) {
+    for (int draw = 0; draw < 24; ++draw) {
         Genome genome = fitted_genome(random, setup);
         setup.targets = {
             target_like(sample(genome, setup.model.grid), setup.model, "itself", Quantity::stiffness, 10)};
         genome.scale = 3;
         CHECK(with_fitting_amplitude(setup, genome).series[0].A == Approx(genome.series[0].A).epsilon(1e-6));
+        if (draw >= 4)
+            continue;
         setup.targets[0].x.conservativeResize(1), setup.targets[0].y.conservativeResize(1);
         CHECK(similarity(setup, with_fitting_amplitude(setup, genome)) > 0.97); // one point is enough
     }
