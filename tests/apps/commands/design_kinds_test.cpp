@@ -73,7 +73,7 @@ TEST_CASE("the answers of all variants hold the limits on shape") {
     for (const std::string mode : {"", " --max-pressure 1.6e-4"})
         for (const std::string& variant : mode.empty() ? all : few) {
             const std::string words = "design --target '" RUGOSA_SOURCE
-                                      "/experiments/targets/drawn.csv' --nodes 128 "
+                                      "/experiments/targets/drawn.csv' --nodes 64 "
                                       "--pictures off --max-slope 6e-4 --max-height 2e-4 "
                                       "--min-radius 5 --shortest-wave 0.04 --force --variant " +
                                       variant + mode;
