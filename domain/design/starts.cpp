@@ -3,6 +3,7 @@
 #include "domain/design/inverse.hpp"
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/problem/response.hpp"
 #include "ga/base/parallel.hpp"
 
