@@ -19,7 +19,8 @@ namespace {
 /// Starts a program that leads a group. It runs only after announce(process): if this process is killed
 /// before, the child ends. Returns 0 or an error number.
 template <class Announce>
-int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int err, Announce announce) {
+int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int err,
+          const std::filesystem::path& folder, Announce announce) {
     std::vector<char*> pointers;
     for (std::string& word : words)
         pointers.push_back(word.data());
@@ -35,7 +36,7 @@ int spawn(pid_t& process, std::vector<std::string> words, int in, int out, int e
         setpgid(0, 0);
         close(start[1]);
         if (read(start[0], &begin, 1) == 1 && dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 &&
-            dup2(err, STDERR_FILENO) >= 0) {
+            dup2(err, STDERR_FILENO) >= 0 && (folder.empty() || chdir(folder.c_str()) == 0)) {
             std::signal(SIGPIPE, SIG_DFL);
             execvp(pointers.front(), pointers.data());
         }
@@ -76,7 +77,7 @@ void tell_supervisor(char sign, pid_t group) {
         pid_t process = 0;
         const bool starts =
             nothing >= 0 && pipe2(ends.data(), O_CLOEXEC) == 0 &&
-            spawn(process, {"/bin/sh", "-c", supervisor}, ends[0], nothing, nothing, [](pid_t) {}) == 0;
+            spawn(process, {"/bin/sh", "-c", supervisor}, ends[0], nothing, nothing, {}, [](pid_t) {}) == 0;
         close(nothing);
         if (!starts)
             return -1;
@@ -89,10 +90,11 @@ void tell_supervisor(char sign, pid_t group) {
 
 } // namespace
 
-int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err) {
+int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err,
+                  const std::filesystem::path& folder) {
     tell_supervisor('-', 0); // starts it
-    const int error =
-        spawn(process, std::move(words), in, out, err, [](pid_t group) { tell_supervisor('+', group); });
+    const int error = spawn(process, std::move(words), in, out, err, folder,
+                            [](pid_t group) { tell_supervisor('+', group); });
     if (error != 0 && process > 0)
         tell_supervisor('-', process);
     return error;

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <sys/types.h>
 #include <vector>
 
 namespace app {
 
-/// Starts a program without a shell, with these descriptors as its standard streams. It leads a process
-/// group, so that its children can be killed too, and SIGPIPE has the default action. A supervisor, another
-/// process, kills the group when this process has ended, even by SIGKILL. Returns 0 or an error number.
-int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err);
+/// Starts a program without a shell, with these descriptors as its standard streams, in `folder` ("": the
+/// current one). It leads a process group, so that its children can be killed too, and SIGPIPE has the
+/// default action. A supervisor, another process, kills the group when this process has ended, even by
+/// SIGKILL. Returns 0 or an error number.
+int start_process(pid_t& process, std::vector<std::string> words, int in, int out, int err,
+                  const std::filesystem::path& folder = {});
 
 /// Kills the group of a process, ended or not, e.g. by SIGTERM; the supervisor forgets it after SIGKILL.
 void end_group(pid_t process, int signal);

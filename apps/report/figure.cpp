@@ -63,10 +63,10 @@ std::string figure_document(const FigureScript& figure) {
     const File in = memory_file("tables = ARG1\narg = ARG2\nfigure = ARG3\n" + figure.style + figure.script),
                out = memory_file(), err = memory_file();
     pid_t child = 0;
-    if (start_process(
-            child,
-            {"gnuplot", "-d", "-c", "/dev/stdin", figure.tables, printable(figure.argument), figure.name},
-            fileno(in.get()), fileno(out.get()), fileno(err.get())) != 0)
+    if (start_process(child,
+                      {"gnuplot", "-d", "-c", "/dev/stdin", "./" + figure.prefix, printable(figure.argument),
+                       figure.name},
+                      fileno(in.get()), fileno(out.get()), fileno(err.get()), figure.folder) != 0)
         throw failure("it was not found; install the Debian package gnuplot-nox");
     int status = 0;
     if (!process_ended_within(figure.seconds, child, status)) {

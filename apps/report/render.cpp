@@ -107,7 +107,8 @@ FigureScript figure_script(const std::string& figure, const std::string& name, c
     const std::size_t colon = std::min(figure.find(':'), figure.size());
     return {.script = file_text(figure.substr(0, colon) + ".gp", rendering),
             .style = file_text("style.gp", rendering),
-            .tables = (source.folder / source.prefix).string(),
+            .folder = source.folder,
+            .prefix = source.prefix,
             .argument = figure.substr(std::min(colon + 1, figure.size())),
             .name = name,
             .seconds = rendering.seconds};

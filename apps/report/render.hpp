@@ -53,16 +53,18 @@ const std::map<std::string, std::string>& builtin_files();
 
 /// A picture to draw: a gnuplot script and its variables.
 struct FigureScript {
-    std::string script;   ///< begins with a comment line that describes the picture
-    std::string style;    ///< script that runs before it
-    std::string tables;   ///< its variable `tables`, the beginning of the tables' paths
-    std::string argument; ///< its variable `arg`
-    std::string name;     ///< beginning of the ids in the picture: letters and digits
-    double seconds = 60;  ///< maximum time
+    std::string script;                ///< begins with a comment line that describes the picture
+    std::string style;                 ///< script that runs before it
+    std::filesystem::path folder = {}; ///< folder of the tables, in which gnuplot runs; "": the current one
+    std::string prefix = {};           ///< beginning of the tables' names; `tables` is "./" before it
+    std::string argument;              ///< its variable `arg`
+    std::string name;                  ///< beginning of the ids in the picture: letters and digits
+    double seconds = 60;               ///< maximum time
 };
 
 /// The picture as an <svg> element whose colours are variables of the page, or the reason why it could not be
-/// drawn. Runs gnuplot without a shell, a start-up file or a file on the disk.
+/// drawn. Runs gnuplot without a shell, a start-up file or a file on the disk. A file name that begins with
+/// "./" is never a command or an option of gnuplot.
 std::string figure_svg(const FigureScript& figure);
 
 /// The picture as an SVG document with fixed colours. Throws rough::InputError if it cannot be drawn.

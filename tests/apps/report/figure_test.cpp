@@ -1,15 +1,17 @@
 #include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <chrono>
-#include <optional>
+#include <fstream>
 #include <thread>
 
 using namespace app;
+using tests::Environment;
 using tests::Folder;
 
 namespace {
@@ -18,31 +20,9 @@ FigureScript labelled(const std::string& label) {
     return {.script =
                 "# A < B\nset xlabel arg noenhanced\nplot [1:2] x with linespoints lc rgb blue title 'a'\n",
             .style = builtin_files().at("style.gp"),
-            .tables = {},
             .argument = label,
             .name = "figure1"};
 }
-
-/// An environment variable that is restored at the end.
-class Environment {
-  public:
-    Environment(const char* name, const std::string& value) : name_(name) {
-        if (const char* before = std::getenv(name))
-            before_ = before;
-        setenv(name, value.c_str(), 1);
-    }
-    ~Environment() {
-        if (before_)
-            setenv(name_, before_->c_str(), 1);
-        else
-            unsetenv(name_);
-    }
-    Environment(const Environment&) = delete;
-
-  private:
-    const char* name_;
-    std::optional<std::string> before_;
-};
 
 } // namespace
 
@@ -66,6 +46,40 @@ TEST_CASE("a label shows as its text, even with special characters of gnuplot") 
         CHECK_THAT(figure_svg(labelled(label)), Catch::Contains(">" + shown + "<"));
     }
     CHECK_FALSE(std::filesystem::exists(harm));
+}
+
+TEST_CASE("no name of a folder or a table is a command, an option or a format for a figure") {
+    const Folder folder;
+    const std::string harm = "touch \"$HARM\"; echo x ";
+    const Environment place("HARM", (folder / "harm").string());
+    for (const std::string& name :
+         {"<" + harm, "|" + harm, "`" + harm + "`", "$(" + harm + ")", "'; system('" + harm + "'); '",
+          std::string("-e system('touch harm')"), std::string("~\n%s%n{/Bold @m} \xff\xfe\"")}) {
+        INFO(name);
+        // A name of a folder cannot contain "/", so a command names no path.
+        const auto inside = folder / name;
+        std::filesystem::create_directory(inside);
+        for (const auto& [file, content] : builtin_files())
+            if (file.ends_with(".gp") && file != "style.gp")
+                for (const std::string& prefix : {std::string(), name + "."})
+                    figure_svg({.script = content,
+                                .style = builtin_files().at("style.gp"),
+                                .folder = inside,
+                                .prefix = prefix,
+                                .argument = name + " " + name,
+                                .name = "figure1"});
+        CHECK(std::filesystem::is_empty(inside));
+        std::ofstream(inside / (name + ".csv"))
+            << "pressure_MPa,contact_fraction,tangent_stiffness_MPa_per_mm\n1,0.1,3\n2,0.2,4\n";
+        CHECK_THAT(figure_svg({.script = builtin_files().at("contact-curve.gp"),
+                               .style = builtin_files().at("style.gp"),
+                               .folder = inside,
+                               .prefix = name + ".",
+                               .argument = "stiffness .csv",
+                               .name = "figure1"}),
+                   Catch::StartsWith("<svg"));
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / "harm"));
 }
 
 TEST_CASE("a picture needs no shell, temporary folder or gnuplot settings of the user") {
