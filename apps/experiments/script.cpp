@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <sstream>
 #include <sys/wait.h>
 
 /// Experiments that are Python scripts: experiments/KIND.py, built into the program.
@@ -17,6 +18,18 @@ namespace app {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Where Python looks for modules: a folder, then the absolute folders of PYTHONPATH. An empty or a relative
+/// one there would be found from the current folder, whose files nobody asked to run.
+std::string module_path(const std::filesystem::path& folder) {
+    std::string path = folder.string();
+    const char* const before = std::getenv("PYTHONPATH");
+    std::istringstream folders(before ? before : "");
+    for (std::string one; std::getline(folders, one, ':');)
+        if (one.starts_with('/'))
+            path += ":" + one;
+    return path;
+}
 
 /// Runs an experiment's script with the settings as JSON. The script writes result.json and tables.
 Findings findings_of_script(const Settings& settings, const Conditions& conditions) {
@@ -36,16 +49,13 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
     if (settings.knows("targets.files"))
         for (const auto& file : target_files(settings, "targets.files"))
             given["targets"].push_back(std::filesystem::absolute(file).string());
-    const char* const before = std::getenv("PYTHONPATH");
-    const std::string path =
-        (program.parent_path() / "python").string() + (before ? ":" + std::string(before) : "");
-    setenv("PYTHONPATH", path.c_str(), 1);
+    setenv("PYTHONPATH", module_path(program.parent_path() / "python").c_str(), 1);
     const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose);
     pid_t child = 0;
     if (!nothing || !errors ||
-        start_process(child,
-                      {"python3", "-c", builtin_files().at(kind + ".py"), rough::json_text(given, true)},
-                      fileno(nothing.get()), fileno(nothing.get()), fileno(errors.get())) != 0)
+        start_process(
+            child, {"python3", "-P", "-c", builtin_files().at(kind + ".py"), rough::json_text(given, true)},
+            fileno(nothing.get()), fileno(nothing.get()), fileno(errors.get())) != 0)
         rough::refuse(kind, ": python3 was not found; install the Debian package python3");
     conditions.progress.show(kind + ".py");
     int status = 0;

@@ -1,11 +1,16 @@
 #include "apps/report/csv.hpp"
 #include "tests/apps/results.hpp"
+#include "tests/environment.hpp"
 
 using namespace app::testing;
 using nlohmann::json;
 
 TEST_CASE("laws of contact area are designed by caps, verified, and shown side by side") {
     const Folder folder;
+    // No module of the current folder is imported, though PYTHONPATH names it.
+    for (const char* const name : {"csv.py", "json.py", "sitecustomize.py", "rugosa.py"})
+        folder.write(name, "open('harm', 'w'); raise SystemExit('a module of the current folder ran')\n");
+    const tests::Environment modules("PYTHONPATH", ":.");
     const json result = result_of(
         folder, "run " RUGOSA_SOURCE "/experiments/metainterfaces.ini --set targets.files=" RUGOSA_SOURCE
                 "/experiments/laws/power_0.8.csv," RUGOSA_SOURCE
@@ -22,4 +27,5 @@ TEST_CASE("laws of contact area are designed by caps, verified, and shown side b
     const std::string page = rough::read_whole(folder / "r" / "report.html");
     CHECK_THAT(page, Catch::Contains("power_0.8") && Catch::Contains("linear_too_long"));
     CHECK_THAT(page, Catch::Contains("<svg"));
+    CHECK_FALSE(std::filesystem::exists(folder / "harm"));
 }
