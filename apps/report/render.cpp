@@ -8,6 +8,7 @@
 #include "ga/base/stopwatch.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <deque>
 #include <kainjow/mustache.hpp>
 
@@ -24,6 +25,17 @@ constexpr char number_mark = '\x01';
 bool holds_objects(const json& value) {
     return value.is_object() && !value.empty() &&
            std::all_of(value.begin(), value.end(), [](const json& one) { return one.is_object(); });
+}
+
+/// Maximum number of values that a page shows of one key or table. Each takes up to a kilobyte.
+constexpr std::size_t max_shown = 150'000;
+
+std::size_t count_values(const json& value) {
+    std::size_t count = 1;
+    if (value.is_structured())
+        for (const json& one : value)
+            count += count_values(one);
+    return count;
 }
 
 /// Mustache's data of a value. An empty text and null are false. An object of objects stands a second time as
@@ -93,6 +105,8 @@ json table_json(const std::filesystem::path& file) {
 
 /// The text of a template or script: the user's if --templates has it, else the built-in one.
 std::string file_text(const std::string& name, const Rendering& rendering) {
+    if (!rendering.templates.empty() && !std::filesystem::is_directory(rendering.templates))
+        rough::refuse("--templates: '", rendering.templates.string(), "' is not a folder; name a folder");
     if (!rendering.templates.empty() && std::filesystem::exists(rendering.templates / name))
         return rough::read_whole(rendering.templates / name);
     const auto found = builtin_files().find(name);
@@ -114,6 +128,16 @@ FigureScript figure_script(const std::string& figure, const std::string& name, c
             .seconds = rendering.seconds};
 }
 
+/// The number in a filter of a tag, within a range.
+double argument_of(const std::string& filter, const std::string& argument, double from, double to) {
+    const auto number = number_in(argument);
+    if (!number || *number < from || *number > to)
+        rough::refuse("report: filter '", filter,
+                      "' of a template; use a filter of the reference, with a number",
+                      std::isinf(to) ? "" : " from 1 to 17");
+    return *number;
+}
+
 /// A path as an address of a link: characters that mean something else there are written by their numbers.
 std::string address(const std::string& path) {
     std::string text = path.find(':') < path.find('/') ? "./" : "";
@@ -132,8 +156,10 @@ std::string address(const std::string& path) {
 /// The values that a page's tags name.
 class Context : public kainjow::mustache::context<std::string> {
   public:
-    Context(const data& values, const PageSource& source, const Rendering& rendering)
-        : kainjow::mustache::context<std::string>(&values), source_(source), rendering_(rendering) {}
+    Context(const json& values, const PageSource& source, const Rendering& rendering)
+        : values_(values), source_(source), rendering_(rendering) {
+        push(&root_);
+    }
 
     const data* get(const std::string& name) const override {
         const std::size_t bar = name.find('|');
@@ -164,13 +190,28 @@ class Context : public kainjow::mustache::context<std::string> {
     }
 
     const data* get_partial(const std::string& name) const override {
+        if (++partials_ > max_partials)
+            rough::refuse(name, ".mustache: more than ", max_partials,
+                          " templates are included in one page; a template must not include itself");
         return kept(data(file_text(name + ".mustache", rendering_)));
     }
 
   private:
+    static constexpr int max_partials = 500; ///< a template that includes itself would exhaust the stack
+
     const data* kept(data value) const { return &made_.emplace_back(std::move(value)); }
+    /// A value in the open sections, or of the page. Those of the page become data when a tag names them.
     const data* plain(const std::string& key) const {
+        const std::string first = key.substr(0, key.find('.'));
+        if (!root_.get(first) && values_.is_object() && values_.contains(first))
+            root_.set(first, shown(values_.at(first), first));
         return kainjow::mustache::context<std::string>::get(key);
+    }
+    static data shown(const json& value, const std::string& name) {
+        if (count_values(value) > max_shown)
+            rough::refuse("report: ", name, " has more than ", max_shown,
+                          " values; show fewer in the template");
+        return mustache_data(value);
     }
 
     const data* table(const std::string& name) const {
@@ -178,7 +219,7 @@ class Context : public kainjow::mustache::context<std::string> {
             return known->second;
         const auto file = source_.folder / (source_.prefix + name + ".csv");
         return tables_[name] =
-                   std::filesystem::exists(file) ? kept(mustache_data(table_json(file))) : nullptr;
+                   std::filesystem::exists(file) ? kept(shown(table_json(file), name + ".csv")) : nullptr;
     }
 
     const data* figure(const std::string& name) const {
@@ -203,27 +244,34 @@ class Context : public kainjow::mustache::context<std::string> {
         const auto number = number_in(text);
         if (!number || (filter.empty() && text.front() != number_mark))
             return text;
-        const auto digits = [&](int usual) { return argument.empty() ? usual : std::stoi(argument); };
+        const auto digits = [&](int usual) {
+            return argument.empty() ? usual : static_cast<int>(argument_of(filter, argument, 1, 17));
+        };
         const auto in_unit = [&](const Unit& unit) {
             return readable(unit.factor * *number, digits(3)) + " " + unit.name;
         };
-        if (word == "above" || word == "below")
-            return word == "above" ? *number > std::stod(argument) : *number < std::stod(argument);
+        if (word == "above" || word == "below") {
+            const double limit = argument_of(filter, argument, -HUGE_VAL, HUGE_VAL);
+            return word == "above" ? *number > limit : *number < limit;
+        }
         if (word == "length")
             return in_unit(length_unit(*number));
         if (word == "pressure")
             return in_unit(pressure_unit(*number));
         if (word == "percent")
             return percent(*number, digits(3));
-        return word == "brief" ? brief(*number, digits(2))
-                               : readable(*number, word.empty() ? 3 : std::stoi(word));
+        if (word == "brief")
+            return brief(*number, digits(2));
+        return readable(*number, word.empty() ? 3 : static_cast<int>(argument_of(filter, word, 1, 17)));
     }
 
+    const json& values_;
+    mutable data root_{data::type::object};
     const PageSource& source_;
     const Rendering& rendering_;
     mutable std::deque<data> made_; ///< keeps addresses
     mutable std::map<std::string, const data*> tables_;
-    mutable int figures_ = 0;
+    mutable int figures_ = 0, partials_ = 0;
     ga::Stopwatch clock_;
 };
 
@@ -253,8 +301,7 @@ json sections_of(const std::string& body) {
 
 std::string render(const PageSource& source, const Rendering& rendering) {
     const std::string kind = source.values.value("kind", "");
-    const data values = mustache_data(source.values);
-    Context context(values, source, rendering);
+    Context context(source.values, source, rendering);
     const std::string body = rendered(kind + ".mustache", context, rendering);
     // The contents stand between the head of the page and its first section.
     const std::size_t title = body.find("<h1>"), first = std::min(body.find("<h2"), body.size());
@@ -266,8 +313,7 @@ std::string render(const PageSource& source, const Rendering& rendering) {
                          {"has_sections", !sections.empty()},
                          {"head", body.substr(0, first)},
                          {"body", body.substr(first)}};
-    const data parts = mustache_data(layout);
-    Context around(parts, source, rendering);
+    Context around(layout, source, rendering);
     return rendered("layout.mustache", around, rendering);
 }
 

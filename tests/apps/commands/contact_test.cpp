@@ -76,6 +76,9 @@ TEST_CASE("the page of a curve shows pressure and gap, links to the files and is
                              "href=\"a%20curve-slip.csv\"", "no --modulus or --material given"})
         CHECK_THAT(page, Catch::Contains(part));
     done(folder, "report 'a curve.json' --out again.html");
+    check_refused(rugosa("report 'a curve.json' --out again.html", folder.path()), "set --force");
+    check_refused(rugosa("report 'a curve.json' --out './a curve.json' --force", folder.path()),
+                  "is a result and would be overwritten");
     CHECK(rough::read_whole(folder / "again.html") == page);
     done(folder, "contact --genome 'one wave.json' --out b.csv --report page.html --force");
     std::filesystem::remove(folder / "b.csv");

@@ -63,8 +63,20 @@ TEST_CASE("a user's file replaces a built-in template or figure") {
     CHECK_THAT(page, Catch::Contains("[0.12 7][ ]") && Catch::Contains("20 x 18.52none") &&
                          Catch::Contains(">qz<") && Catch::Contains("</html>"));
     CHECK(page_of(source) == folder / "curve.html");
-    mine.write("profile.mustache", "{{#a}}");
-    CHECK_THROWS_AS(render(source, {.templates = mine.path()}), rough::InputError);
+    for (const auto& [text, problem] : {std::pair("{{#a}}", "profile.mustache"),
+                                        {"{{>profile}}", "must not include itself"},
+                                        {"{{height|brief:x}}", "brief:x"},
+                                        {"{{height|brief:99}}", "1 to 17"},
+                                        {"{{height|99}}", "99"},
+                                        {"{{height|wide}}", "wide"},
+                                        {"{{#height|above:}}a{{/height|above:}}", "above:"},
+                                        {"{{height|length:1e3}}", "length:1e3"}}) {
+        INFO(text);
+        source.values["height"] = 0.25;
+        mine.write("profile.mustache", text);
+        CHECK_THROWS_WITH(render(source, {.templates = mine.path()}), Catch::Contains(problem));
+    }
+    CHECK_THROWS_WITH(render(source, {.templates = mine / "none"}), Catch::Contains("is not a folder"));
 }
 
 TEST_CASE("a folder without a valid result is refused with the name of its file") {
