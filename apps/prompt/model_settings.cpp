@@ -22,6 +22,9 @@ struct ModelParameters {
     std::string material = {}, layers = {};
 };
 
+/// Maximum number of layers. The time to compute a body's compliance grows with their cube.
+constexpr std::size_t max_layers = 32;
+
 /// The layers that --layer describes, T or T:E:NU each, one after another.
 std::vector<rough::Layer> layers_from(const std::string& text, const std::string& place) {
     std::vector<rough::Layer> layers;
@@ -39,6 +42,8 @@ std::vector<rough::Layer> layers_from(const std::string& text, const std::string
             rough::refuse(place, ": \"", word, "\" has no modulus above 0; give T:E:NU");
         numbers.resize(3); // 0: that of the body
         layers.push_back({numbers[0], numbers[1], numbers[2]});
+        if (layers.size() > max_layers)
+            rough::refuse(place, ": more than ", max_layers, " layers given; give fewer");
     }
     return layers;
 }

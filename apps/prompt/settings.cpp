@@ -15,7 +15,7 @@ using rough::InputError;
 namespace {
 
 constexpr const char* too_many = "words too many";
-constexpr std::size_t max_ini_bytes = 1'000'000;
+constexpr std::size_t max_ini_bytes = 1'000'000, max_ini_name = 200; // each key is stored with its section
 
 po::options_description options_of(const std::vector<Setting>& known, const std::string& heading = "") {
     po::options_description options(heading);
@@ -70,6 +70,8 @@ Ini parsed_ini(const std::filesystem::path& file) {
             line.erase(0, 3);
         const std::string_view text = rough::trim(line);
         const std::string place = file.string() + ":" + std::to_string(number) + ": ";
+        if (text.substr(0, text.find('=')).size() > max_ini_name)
+            rough::refuse(place, "a name of more than ", max_ini_name, " characters; use a shorter one");
         std::istringstream one(section + "\n" + line);
         try {
             for (const auto& option : po::parse_config_file(one, po::options_description(), true).options) {

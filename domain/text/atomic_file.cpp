@@ -7,7 +7,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <map>
+#include <mutex>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 namespace rough {
 namespace {
@@ -54,7 +57,7 @@ mode_t mode_for(const std::filesystem::path& target) {
     return static_cast<mode_t>(0666 & ~mask);
 }
 
-constexpr std::size_t first_bytes = 4096;
+constexpr std::size_t first_bytes = 4096, max_pipe_bytes = 40'000'000;
 
 [[noreturn]] void refuse_size(const std::filesystem::path& path, std::size_t max) {
     throw InputError(path.string() + ": has more than " + std::to_string(max) +
@@ -105,14 +108,11 @@ void write_atomically(const std::filesystem::path& name, std::string_view conten
         fsync(opened.get());
 }
 
-std::string read_whole(const std::filesystem::path& path, std::size_t max,
-                       const std::function<void(std::string_view)>& expect) {
-    const Descriptor file(open(ga::held(path).c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat there {};
-    if (file.get() < 0 || fstat(file.get(), &there) != 0)
-        refuse_path(path, "read", errno);
-    if (S_ISDIR(there.st_mode))
-        throw InputError(path.string() + ": is a folder; give a file");
+namespace {
+
+/// The bytes of an open file that `there` describes.
+std::string read_open(const Descriptor& file, const struct stat& there, const std::filesystem::path& path,
+                      std::size_t max, const std::function<void(std::string_view)>& expect) {
     // Files of /proc and pipes do not state their size.
     const auto size = static_cast<std::size_t>(std::max<off_t>(there.st_size, 0));
     if (size > max)
@@ -137,6 +137,48 @@ std::string read_whole(const std::filesystem::path& path, std::size_t max,
             return bytes;
         }
     }
+}
+
+} // namespace
+
+std::string read_whole(const std::filesystem::path& path, std::size_t max,
+                       const std::function<void(std::string_view)>& expect) {
+    // A pipe can be read once. Its bytes are stored under its device and number for later calls.
+    static std::map<std::pair<dev_t, ino_t>, std::string> pipes;
+    static std::mutex one_at_a_time;
+    const auto status_of = [&](auto stat_at) {
+        struct stat there {};
+        if (stat_at(&there) != 0)
+            refuse_path(path, "read", errno);
+        if (S_ISDIR(there.st_mode))
+            throw InputError(path.string() + ": is a folder; give a file");
+        if ((S_ISCHR(there.st_mode) || S_ISBLK(there.st_mode)) && there.st_rdev != makedev(1, 3)) // /dev/null
+            throw InputError(path.string() + ": is a device; give a file or a pipe");
+        return there;
+    };
+    const std::filesystem::path name = ga::held(path);
+    // Opening a pipe that was read waits for another writer, so its status comes first.
+    const struct stat named = status_of([&](struct stat* there) { return stat(name.c_str(), there); });
+    if (!S_ISFIFO(named.st_mode)) {
+        const Descriptor file(open(name.c_str(), O_RDONLY | O_CLOEXEC));
+        if (file.get() < 0)
+            refuse_path(path, "read", errno);
+        const struct stat opened = status_of([&](struct stat* there) { return fstat(file.get(), there); });
+        return read_open(file, opened, path, max, expect);
+    }
+    const std::lock_guard lock(one_at_a_time);
+    const auto [known, is_new] = pipes.try_emplace({named.st_dev, named.st_ino});
+    if (is_new)
+        try {
+            const Descriptor file(open(name.c_str(), O_RDONLY | O_CLOEXEC));
+            if (file.get() < 0)
+                refuse_path(path, "read", errno);
+            known->second = read_open(file, named, path, std::min(max, max_pipe_bytes), expect);
+        } catch (...) {
+            pipes.erase(known);
+            throw;
+        }
+    return known->second;
 }
 
 } // namespace rough

@@ -21,7 +21,8 @@ std::filesystem::path without_links(std::filesystem::path path);
 /// Default maximum size of a file. A larger file is refused before it is read.
 constexpr std::size_t max_file_bytes = 400'000'000;
 
-/// The bytes of a file, at most `max`. Throws InputError with one line if it cannot be read or is larger.
+/// The bytes of a file, at most `max`. A pipe, of at most 40 MB, is read once; later calls return the same
+/// bytes. Throws InputError with one line on a device, and if the file cannot be read or is larger.
 /// `expect` is given the first 4096 bytes; it may throw before the remaining file is read.
 std::string read_whole(const std::filesystem::path& path, std::size_t max = max_file_bytes,
                        const std::function<void(std::string_view)>& expect = {});

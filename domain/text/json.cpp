@@ -12,9 +12,13 @@ std::string json_text(const nlohmann::json& value, bool one_line) {
 }
 
 nlohmann::json parsed_json(std::string_view text, const std::string& where) {
-    constexpr std::ptrdiff_t max_values = 3'000'000; // each takes 16 bytes or more
-    if (std::count(text.begin(), text.end(), ',') > max_values)
-        throw InputError(where + ": more than 3 million values; give fewer");
+    constexpr std::ptrdiff_t max_values = 3'000'000, nested = 3; // a value takes 16 bytes, nested ones more
+    std::ptrdiff_t values = 0;
+    for (const char c : text)
+        values += c == ',' ? 1 : c == '{' || c == '[' ? nested : 0;
+    if (values > max_values)
+        throw InputError(where +
+                         ": more than 3 million values, of which arrays and objects count as 4; give fewer");
     try {
         if (auto read = ga::bounded_json(text); !read.is_discarded())
             return read;

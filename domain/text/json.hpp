@@ -11,8 +11,8 @@ namespace rough {
 /// file names, become U+FFFD.
 std::string json_text(const nlohmann::json& value, bool one_line = false);
 
-/// The value of a JSON text whose brackets are at most 64 deep. Throws InputError that begins with `where` on
-/// any other text.
+/// The value of a JSON text whose brackets are at most 64 deep, and which has at most 3 million values (arrays
+/// and objects count as 4). Throws InputError that begins with `where` on any other text.
 nlohmann::json parsed_json(std::string_view text, const std::string& where);
 
 } // namespace rough

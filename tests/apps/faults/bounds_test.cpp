@@ -3,7 +3,10 @@
 #include "tests/domain/contact/maps.hpp"
 #include "tests/sanitized.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using app::testing::Folder;
@@ -50,6 +53,9 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
         fs::resize_file(folder / name, static_cast<std::uintmax_t>(bytes));
     }
     const std::string design = "design --target target.csv --nodes 64 --out o --pipeline ";
+    std::string layers;
+    for (int layer = 0; layer < 33; ++layer)
+        layers += " --layer 0.1";
     for (const auto& [words, named] : std::vector<std::pair<std::string, std::string>>{
              {"contact --profile small.txt --spacing 0.1 --out c.csv", "binary"},
              {"contact --profile large.txt --spacing 0.1 --out c.csv", "bytes"},
@@ -59,6 +65,10 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
              {"database info small.txt", "database"},
              {"database build x.db --ridges 1000 --series 16 --shortest-wave 1e-300", "genome law"},
              {design + "'sample 4 | score | islands 1e8 rounds=2 { score }'", "10000"},
+             {"design --target /dev/zero --out o", "is a device"},
+             {"contact --profile /dev/urandom --spacing 0.1 --out c.csv", "is a device"},
+             {"contact --profile small.txt --spacing 0.1 --kernel periodic --out c.csv" + layers,
+              "more than 32 layers"},
              {design + "'sample 1e10 | score'", "sample"}}) {
         const Spent refused = spent(words, folder.path());
         INFO(words << ": " << refused.err << refused.megabytes << " MB, " << refused.processor_seconds
@@ -131,6 +141,12 @@ TEST_CASE("reading takes at most 20 times the file or 200 MB, for every class of
          }},
         {"levels of JSON", genome, "deep", [&] { return times(15'000'000, "["); }},
         {"values of JSON", genome, "values", [&] { return "[" + times(7'000'000, "0,") + "0]"; }},
+        {"names in an .ini file", "run --out o ", "characters",
+         [&] { return "[" + times(100'000, "a") + "]\n" + times(12'000, "k=1\n"); }},
+        {"objects of a page", "report ", "values",
+         [&] { return R"({"kind":"chart","x":[)" + times(2'990'000, "{},") + "{}]}"; }},
+        {"values that a page shows", "report ", "model_scenes has more than",
+         [&] { return R"({"kind":"chart","model_scenes":[)" + times(2'000'000, "0,") + "0]}"; }},
         {"objects of JSON", genome, "twice",
          [&] {
              return R"({"series":[{"A":1,"H":1,"gamma":2,"lambda":1,"chromosomes":[)" +
@@ -147,6 +163,18 @@ TEST_CASE("reading takes at most 20 times the file or 200 MB, for every class of
         CHECK_THAT(refused.err, Catch::Contains(one.named));
         CHECK(refused.megabytes <= most);
     }
+}
+
+TEST_CASE("a target in a pipe is read once and used like a file") {
+    const Folder folder;
+    fs::copy_file(RUGOSA_SOURCE "/experiments/targets/drawn.csv", folder / "file");
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const auto [code, text, error, seconds] = app::testing::rugosa("target --check file", folder.path());
+    const auto piped =
+        app::testing::rugosa("target --check pipe", folder.path(), "(timeout 60 cat file > pipe &);");
+    CHECK(piped.code == code);
+    CHECK(piped.err == error);
+    CHECK(boost::replace_all_copy(piped.out, "pipe", "file") == text);
 }
 
 TEST_CASE("a program without memory or threads ends with one line and exit code 2", "[bounds]") {
