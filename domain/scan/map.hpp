@@ -1,7 +1,7 @@
 #pragma once
 
 #include "domain/profile/profile.hpp"
-#include "domain/scan/unit.hpp"
+#include "domain/text/unit.hpp"
 #include "domain/text/words.hpp"
 
 #include <filesystem>

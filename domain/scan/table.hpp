@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/scan/unit.hpp"
+#include "domain/text/unit.hpp"
 #include "domain/text/words.hpp"
 
 namespace rough {

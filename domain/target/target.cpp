@@ -1,7 +1,7 @@
 #include "domain/target/target.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/scan/unit.hpp"
+#include "domain/text/unit.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/words.hpp"
 

@@ -1,4 +1,4 @@
-#include "domain/scan/unit.hpp"
+#include "domain/text/unit.hpp"
 
 #include "domain/errors.hpp"
 #include "domain/text/words.hpp"
