@@ -3,9 +3,9 @@
 #include "apps/prompt/terminal.hpp"
 #include "domain/errors.hpp"
 #include "domain/numerics/vector_loops.hpp"
+#include "ga/base/bounded_json.hpp"
 #include "ga/base/parallel.hpp"
 #include "ga/base/stopwatch.hpp"
-#include "ga/checkpoint/bounded_json.hpp"
 
 #include <algorithm>
 #include <cmath>

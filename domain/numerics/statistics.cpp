@@ -1,10 +1,10 @@
 #include "domain/numerics/statistics.hpp"
 
 #include "ga/base/random.hpp"
-#include "ga/problem/comparison.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 
+#include <algorithm>
 #include <numeric>
 
 namespace rough {
@@ -121,7 +121,10 @@ double squares(const std::vector<double>& values) {
 } // namespace
 
 std::vector<std::size_t> ascending(const std::vector<double>& values) {
-    return ga::in_order(values.size(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
+    return order;
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ga/base/bounded_json.hpp"
 #include "ga/base/held_folder.hpp"
-#include "ga/checkpoint/bounded_json.hpp"
 #include "ga/pipeline/run.hpp"
 
 #include <bit>
