@@ -201,7 +201,8 @@ Pressed pressed(const Settings& settings) {
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
-    rough::AccountedResponse result = respond_within(source, model);
+    rough::AccountedResponse result =
+        source.genome ? respond_within(*source.genome, model) : respond_within(source.on(model.grid), model);
     model.contact.tolerance = result.account.tolerance;
     rough::Profile profile = source.on(model.grid);
     const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();

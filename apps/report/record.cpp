@@ -3,7 +3,7 @@
 #include "domain/numerics/vector_loops.hpp"
 
 namespace rough {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ChromosomePlace, series, n, wave_length_mm, amplitude_mm)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlacedWave, series, n, wave_length_mm, amplitude_mm)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Account, resolved_nodes, grids, tolerance, seconds, estimated_error,
                                    grid_error, step_error, solver_error, area_error, tangent_error, by_line,
                                    line_error, aspect_ratio)

@@ -59,41 +59,6 @@ double fill_gap(std::vector<LoadStep>& steps, const std::vector<double>& displac
 
 } // namespace
 
-std::vector<ChromosomePlace> places(const Genome& genome) {
-    std::vector<ChromosomePlace> all;
-    for (std::size_t s = 0; s < genome.series.size(); ++s)
-        for (const Chromosome& chromosome : genome.series[s].chromosomes)
-            all.push_back({s, chromosome.n, wave_length(genome.series[s], chromosome.n),
-                           std::abs(genome.scale * wave(genome.series[s], chromosome).amplitude)});
-    return all;
-}
-
-Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest) {
-    std::vector<ChromosomePlace> order = places(genome);
-    std::ranges::stable_sort(order, {}, &ChromosomePlace::wave_length_mm);
-    Selection best{genome, places(genome)};
-    double amplitude = 0;
-    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-        amplitude += order[k].amplitude_mm;
-        if (amplitude > 2 * widest) // hopeless: the window is about twice the amplitudes' sum
-            break;
-        const double shortest = order[k + 1].wave_length_mm;
-        if (shortest == order[k].wave_length_mm) // waves of equal length stay or go together
-            continue;
-        const auto stays = [&](std::size_t s, std::size_t c) {
-            return wave_length(genome.series[s], genome.series[s].chromosomes[c].n) >= shortest;
-        };
-        Profile reduced = whole;
-        reduced.heights -= sample(filtered(genome, std::not_fn(stays)), grid).heights;
-        const Window window = window_between(whole, reduced);
-        if (window.width() <= widest) {
-            const auto cut = order.begin() + static_cast<std::ptrdiff_t>(k) + 1;
-            best = {filtered(genome, stays), {cut, order.end()}, {order.begin(), cut}, window};
-        }
-    }
-    return best;
-}
-
 LineOfMap line_of_map(const Profile& map) {
     if (!map.is_2d())
         refuse("line of a map: the surface is a line; give a map");

@@ -1,36 +1,11 @@
 #pragma once
 
 #include "domain/accuracy/error_bounds.hpp"
-#include "domain/mwm/sampling.hpp"
 
 /// @file
-/// Reduced models: a genome without its shortest waves, one line in place of a map, and interpolated load
-/// steps.
+/// Reduced models: one line in place of a map, and interpolated load steps.
 
 namespace rough {
-
-/// A chromosome and its place in its genome.
-struct ChromosomePlace {
-    std::size_t series;    ///< index of its series in the genome
-    int n;                 ///< Chromosome::n, its place in this series
-    double wave_length_mm; ///< wavelength lambda_n
-    double amplitude_mm;   ///< amplitude |R_n G_n| of its cosine (waves.hpp)
-};
-
-/// All chromosomes of a genome, in order.
-std::vector<ChromosomePlace> places(const Genome& genome);
-
-/// The chromosomes to model, and the window (error_bounds.hpp) due to the omitted ones.
-struct Selection {
-    Genome genome;                             ///< genome with only the modelled chromosomes
-    std::vector<ChromosomePlace> used;         ///< modelled chromosomes; places in the whole genome
-    std::vector<ChromosomePlace> dropped = {}; ///< omitted chromosomes; places in the whole genome
-    Window window = {};                        ///< window, mm; its width is 0 if none is omitted
-};
-
-/// Omits the shortest waves, which need the finest grids, as long as the window on `grid` is at most `widest`
-/// (mm) wide. `whole` is the genome's profile on `grid`.
-Selection without_short_waves(const Genome& genome, const Grid& grid, const Profile& whole, double widest);
 
 /// One line in place of a map: the mean of its rows or of its columns, whichever has the narrower window.
 struct LineOfMap {

@@ -13,7 +13,7 @@ namespace {
 constexpr double step_share = 0.25, solver_share = 0.05;
 /// Range of the solvers' tolerances.
 constexpr double min_tolerance = 1e-10, max_tolerance = 0.01;
-/// Widest window of omitted chromosomes, as a share of load step times accuracy. A secant's bound is then
+/// Widest window of omitted waves, as a share of load step times accuracy. A secant's bound is then
 /// about a fifth of the accuracy.
 constexpr double window_share = 1.0 / 16;
 /// Elements of the coarsest grid per shortest wave; fewer do not show the profile.
@@ -119,26 +119,26 @@ class Question {
         account_.tolerance = model_.contact.tolerance;
     }
 
-    /// Widest window of omitted chromosomes that is worth a try, mm.
+    /// Widest window of omitted waves that is worth a try, mm.
     double widest_window() const { return window_share * accuracy_ * rows_.front(); }
 
-    /// Answers from coarser grids of a genome, which may lack short waves. The first rows, with slight
-    /// contact, come from the resolved grid: coarse grids are least accurate there, and fine ones cheap.
-    /// False if that does not pay.
-    bool by_coarser_grids(const Genome& genome, const Window& window) {
+    /// Answers from coarser grids. The first rows, with slight contact, come from the resolved grid: coarse
+    /// grids are least accurate there, and fine ones cheap. False if that does not pay.
+    bool by_coarser_grids(const SumOfWaves& surface) {
         if (!pressed_.steps.empty())
             return false;
-        const double waves = model_.grid.length / shortest_wave(genome);
+        const Window& window = surface.window;
+        const double waves = model_.grid.length /
+                             std::ranges::min(surface.used, {}, &PlacedWave::wave_length_mm).wave_length_mm;
         const double first = std::max<double>(min_elements, first_elements_per_wave * waves);
         const double finest = finest_share * resolved_nodes();
         if (first * std::pow(grid_ratio, min_grids_in_line - 2) >= finest) // no room for a line
             return false;
-        const double highest = (window.width() > 0 ? sample(genome, model_.grid) : whole_).heights.maxCoeff();
+        const double highest = (window.width() > 0 ? surface.on(model_.grid) : whole_).heights.maxCoeff();
         Ladder ladder;
         for (double next = first; next < grid_ratio * finest; next *= grid_ratio) {
             const Index elements = fast_fourier_length(std::lround(std::min(next, finest)));
-            const std::optional<LoadRows> rows =
-                rows_on(cells(model_.grid, elements), genome, highest, window);
+            const std::optional<LoadRows> rows = rows_on(cells(model_.grid, elements), surface, highest);
             if (!rows)
                 continue;
             const Response response = response_of(*rows);
@@ -280,9 +280,9 @@ class Question {
     /// The rows on a grid, in the middle of the window, at displacements from the resolved profile's highest
     /// node. An open window needs one more row, beyond the last. Nothing if the grid's profile is in full
     /// contact before the last row.
-    std::optional<LoadRows> rows_on(const Grid& grid, const Genome& genome, double highest,
-                                    const Window& window) const {
-        const Profile profile = sample(genome, grid);
+    std::optional<LoadRows> rows_on(const Grid& grid, const SumOfWaves& surface, double highest) const {
+        const Window& window = surface.window;
+        const Profile profile = surface.on(grid);
         std::vector<double> at = rows_;
         if (window.width() > 0 && !grid.periodic)
             at.push_back(rows_.back() + window.width());
@@ -363,47 +363,25 @@ std::optional<AccountedResponse> respond_by_line(const Profile& map, const Model
     return result;
 }
 
-void expect_waves(const Genome& genome, const Profile& profile) {
-    if (is_flat(profile, genome))
-        refuse("profile: all heights are equal at its ", profile.nodes(),
-               " nodes; use waves that this grid can show");
-}
-
 } // namespace
 
-Grid resolved_grid(const Genome& genome, double length, bool periodic) {
-    const double elements =
-        std::clamp(std::ceil(64 * length / shortest_wave(genome) - 1e-9), 4096.0, 1048576.0);
-    return {static_cast<Index>(elements) + (periodic ? 0 : 1), length, periodic};
-}
-
-Response respond(const Genome& genome, const Model& given) {
-    const Model model = completed(given);
-    if (model.accuracy > 0)
-        return respond_within(genome, model).response;
-    const Profile profile = sample(genome, model.grid);
-    expect_waves(genome, profile);
-    return respond(profile, model.body, model.loading, model.contact);
-}
-
-AccountedResponse respond_within(const Genome& genome, const Model& resolved) {
-    const Profile whole = sample(genome, completed(resolved).grid);
-    Question question(whole, resolved);
-    expect_waves(genome, whole);
-    const bool exact = resolved.accuracy == 0;
-    Selection selection = exact ? Selection{genome, places(genome)}
-                                : without_short_waves(genome, resolved.grid, whole, question.widest_window());
-    bool answered = !exact && question.by_coarser_grids(selection.genome, selection.window);
-    if (!answered && !selection.dropped.empty()) {
-        selection = {genome, places(genome)};
-        answered = question.by_coarser_grids(genome, {});
+AccountedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
+                                 const std::function<SumOfWaves(double widest)>& without_short_waves,
+                                 const Model& model) {
+    Question question(whole, model);
+    const bool exact = model.accuracy == 0;
+    SumOfWaves answering = exact ? surface : without_short_waves(question.widest_window());
+    bool answered = !exact && question.by_coarser_grids(answering);
+    if (!answered && !answering.dropped.empty()) {
+        answering = surface;
+        answered = question.by_coarser_grids(answering);
     }
     if (!answered)
         question.by_resolved_grid(exact ? 0 : miscounted);
     AccountedResponse result = question.answer();
-    result.account.used = selection.used;
-    result.account.dropped = selection.dropped;
-    result.account.window = selection.window;
+    result.account.used = answering.used;
+    result.account.dropped = answering.dropped;
+    result.account.window = answering.window;
     return result;
 }
 
@@ -426,11 +404,6 @@ AccountedResponse respond_within(const Profile& scan, const Model& given) {
         result.account.aspect_ratio = texture(scan, true).Str;
     result.account.seconds = clock.seconds();
     return result;
-}
-
-AccountedResponse respond_within(const Source& source, const Model& model) {
-    return source.genome ? respond_within(*source.genome, model)
-                         : respond_within(source.on(model.grid), model);
 }
 
 } // namespace rough

@@ -1,9 +1,26 @@
 #pragma once
 
 #include "domain/accuracy/reduced.hpp"
-#include "domain/scan/scan.hpp"
+
+#include <functional>
 
 namespace rough {
+
+/// A wave of a surface that is a sum of waves, and its place in this sum.
+struct PlacedWave {
+    std::size_t series;    ///< index of its series
+    int n;                 ///< place in the series, from 1
+    double wave_length_mm; ///< wavelength
+    double amplitude_mm;   ///< amplitude
+};
+
+/// A surface that is a sum of waves, or only its longer ones.
+struct SumOfWaves {
+    std::function<Profile(const Grid&)> on; ///< samples it on a grid
+    std::vector<PlacedWave> used;           ///< waves of the sum
+    std::vector<PlacedWave> dropped = {};   ///< waves of the surface that were omitted
+    Window window = {}; ///< window due to the omitted waves, mm; without any its width is 0
+};
 
 /// A report on how a curve was computed, and on its possible errors. A row is a load step. Errors are
 /// relative to the pressures and secant stiffnesses of the resolved curve, and are the largest over all rows.
@@ -17,16 +34,16 @@ struct Account {
     int solved_rows = 0;               ///< load steps solved on the last grid
     int resolved_rows = 0;             ///< load steps taken from the resolved grid: the first ones, or all
     int light_rows = 0;                ///< first load steps whose errors are relative to the last pressure
-    std::vector<ChromosomePlace> used; ///< modelled chromosomes; empty for a measured profile
-    std::vector<ChromosomePlace> dropped; ///< omitted chromosomes; empty for a measured profile
-    Window window;                        ///< window due to the omitted chromosomes, mm
-    Solver solver = Solver::automatic;    ///< solver on the last grid
-    double tolerance = 0;                 ///< tolerance of an iterative solver
-    double estimated_error = 0;           ///< error from all sources together
-    double grid_error = 0;                ///< estimated error due to the grid
-    double step_error = 0;                ///< bound of the error due to interpolated load steps
-    double dropped_error = 0;             ///< bound of the error due to omitted chromosomes
-    double solver_error = 0;              ///< bound of the error due to the solver's tolerance
+    std::vector<PlacedWave> used;      ///< modelled waves; empty for a measured profile
+    std::vector<PlacedWave> dropped;   ///< omitted waves; empty for a measured profile
+    Window window;                     ///< window due to the omitted waves, mm
+    Solver solver = Solver::automatic; ///< solver on the last grid
+    double tolerance = 0;              ///< tolerance of an iterative solver
+    double estimated_error = 0;        ///< error from all sources together
+    double grid_error = 0;             ///< estimated error due to the grid
+    double step_error = 0;             ///< bound of the error due to interpolated load steps
+    double dropped_error = 0;          ///< bound of the error due to omitted waves
+    double solver_error = 0;           ///< bound of the error due to the solver's tolerance
     /// Largest relative error of the contact fraction; infinite or NaN if it is not bounded. It is not part
     /// of `estimated_error`. For an exact solution on the nodes of a scan it is a bound. Otherwise it is an
     /// estimate of the difference from the resolved grid and from a far finer grid (README.md).
@@ -54,25 +71,20 @@ struct AccountedResponse {
         last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
-/// A genome's response within the model's accuracy. Throws InputError if all heights at the grid's nodes are
-/// equal, e.g. because the wavelength is the node spacing.
-Response respond(const Genome& genome, const Model& model = {});
-/// The grid that counts as resolved for a genome: 64 elements per shortest wavelength, at least 4096 and at
-/// most 2^20.
-Grid resolved_grid(const Genome& genome, double length, bool periodic);
-
-/// A genome's response within model.accuracy (relative, 0 to 1) of the response on the model's grid, at the
-/// displacements of that grid's profile. Chooses chromosomes, grids, rows and the solver's tolerance, which
-/// is never above the given one. It solves the model as given if `accuracy` is 0 or no cheaper choice is
-/// accurate enough. Throws InputError on an accuracy out of range, and on an accuracy with a hardness or
-/// layers. Also throws what respond() throws.
-AccountedResponse respond_within(const Genome& genome, const Model& model);
 /// A measured profile's response within model.accuracy, always on the profile's nodes (README.md). With an
 /// accuracy above 0 fewer load steps are solved, and the solver's tolerance is larger. Exact bounds limit
 /// both errors. A line gives the curve of a periodic map if the bound of its error is small enough
 /// (reduced.hpp). Otherwise all load steps of a map are solved.
 AccountedResponse respond_within(const Profile& scan, const Model& model);
-/// The response of a file's genome or scan.
-AccountedResponse respond_within(const Source& source, const Model& model);
+/// The response of a sum of waves within model.accuracy (relative, 0 to 1) of the response on the model's
+/// grid, at the displacements of that grid's profile. `whole` is the surface on this grid. Chooses waves,
+/// grids, rows and the solver's tolerance, which is never above the given one. It solves the model as given
+/// if `accuracy` is 0 or no cheaper choice is accurate enough. Throws InputError on an accuracy out of range,
+/// and on an accuracy with a hardness or layers. Also throws what respond() throws.
+/// @param without_short_waves  the surface without its shortest waves, as long as the window is at most this
+///                             wide, mm
+AccountedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
+                                 const std::function<SumOfWaves(double widest)>& without_short_waves,
+                                 const Model& model);
 
 } // namespace rough

@@ -1,7 +1,7 @@
 #include "domain/database/build.hpp"
 
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/response.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/accuracy/respond_within.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/problem/limits.hpp"
 #include "domain/target/target.hpp"
 

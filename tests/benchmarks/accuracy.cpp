@@ -2,7 +2,7 @@
 //
 //   benchmark_accuracy [scenes [kernel 0-2 [first seed [shortest wave, parts of L]]]]
 //   benchmark_accuracy little    (only the cost of a smooth scene against that of rough ones)
-#include "domain/accuracy/respond_within.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/response/curve.hpp"

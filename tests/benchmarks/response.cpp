@@ -2,7 +2,8 @@
 // measures the 20-step curve with tangents, the curve with its full Jacobian in every gene, and warm-started
 // NNLS.
 
-#include "domain/accuracy/respond_within.hpp"
+#include "domain/mwm/response.hpp"
+
 #include "domain/mwm/sobol.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "tests/benchmarks/measure.hpp"

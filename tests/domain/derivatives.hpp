@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/accuracy/respond_within.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/response/curve.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/theory/theory.hpp"
 #include "tests/domain/random_genome.hpp"
 

@@ -1,5 +1,5 @@
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/contact/kernel.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/theory/theory.hpp"
 #include "tests/domain/accuracy/scans.hpp"

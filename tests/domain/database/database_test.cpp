@@ -1,5 +1,5 @@
-#include "domain/accuracy/respond_within.hpp"
 #include "domain/errors.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
