@@ -197,7 +197,7 @@ std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
 }
 
 Pressed pressed(const Settings& settings) {
-    rough::Source source = source_from(settings);
+    Source source = source_from(settings);
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);

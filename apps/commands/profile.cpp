@@ -88,7 +88,7 @@ struct Description {
 Description described_profile(const Settings& settings) {
     if (settings.has("profile") && settings.given("length"))
         rough::refuse("--length: given with a scan; omit it, as a scan has a length");
-    const rough::Source source = source_from(settings);
+    const Source source = source_from(settings);
     rough::Grid grid = source.grid();
     settings.take("nodes", grid.nodes);
     settings.take("length", grid.length);

@@ -54,7 +54,7 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         goal.recorded = recorded_model(model);
         return {std::move(goal), model};
     }
-    const rough::Source source = source_from(settings, "like");
+    const Source source = source_from(settings, "like");
     if (!source.account.empty())
         say(source.account);
     const rough::Model model = model_from(settings, source);

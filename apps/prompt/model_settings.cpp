@@ -3,7 +3,6 @@
 #include "apps/prompt/units.hpp"
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/materials.hpp"
-#include "domain/mwm/sampling.hpp"
 
 namespace app {
 
@@ -188,6 +187,19 @@ rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
 
 } // namespace
 
+Source open_genome(const std::filesystem::path& file) {
+    rough::GenomeFile read = rough::read_genome_file(file);
+    return {{.name = file.string()}, std::move(read.genome), read.length};
+}
+
+rough::Grid Source::grid(bool periodic) const {
+    return genome ? rough::Grid{.length = length, .periodic = periodic} : Scan::grid(periodic);
+}
+
+rough::Profile Source::on(const rough::Grid& grid) const {
+    return genome ? sample(*genome, grid) : Scan::on(grid);
+}
+
 bool states_modulus(const Settings& settings) {
     return settings.given("modulus") || settings.has("material");
 }
@@ -255,7 +267,7 @@ rough::Model model_from(const Settings& settings, const std::string& prefix) {
     return model_on({}, settings, prefix);
 }
 
-rough::Model model_from(const Settings& settings, const rough::Source& source, const std::string& prefix) {
+rough::Model model_from(const Settings& settings, const Source& source, const std::string& prefix) {
     return model_on(source.grid(is_periodic(settings, prefix)), settings, prefix);
 }
 
@@ -300,23 +312,23 @@ rough::Resolution resolution_from(const Settings& settings) {
     return static_cast<rough::Resolution>(settings.choice("resolution"));
 }
 
-rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
-                        const std::string& prefix) {
+Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
+                 const std::string& prefix) {
     rough::ScanOptions options;
     take(settings, fields_of(options), prefix);
     for (const std::string& unit : rough::listed(options.unit))
         rough::length_unit_named(unit, settings.place(prefix + "unit"));
     options.nodes = nodes;
-    return placing(settings, prefix, [&] { return rough::open_scan(file, options); });
+    return {placing(settings, prefix, [&] { return rough::open_scan(file, options); })};
 }
 
-rough::Source source_from(const Settings& settings, const std::string& scan) {
+Source source_from(const Settings& settings, const std::string& scan) {
     rough::Index nodes = 0;
     settings.take("nodes", nodes);
     if (!settings.has("genome"))
         return scan_from(settings.text(scan), settings, nodes);
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");
-    return rough::open_genome(settings.text("genome"));
+    return open_genome(settings.text("genome"));
 }
 
 Setting area_setting() {
@@ -393,7 +405,7 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 
 rough::Map sampled_from(const Settings& settings, bool periodic) {
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
-    const rough::Source source = rough::open_genome(settings.text("genome"));
+    const Source source = open_genome(settings.text("genome"));
     const rough::Grid grid = area_grid(source.grid(periodic), settings);
     const std::string note = fit_note(*source.genome, grid);
     return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
@@ -414,7 +426,7 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
                               " mm");
     } else {
         expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
-        const rough::Source source = rough::open_genome(settings.text("genome"));
+        const Source source = open_genome(settings.text("genome"));
         scene.model = area_model_on(source.grid(is_periodic(settings)), settings);
         scene.map = sample(*source.genome, scene.model.grid);
         if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())

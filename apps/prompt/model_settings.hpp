@@ -2,10 +2,24 @@
 
 #include "apps/prompt/settings.hpp"
 #include "domain/accuracy/resolution.hpp"
+#include "domain/mwm/sampling.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 
 namespace app {
+
+/// A line profile from a file: a genome, which has a height at every x, or a measured scan.
+struct Source : rough::Scan {
+    std::optional<rough::Genome> genome = {}; ///< nothing for a scan
+    double length = rough::standard_length;   ///< of a genome's profile, mm; not used for a scan
+
+    /// The grid of a scan, or 512 nodes for a genome. `periodic` is for the periodic kernel.
+    rough::Grid grid(bool periodic = false) const;
+    /// Heights on a grid: a genome's waves or a scan's points.
+    rough::Profile on(const rough::Grid& grid) const;
+};
+/// Opens a genome file (JSON). Throws InputError as read_genome_file.
+Source open_genome(const std::filesystem::path& file);
 
 /// The note that pressures are in units of E.
 inline constexpr const char* modulus_note =
@@ -48,8 +62,7 @@ Setting accuracy_setting(const std::string& prefix = "",
 /// --nodes and --length may change it. Throws rough::InputError if the model has no solution.
 rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix = "");
 rough::Model model_from(const Settings& settings, const std::string& prefix = "");
-rough::Model model_from(const Settings& settings, const rough::Source& source,
-                        const std::string& prefix = "");
+rough::Model model_from(const Settings& settings, const Source& source, const std::string& prefix = "");
 ///@}
 
 /// The last load and the cap of local pressures: --to-pressure, --pressures and --hardness.
@@ -65,12 +78,12 @@ Setting resolution_setting();
 rough::Resolution resolution_from(const Settings& settings);
 
 /// Opens a scan and resamples it to `nodes` nodes; 0 keeps the number of its points.
-rough::Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
-                        const std::string& prefix = "");
+Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
+                 const std::string& prefix = "");
 
 /// Opens the file of --genome, or else of --`scan`, resampled to --nodes if they are given. Throws
 /// rough::InputError if settings of a scan are given with a genome.
-rough::Source source_from(const Settings& settings, const std::string& scan = "profile");
+Source source_from(const Settings& settings, const std::string& scan = "profile");
 
 /// --surface: a measured map.
 Setting area_setting();

@@ -1,7 +1,6 @@
 #include "domain/scan/scan.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/mwm/sampling.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/table.hpp"
 #include "domain/text/atomic_file.hpp"
@@ -407,7 +406,7 @@ void check(const ScanOptions& options) {
 
 } // namespace
 
-Source open_scan(const std::filesystem::path& path, const ScanOptions& options) {
+Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
     std::string bytes = read_whole(path, max_file_bytes, [&](std::string_view head) {
@@ -449,7 +448,6 @@ Source open_scan(const std::filesystem::path& path, const ScanOptions& options) 
         refuse(file, ": the heights are constant (", removed, " removed); give a rough profile");
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
     return {.name = file,
-            .genome = {},
             .measured = std::move(profile),
             .account =
                 line_with_digits(6, file, ": ", counted(read, "point"), ", length ", length,
@@ -457,16 +455,12 @@ Source open_scan(const std::filesystem::path& path, const ScanOptions& options) 
             .outliers = std::move(kept)};
 }
 
-Grid Source::grid(bool periodic) const {
-    if (genome)
-        return {.length = length, .periodic = periodic};
+Grid Scan::grid(bool periodic) const {
     const Index nodes = measured.nodes();
     return {nodes, measured.spacing * static_cast<double>(periodic ? nodes : nodes - 1), periodic};
 }
 
-Profile Source::on(const Grid& wanted) const {
-    if (genome)
-        return sample(*genome, wanted);
+Profile Scan::on(const Grid& wanted) const {
     if (wanted.nodes != measured.nodes())
         throw InputError(
             line_of(name, ": a grid of ", wanted.nodes, " nodes; use the scan's ", measured.nodes()),
@@ -475,11 +469,6 @@ Profile Source::on(const Grid& wanted) const {
     if (wanted.length != grid(wanted.periodic).length)
         profile.spacing = wanted.spacing();
     return profile;
-}
-
-Source open_genome(const std::filesystem::path& file) {
-    GenomeFile read = read_genome_file(file);
-    return {file.string(), std::move(read.genome), read.length};
 }
 
 } // namespace rough

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "domain/mwm/genome.hpp"
 #include "domain/profile/preparation.hpp"
 
-#include <optional>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 namespace rough {
 
@@ -28,29 +29,23 @@ struct ScanOptions {
     double lambda_c = 0;
 };
 
-/// A line profile from a file: a genome, which has a height at every x, or a measured scan. Lengths in mm.
-struct Source {
+/// A measured line profile from a file. Lengths in mm.
+struct Scan {
     std::string name;                 ///< path of the file
-    std::optional<Genome> genome;     ///< the genome; nothing for a scan
-    double length = standard_length;  ///< length L of a genome's profile; not used for a scan
-    Profile measured = {};            ///< a scan at evenly spaced nodes, x growing; empty for a genome
-    std::string account = {};         ///< how a scan was read and changed, in one line
-    std::vector<Index> outliers = {}; ///< outliers of a scan that were kept
+    Profile measured = {};            ///< profile at evenly spaced nodes, x growing
+    std::string account = {};         ///< how the scan was read and changed, in one line
+    std::vector<Index> outliers = {}; ///< outliers that were kept
 
-    /// The grid of the file: the nodes of a scan, or 512 nodes for a genome. `periodic` is for the periodic
-    /// kernel.
+    /// The grid of the scan's nodes. `periodic` is for the periodic kernel.
     Grid grid(bool periodic = false) const;
 
-    /// Heights on a grid: a genome's waves, or a scan's points, stretched to the grid's length if it differs.
-    /// Throws InputError if the grid and the scan have different numbers of nodes.
+    /// The scan's points, stretched to the grid's length if it differs. Throws InputError if the grid and the
+    /// scan have different numbers of nodes.
     Profile on(const Grid& grid) const;
 };
 
-/// Opens a genome file (JSON). Throws InputError as read_genome_file.
-Source open_genome(const std::filesystem::path& file);
-
 /// Reads a measured line scan, or one row of a map (README.md lists the formats). Throws InputError with one
 /// line that names the file, the line and the fault.
-Source open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
+Scan open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
 
 } // namespace rough

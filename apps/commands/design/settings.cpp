@@ -85,7 +85,7 @@ void take_targets(const Settings& settings, DesignRun& run) {
                      // The band of a map would take most of the time.
                      settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
     } else if (is_like) {
-        const rough::Source scan = scan_from(settings.text("like"), settings, 0);
+        const Source scan = scan_from(settings.text("like"), settings, 0);
         run.accounts.push_back(scan.account);
         rough::Model model = model_from(settings, scan);
         model.grid.nodes = scan.measured.nodes();
@@ -94,8 +94,8 @@ void take_targets(const Settings& settings, DesignRun& run) {
         std::vector<std::string> of_a_scan = names_of(scan_settings());
         of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
         expect_none(settings, of_a_scan, "given with --target; give it with --like only");
-        setup.model = run.from ? model_from(settings, rough::open_genome(run.from->file))
-                               : surface_model_from(settings);
+        setup.model =
+            run.from ? model_from(settings, open_genome(run.from->file)) : surface_model_from(settings);
         setup.targets = goals_from(settings, setup.model);
         if (area && setup.model.body.kernel == rough::Kernel::free)
             run.accounts.emplace_back(no_datum_note);

@@ -52,7 +52,7 @@ Fields fields_of(PaperRun& run) {
 }
 
 /// A measured profile's response as a target: K at 20 even pressures up to its last one.
-rough::Target target_of(const rough::Source& scan, const rough::Model& model, const std::string& name) {
+rough::Target target_of(const Source& scan, const rough::Model& model, const std::string& name) {
     const rough::Response response = respond(scan.measured, model);
     const rough::Curve curve = secant_stiffness(response);
     rough::Target target;
@@ -76,7 +76,7 @@ rough::Target stiffness_from(const std::string& file) {
 /// The model and the targets.
 void take_targets(const Settings& settings, PaperRun& run) {
     if (settings.has("target.profile")) {
-        const rough::Source scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
+        const Source scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
         run.searched = model_from(settings, scan, "model.");
         if (!settings.has("model.nodes"))
             run.searched.grid.nodes = 512;

@@ -90,7 +90,7 @@ Surface read_surface(const std::filesystem::path& file, const py::kwargs& option
 
 py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {
     const auto settings = Keywords(options, "read").only(app::scan_settings());
-    rough::Source source = app::scan_from(file, settings, 0);
+    app::Source source = app::scan_from(file, settings, 0);
     return py::make_tuple(std::move(source.measured), std::move(source.account));
 }
 

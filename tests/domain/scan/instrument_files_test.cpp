@@ -115,7 +115,7 @@ std::string x3p_file(char type = 'I') {
 
 namespace {
 
-Source read(const std::string& bytes, ScanOptions options) {
+Scan read(const std::string& bytes, ScanOptions options) {
     const tests::Folder folder;
     options.detrend = Detrend::none;
     return open_scan(folder.write("scan.bin", bytes), options);
@@ -179,7 +179,7 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
             else
                 CHECK(height == Approx(1e-5 * testing::map_heights[std::size_t(i)]).epsilon(1e-6));
         }
-        const Source scan = read(bytes, {.row = 1});
+        const Scan scan = read(bytes, {.row = 1});
         CHECK(scan.measured.nodes() == 9);
         CHECK(scan.measured.heights[5] == Approx(9e-5).epsilon(1e-6));
         CHECK_THAT(scan.account, Catch::Contains("row 1 of 2 rows of 9 heights"));
@@ -213,7 +213,7 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
     Profile profile{1e-3 * Eigen::VectorXd::Random(500), 0.84942 / 511};
     const std::string bytes = x3p(profile);
     CHECK(bytes == x3p(profile)); // without a date
-    const Source scan = read(bytes, {});
+    const Scan scan = read(bytes, {});
     CHECK(scan.measured.spacing == Approx(profile.spacing).epsilon(1e-15));
     CHECK((scan.measured.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
     CHECK_THAT(scan.account, Catch::Contains("X3P"));

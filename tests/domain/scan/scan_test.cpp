@@ -1,4 +1,3 @@
-#include "domain/mwm/sampling.hpp"
 #include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
 #include "tests/domain/scan/quirk_files.hpp"
@@ -11,7 +10,7 @@ using namespace rough;
 
 namespace {
 
-Source read(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
+Scan read(const std::string& bytes, ScanOptions options = {.detrend = Detrend::none}) {
     const tests::Folder folder;
     return open_scan(folder.write("scan.txt", bytes), options);
 }
@@ -36,7 +35,7 @@ TEST_CASE("files with different quirks of real scans give the same profile") {
     REQUIRE(files.size() >= 30);
     for (const QuirkFile& file : files) {
         INFO(file.quirk << "\n" << file.bytes);
-        const Source scan =
+        const Scan scan =
             read(file.bytes, {.unit = file.unit, .spacing = file.spacing, .detrend = Detrend::none});
         INFO(scan.account);
         CHECK(scan.measured.spacing == Approx(quirk_spacing).epsilon(1e-4));
@@ -51,7 +50,7 @@ TEST_CASE("files with different quirks of real scans give the same profile") {
 TEST_CASE("the requested row of an areal matrix is taken, from 1") {
     const std::string matrix = "1 2 3 4\n5 6 7 9\n0 0 1 0\n";
     ScanOptions options{.unit = "um", .spacing = 2, .detrend = Detrend::none, .row = 2};
-    const Source scan = read(matrix, options);
+    const Scan scan = read(matrix, options);
     CHECK(scan.measured.heights.isApprox(1e-3 * Eigen::Vector4d(5, 6, 7, 9)));
     CHECK(scan.measured.spacing == Approx(2e-3));
     CHECK_THAT(scan.account, Catch::Contains("row 2 of 3 rows of 4 heights"));
@@ -96,7 +95,7 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
         INFO(missing);
         const std::string text = "x;z\n0;1\n1;" + missing + "\n2;3\n3;0\n";
         CHECK_THAT(refusal(text), Catch::Contains("line 3") && Catch::Contains("a height"));
-        const Source scan = read(text, {.detrend = Detrend::none, .fill = true});
+        const Scan scan = read(text, {.detrend = Detrend::none, .fill = true});
         CHECK(scan.measured.heights[1] == Approx(2));
         CHECK_THAT(scan.account, Catch::Contains("1 missing height filled"));
     }
@@ -105,15 +104,14 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
     CHECK_THAT(refusal(invalid), Catch::Contains("line 4"));
     CHECK(read(invalid, {.detrend = Detrend::none, .fill = true}).measured.heights[1] == Approx(2));
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
-    const Source scan =
-        read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
+    const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
     REQUIRE(scan.measured.nodes() == 4);
     CHECK(scan.measured.heights[1] == Approx(4));
     CHECK_THAT(scan.account, Catch::Contains("2 incomplete points left out"));
 }
 
 TEST_CASE("unevenly spaced points are resampled on the straight lines between them") {
-    const Source scan = read("0 0\n1 2\n4 8\n10 20\n11 0\n");
+    const Scan scan = read("0 0\n1 2\n4 8\n10 20\n11 0\n");
     CHECK(scan.measured.spacing == Approx(11. / 4));
     for (Index i = 0; i < 4; ++i)
         CHECK(scan.measured.heights[i] == Approx(2 * 11. / 4 * double(i)));
@@ -134,7 +132,7 @@ TEST_CASE("a spacing rounded in its last digit is even and leaves heights unchan
         text += line;
         heights[i] = std::strtod(std::strchr(line, '\t'), nullptr);
     }
-    const Source scan = read(text);
+    const Scan scan = read(text);
     CHECK(scan.measured.spacing == Approx(spacing).epsilon(1e-7));
     CHECK(scan.measured.heights == heights);
     CHECK_THAT(scan.account, Catch::Contains("treated as even"));
@@ -228,8 +226,8 @@ TEST_CASE("the form of a polynomial or an arc is removed exactly") {
 
 TEST_CASE("outliers are reported, and replaced on request") {
     const auto wave = [](int i) { return std::cos(0.1 * i) + (i == 40 ? 3 : 0); };
-    const Source kept = read(rows(90, wave)),
-                 removed = read(rows(90, wave), {.detrend = Detrend::none, .remove_outliers = true});
+    const Scan kept = read(rows(90, wave)),
+               removed = read(rows(90, wave), {.detrend = Detrend::none, .remove_outliers = true});
     CHECK_THAT(kept.account, Catch::Contains("1 outlier (at x = 40 mm) kept"));
     CHECK_THAT(removed.account, Catch::Contains("1 outlier (at x = 40 mm) replaced"));
     CHECK(kept.measured.heights[40] > 2);
@@ -243,7 +241,7 @@ TEST_CASE("filters remove short and long waves after the form, as the account st
     };
     const auto text = rows(800, [&](int i) { return waves(0.1 * i); });
     ScanOptions options{.detrend = Detrend::none, .lambda_c = 80}; // mm, at a spacing of 1 mm
-    const Source scan = read(text, options);
+    const Scan scan = read(text, options);
     CHECK_THAT(scan.account, Catch::Contains("waves over lambda_c = 80 mm removed"));
     CHECK(scan.measured.heights[400] == Approx(waves(40.) - std::pow(2, -std::pow(80. / 400, 2)) * 1 -
                                                0.1 * std::pow(2, -std::pow(80. / 40, 2)))
@@ -255,7 +253,7 @@ TEST_CASE("filters remove short and long waves after the form, as the account st
 }
 
 TEST_CASE("x and heights may have different given units") {
-    const Source scan = read("0 1\n1 3\n2 1\n", {.unit = "um,nm", .detrend = Detrend::none});
+    const Scan scan = read("0 1\n1 3\n2 1\n", {.unit = "um,nm", .detrend = Detrend::none});
     CHECK((scan.measured.spacing == Approx(1e-3) && scan.measured.heights[1] == Approx(3e-6)));
     CHECK_THAT(scan.account, Catch::Contains("x in µm (given), heights in nm (given)"));
     CHECK(read("1\n3\n1\n", {.unit = "um,nm", .spacing = 2, .detrend = Detrend::none}).measured.spacing ==
@@ -298,16 +296,8 @@ TEST_CASE("points on a diagonal are refused as a map") {
     CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}), Catch::Contains("give a whole grid"));
 }
 
-TEST_CASE("a genome file and a scan are sources, each with its grid") {
-    const tests::Folder folder;
-    const auto genome = folder.write("g.json", R"({"length_mm":2,"series":[{"A":1,"H":0.8,"gamma":1.5,)"
-                                               R"("lambda":2,"chromosomes":[{"n":1,"phases":[0.3]}]}]})");
-    const auto scan = folder.write("s.txt", "1\n3\n0.5\n2\n1\n");
-    const Source waves = open_genome(genome),
-                 points = open_scan(scan, {.spacing = 0.1, .detrend = Detrend::none});
-
-    CHECK(waves.grid().length == 2);
-    CHECK(waves.on(waves.grid()).heights == sample(*waves.genome, waves.grid()).heights);
+TEST_CASE("a scan has a grid, and its points on it") {
+    const Scan points = read("1\n3\n0.5\n2\n1\n", {.spacing = 0.1, .detrend = Detrend::none});
     CHECK((points.grid().nodes == 5 && points.grid().length == 4 * 0.1));
     CHECK(points.grid(true).length == 5 * 0.1);
     CHECK(points.on(points.grid()).spacing == 0.1);
