@@ -192,7 +192,7 @@ int optimise(const Settings& settings, const std::string& line) {
     }
     if (search.stopped.empty())
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
-            std::filesystem::remove(ga::held(folder / kept));
+            std::filesystem::remove(ga::held_path(folder / kept));
     if (!children.trouble().empty())
         rough::refuse(children.trouble(), record.best() ? "; the best so far is in " + folder.string() : "");
     tell_notes(search.notes);

@@ -26,7 +26,7 @@ namespace {
 
 /// Makes a folder in a run's folder if it is missing. Throws rough::InputError on a symbolic link.
 void make_folder(const std::filesystem::path& folder) {
-    const std::filesystem::path path = ga::held(folder);
+    const std::filesystem::path path = ga::held_path(folder);
     std::error_code error;
     if (!std::filesystem::is_symlink(path, error))
         std::filesystem::create_directory(path, error);
@@ -81,7 +81,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
             rough::write_atomically(folder / request.page, render(page_source(folder)));
         }
         if (experiment.resumes && !goes_on)
-            std::filesystem::remove_all(ga::held(folder / "checkpoints"));
+            std::filesystem::remove_all(ga::held_path(folder / "checkpoints"));
     }
     say(folder.string() + ": " +
         (found.result.is_null() ? "interrupted before the first result, nothing written"

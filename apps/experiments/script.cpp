@@ -35,12 +35,13 @@ std::string module_path(const std::filesystem::path& folder) {
 Findings findings_of_script(const Settings& settings, const Conditions& conditions) {
     const std::string& kind = conditions.origin.kind;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-    nlohmann::json given{{"folder", std::filesystem::absolute(ga::held(conditions.folder / "")).string()},
-                         {"program", program.string()},
-                         {"seed", conditions.origin.seed},
-                         {"threads", conditions.origin.threads},
-                         {"resume", conditions.resume},
-                         {"origin", origin_json(conditions.origin)}};
+    nlohmann::json given{
+        {"folder", std::filesystem::absolute(ga::held_path(conditions.folder / "")).string()},
+        {"program", program.string()},
+        {"seed", conditions.origin.seed},
+        {"threads", conditions.origin.threads},
+        {"resume", conditions.resume},
+        {"origin", origin_json(conditions.origin)}};
     for (const Claim& claim : paper_claims())
         if (claim.rule() != "cannot be decided")
             given["claims"].push_back({{"id", claim.id}, {"place", claim.place}, {"says", claim.sentence}});

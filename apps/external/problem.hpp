@@ -117,8 +117,8 @@ inline std::string variant_of(const OutsideSearch& search, std::size_t objective
 
 /// The pipeline of a search, parsed with the words of `registry`. Throws ga::UsageError if it cannot work.
 template <class P>
-ga::Stage<P> stage_of(const OutsideSearch& search, std::size_t objectives,
-                      ga::Registry<P> registry = ga::whole_vocabulary<P>()) {
+ga::Pipeline<P> stage_of(const OutsideSearch& search, std::size_t objectives,
+                         ga::Registry<P> registry = ga::whole_vocabulary<P>()) {
     ga::Parser<P> parser(std::move(registry), outside_variants(search.genes, objectives));
     return search.pipeline.empty() ? parser.variant(variant_of(search, objectives))
                                    : parser.parse(search.pipeline);

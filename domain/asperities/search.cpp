@@ -16,7 +16,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CapSetup, array, effective_modulus, heights, 
 namespace {
 
 using CapDesigns = ga::Population<CapGenome>;
-using CapStage = ga::Stage<CapProblem>;
+using CapPipeline = ga::Pipeline<CapProblem>;
 
 constexpr double search_share = 0.6;       ///< share of the time that is not for boundary elements
 constexpr double different_heights = 0.05; ///< rms difference of sorted heights over their range
@@ -74,14 +74,14 @@ Eigen::VectorXd rounded(const ga::Landscape& land, const CapProblem& problem, st
 }
 
 /// `round N`: every genome on the steps of its genes, found with at most N gradients.
-CapStage round_stage(std::size_t evaluations) {
-    ga::Step<CapProblem> step;
-    step.text = "round " + std::to_string(evaluations);
-    step.check = [text = step.text](ga::CheckState& known) {
+CapPipeline round_stage(std::size_t evaluations) {
+    ga::Stage<CapProblem> stage;
+    stage.text = "round " + std::to_string(evaluations);
+    stage.check = [text = stage.text](ga::CheckState& known) {
         known.need_one_objective(text);
         known.scored.reset();
     };
-    step.apply = [evaluations](CapDesigns designs, ga::Context<CapProblem>& context) {
+    stage.apply = [evaluations](CapDesigns designs, ga::Context<CapProblem>& context) {
         const CapProblem& problem = context.problem();
         const ga::Method rounding{
             "round", [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
@@ -99,7 +99,7 @@ CapStage round_stage(std::size_t evaluations) {
             context.make_child(design, ga::Parents(design.identity));
         return designs;
     };
-    return step;
+    return stage;
 }
 
 /// The method `exchange` of `mutate`: each cap changes places with another by its chance.
@@ -123,10 +123,10 @@ struct ExchangeCaps : ga::NoParameters {
 
 /// Runs `body` under independent caps (with_independent_caps). `corrected`: the targets are corrected for the
 /// first individual.
-CapStage independent_stage(const std::string& name, const CapStage& body, bool corrected) {
-    return ga::derived_step<CapProblem>(
+CapPipeline independent_stage(const std::string& name, const CapPipeline& body, bool corrected) {
+    return ga::derived_stage<CapProblem>(
         name, body,
-        [corrected](CapDesigns designs, const CapStage& stages, ga::Context<CapProblem>& context) {
+        [corrected](CapDesigns designs, const CapPipeline& stages, ga::Context<CapProblem>& context) {
             const CapGenome* like = corrected && !designs.empty() ? &designs.front().genome : nullptr;
             const CapProblem problem(with_independent_caps(context.problem().setup(), like));
             if (like) // its curves by both models
@@ -183,7 +183,7 @@ ga::Registry<CapProblem> cap_registry() {
          {std::pair("independent", "runs the pipeline without interaction of caps, for areas at pressures"),
           {"corrected", "as independent, with targets corrected for the first individual's interaction"}})
         registry.add({name, "asperities", meaning, {}, "", 1},
-                     [name = std::string(name)](const ga::Arguments&, const std::vector<CapStage>& bodies,
+                     [name = std::string(name)](const ga::Arguments&, const std::vector<CapPipeline>& bodies,
                                                 const auto&...) {
                          return independent_stage(name, bodies[0], name == "corrected");
                      });
@@ -217,7 +217,7 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
     const std::string text = options.pipeline.empty() ? "default" : options.pipeline;
     const ga::Variants variants = cap_variants(setup);
     ga::Parser<CapProblem> parser(cap_registry(), variants);
-    const CapStage pipeline = parser.parse(text);
+    const CapPipeline pipeline = parser.parse(text);
     std::vector<CapGenome> starts = options.starts;
     if (starts.empty()) {
         ga::Stream random(options.seed);

@@ -28,7 +28,7 @@ struct Exploration {
         : seen(problem, 60), verified(problem, max_verified, verifies), problem_(problem) {}
 
     /// Runs the pipeline from the starts for `seconds`. Version and task identify its checkpoints.
-    void run(const ga::Stage<P>& pipeline, const std::string& name, const std::vector<Genome>& starts,
+    void run(const ga::Pipeline<P>& pipeline, const std::string& name, const std::vector<Genome>& starts,
              const SearchOptionsOf<P>& options, double seconds, std::vector<ga::Observer<Genome>> observers) {
         observers.insert(observers.begin(), {[this](const ga::Event<Genome>& event) { observe(event); },
                                              verified.observer(), seen.observer()});

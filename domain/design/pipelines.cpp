@@ -58,11 +58,11 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
 
 /// Runs `body` on a grid with half the nodes along each side, on which contact curves cost less. The nodes
 /// are halved as often as requested, unless the grid becomes too coarse.
-Pipeline coarser(const ga::Arguments& arguments, const Pipeline& body) {
+DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {
     const std::size_t halvings = arguments.count("n");
-    return ga::derived_step<DesignProblem>(
+    return ga::derived_stage<DesignProblem>(
         "coarser " + std::to_string(halvings), body,
-        [halvings](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
+        [halvings](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
             DesignSetup setup = context.problem().setup();
             for (std::size_t i = 0; i < halvings; ++i) {
                 Grid grid = setup.model.grid;
@@ -98,9 +98,10 @@ DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
 }
 
 /// Runs `body` on the first individual under corrected targets; the given population follows its result.
-Pipeline corrected(const ga::Arguments&, const Pipeline& body) {
-    return ga::derived_step<DesignProblem>(
-        "corrected", body, [](Designs designs, const Pipeline& stages, ga::Context<DesignProblem>& context) {
+DesignPipeline corrected(const ga::Arguments&, const DesignPipeline& body) {
+    return ga::derived_stage<DesignProblem>(
+        "corrected", body,
+        [](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
             const Verification verified = context.problem().verifier().remembered(designs.front().genome);
             if (std::isnan(verified.worst()))
                 throw ga::Stopped{"stop requested"};
@@ -114,14 +115,14 @@ Pipeline corrected(const ga::Arguments&, const Pipeline& body) {
 }
 
 /// Runs `body` on the designs shortened(), followed by the given ones, unless a design keeps the limits.
-Pipeline within_limits(const ga::Arguments&, const Pipeline& body) {
-    ga::Step<DesignProblem> step;
-    step.text = "within-limits { " + body.text() + " }";
-    step.check = [body](ga::CheckState& known) {
+DesignPipeline within_limits(const ga::Arguments&, const DesignPipeline& body) {
+    ga::Stage<DesignProblem> stage;
+    stage.text = "within-limits { " + body.text() + " }";
+    stage.check = [body](ga::CheckState& known) {
         body.check(known);
         body.check_end(known);
     };
-    step.apply = [body](Designs designs, ga::Context<DesignProblem>& context) {
+    stage.apply = [body](Designs designs, ga::Context<DesignProblem>& context) {
         const std::vector<double> over = excesses(designs, context);
         if (std::ranges::any_of(over, [](double excess) { return excess <= 0; }))
             return designs;
@@ -129,7 +130,7 @@ Pipeline within_limits(const ga::Arguments&, const Pipeline& body) {
         all.insert(all.end(), designs.begin(), designs.end());
         return body(std::move(all), context);
     };
-    return step;
+    return stage;
 }
 
 } // namespace
@@ -140,13 +141,13 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     // A stage that replaces the population by n genomes, the i-th from make(setup, i, stream).
     const auto start = [&](const char* name, const char* meaning, auto make) {
         registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
-                     [name, make](const ga::Arguments& a, const auto&...) -> Pipeline {
+                     [name, make](const ga::Arguments& a, const auto&...) -> DesignPipeline {
                          const std::size_t n = a.count("n");
-                         ga::Step<DesignProblem> step;
-                         step.text = name + (" " + std::to_string(n));
-                         step.check = [](ga::CheckState& known) { known.scored.reset(); };
-                         step.begins = true;
-                         step.apply = [n, make](Designs, ga::Context<DesignProblem>& context) {
+                         ga::Stage<DesignProblem> stage;
+                         stage.text = name + (" " + std::to_string(n));
+                         stage.check = [](ga::CheckState& known) { known.scored.reset(); };
+                         stage.begins = true;
+                         stage.apply = [n, make](Designs, ga::Context<DesignProblem>& context) {
                              Designs fresh(n);
                              ga::parallel_for(n, context.threads(), [&](std::size_t i) {
                                  fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
@@ -155,7 +156,7 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                                  design.identity = context.new_identity();
                              return fresh;
                          };
-                         return step;
+                         return stage;
                      });
     };
     start(
@@ -179,9 +180,9 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                      }));
     }
     const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,
-                           Pipeline (*make)(const ga::Arguments&, const Pipeline&)) {
+                           DesignPipeline (*make)(const ga::Arguments&, const DesignPipeline&)) {
         registry.add({name, "roughness", meaning, std::move(parameters), "", 1},
-                     [make](const ga::Arguments& a, const std::vector<Pipeline>& bodies, const auto&) {
+                     [make](const ga::Arguments& a, const std::vector<DesignPipeline>& bodies, const auto&) {
                          return make(a, bodies[0]);
                      });
     };
@@ -215,9 +216,9 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     return registry;
 }
 
-Pipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
+DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text) {
     ga::Parser<DesignProblem> parser(design_registry(setup), design_variants(setup.required_similarity));
-    Pipeline pipeline = parser.parse(text);
+    DesignPipeline pipeline = parser.parse(text);
     if (setup.limits.any_shape() && pipeline.text().find("within-limits") == std::string::npos)
         pipeline.append(parser.parse("within-limits { score | refine lm 40 | best 1 }"));
     return pipeline;

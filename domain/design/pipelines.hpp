@@ -20,6 +20,6 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup);
 /// The pipeline that a text describes. The text consists of operators of design_registry() and of named
 /// variants. If the set-up limits shapes and the text has no `within-limits`, this block becomes the last
 /// stage. Throws ga::UsageError on a text that is not a pipeline.
-Pipeline design_pipeline(const DesignSetup& setup, const std::string& text);
+DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text);
 
 } // namespace rough

@@ -210,7 +210,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     for (Genome& genome : options.starts)
         genome = fitting_grid(setup, genome);
     const std::string text = options.pipeline.empty() ? usual_variant(setup) : options.pipeline;
-    const Pipeline pipeline = design_pipeline(setup, text);
+    const DesignPipeline pipeline = design_pipeline(setup, text);
     if (!options.starts.empty() && pipeline.begins())
         throw InputError("design: the pipeline '" + pipeline.text() +
                          "' makes its starts itself; use one that begins with the given ones (score | ...)");

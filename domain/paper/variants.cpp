@@ -20,7 +20,7 @@ struct Gcmma {
     static Words words() { return {"gcmma", "refinement", "GCMMA on s|s|, s = 1 - max|r|: the paper's"}; }
     static void describe(auto& self, auto visit) { visit(self.evaluations, evaluations_parameter()); }
     Eigen::VectorXd improve(const Landscape& land) const {
-        return maximised_by_mma(land, evaluations, [](const Eigen::VectorXd& residuals) -> Reading {
+        return maximised_by_mma(land, evaluations, [](const Eigen::VectorXd& residuals) -> ResidualMerit {
             Eigen::Index worst = 0;
             const double s = 1 - residuals.cwiseAbs().maxCoeff(&worst);
             const double sign = residuals[worst] < 0 ? -1 : 1;

@@ -7,7 +7,7 @@
 namespace rough {
 
 /// A pipeline on a design's problem, e.g. the paper's.
-using Pipeline = ga::Stage<DesignProblem>;
+using DesignPipeline = ga::Pipeline<DesignProblem>;
 
 /// Parameters of the operators that the domain of roughness adds to the engine.
 struct Vocabulary {

@@ -176,7 +176,7 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
     }
     const DesignResponse response = scored(*setup_, std::move(*responses));
     Outcome outcome{response.scale, misfits_of(*setup_, response), 0, genome};
-    outcome.genome = settled(genome, outcome);
+    outcome.genome = final_genome(genome, outcome);
     outcome.excess = excess(outcome.genome, setup_->model.grid, setup_->limits);
     return outcome;
 }
@@ -199,7 +199,7 @@ bool DesignProblem::valid_outcome(const Outcome& outcome) const {
 
 std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }
 
-Genome DesignProblem::settled(Genome genome, const Outcome& outcome) const {
+Genome DesignProblem::final_genome(Genome genome, const Outcome& outcome) const {
     if (setup_->max_pressure)
         genome.scale = outcome.scale;
     return genome;

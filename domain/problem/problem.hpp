@@ -59,7 +59,7 @@ class DesignProblem {
     /// The bits of the genome on which its outcome depends (key_of).
     std::string key(const Genome& genome) const;
     /// The genome in its final form. Under Eq. 11 it gets the scale of its outcome.
-    Genome settled(Genome genome, const Outcome& outcome) const;
+    Genome final_genome(Genome genome, const Outcome& outcome) const;
 
     /// The values of the genome's genes in the order of gene_places(): mm, rad or dimensionless.
     std::vector<double> genes(const Genome& genome) const { return rough::genes(genome); }

@@ -79,7 +79,7 @@ std::filesystem::path without_links(std::filesystem::path path) {
 }
 
 void write_atomically(const std::filesystem::path& name, std::string_view content) {
-    const std::filesystem::path path = ga::held(name);
+    const std::filesystem::path path = ga::held_path(name);
     struct stat there {};
     if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
         const Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
@@ -156,7 +156,7 @@ std::string read_whole(const std::filesystem::path& path, std::size_t max,
             throw InputError(path.string() + ": is a device; give a file or a pipe");
         return there;
     };
-    const std::filesystem::path name = ga::held(path);
+    const std::filesystem::path name = ga::held_path(path);
     // Opening a pipe that was read waits for another writer, so its status comes first.
     const struct stat named = status_of([&](struct stat* there) { return stat(name.c_str(), there); });
     if (!S_ISFIFO(named.st_mode)) {

@@ -55,7 +55,7 @@ struct CmaConstants {
 };
 
 /// The normal distribution of CMA-ES. Equation numbers as in CmaConstants.
-struct Cloud {
+struct SearchDistribution {
     Eigen::VectorXd mean;       ///< mean, n values
     double sigma = 0;           ///< step size
     Eigen::MatrixXd covariance; ///< covariance C, n x n
@@ -66,9 +66,9 @@ struct Cloud {
     Eigen::Index learnt = 0;    ///< number of generations from which it has learnt
     Eigen::Index drawn = 0;     ///< value of `learnt` when C was last decomposed
 
-    Cloud() = default;
+    SearchDistribution() = default;
     /// An isotropic distribution with this mean and step size.
-    Cloud(Eigen::VectorXd middle, double step)
+    SearchDistribution(Eigen::VectorXd middle, double step)
         : mean(std::move(middle)), sigma(step),
           covariance(Eigen::MatrixXd::Identity(mean.size(), mean.size())),
           path_sigma(Eigen::VectorXd::Zero(mean.size())), path_c(path_sigma), axes(covariance),
@@ -149,8 +149,9 @@ struct CmaRecord {
 /// Why a run of CMA-ES is over, or null. The rules are those of Hansen (2009, Benchmarking a BI-population
 /// CMA-ES on the BBOB-2009 function testbed, sec. 2.1); Stagnation has a window of 120 + 30 n/lambda
 /// generations. `scale` is the run's first sigma.
-inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& record, double scale) {
-    const auto n = static_cast<double>(cloud.mean.size()), lambda = static_cast<double>(c.lambda);
+inline const char* stop_criterion(const SearchDistribution& distribution, const CmaConstants& c,
+                                  CmaRecord& record, double scale) {
+    const auto n = static_cast<double>(distribution.mean.size()), lambda = static_cast<double>(c.lambda);
     const auto last = [](const std::vector<double>& all, double count) {
         return std::vector<double>(static_cast<double>(all.size()) > count
                                        ? all.end() - static_cast<std::ptrdiff_t>(count)
@@ -159,8 +160,8 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
     };
     const double few = 10 + std::ceil(30 * n / lambda), many = 120 + std::ceil(30 * n / lambda);
     record.forget(static_cast<std::size_t>(std::max(many, n)));
-    const auto generations = static_cast<double>(cloud.learnt);
-    const Eigen::VectorXd deviations = cloud.sigma * cloud.covariance.diagonal().cwiseSqrt();
+    const auto generations = static_cast<double>(distribution.learnt);
+    const Eigen::VectorXd deviations = distribution.sigma * distribution.covariance.diagonal().cwiseSqrt();
     if (generations >= 100 + 50 * (n + 3) * (n + 3) / std::sqrt(lambda))
         return "MaxIter";
     if (generations >= few) {
@@ -173,9 +174,9 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
     if (generations >= n && std::accumulate(equal.begin(), equal.end(), 0.0) > n / 3)
         return "EqualFunVals";
     if (deviations.maxCoeff() < 1e-12 * scale &&
-        cloud.sigma * cloud.path_c.cwiseAbs().maxCoeff() < 1e-12 * scale)
+        distribution.sigma * distribution.path_c.cwiseAbs().maxCoeff() < 1e-12 * scale)
         return "TolX";
-    if (!(cloud.sigma <= 1e20 * scale * cloud.scales.maxCoeff()))
+    if (!(distribution.sigma <= 1e20 * scale * distribution.scales.maxCoeff()))
         return "TolUpSigma";
     if (static_cast<double>(record.best.size()) >= many) {
         const auto middle = [](std::vector<double> part) {
@@ -190,12 +191,13 @@ inline const char* over(const Cloud& cloud, const CmaConstants& c, CmaRecord& re
         if (!better(record.best) && !better(record.median))
             return "Stagnation";
     }
-    if (std::pow(cloud.scales.maxCoeff() / cloud.scales.minCoeff(), 2) > 1e14)
+    if (std::pow(distribution.scales.maxCoeff() / distribution.scales.minCoeff(), 2) > 1e14)
         return "ConditionCov";
-    const Eigen::Index axis = cloud.learnt % cloud.mean.size();
-    if (cloud.mean == cloud.mean + 0.1 * cloud.sigma * cloud.scales[axis] * cloud.axes.col(axis))
+    const Eigen::Index axis = distribution.learnt % distribution.mean.size();
+    if (distribution.mean == distribution.mean + 0.1 * distribution.sigma * distribution.scales[axis] *
+                                                     distribution.axes.col(axis))
         return "NoEffectAxis";
-    if (((cloud.mean + 0.2 * deviations).array() == cloud.mean.array()).any())
+    if (((distribution.mean + 0.2 * deviations).array() == distribution.mean.array()).any())
         return "NoEffectCoord";
     return nullptr;
 }
@@ -240,8 +242,8 @@ struct CmaPlan {
 /// distance between a gene's bounds. A gene outside its bounds is reflected at them until it is inside.
 /// Negative weights of reflected children are set to 0. Steps of refined children are shortened to sqrt(n) +
 /// 2n/(n + 2) standard deviations (Hansen 2011, Injecting external solutions into CMA-ES). After a run has
-/// ended (`over`), CmaPlan starts another at a uniform random mean; genes without bounds start as in the
-/// first run.
+/// ended (`stop_criterion`), CmaPlan starts another at a uniform random mean; genes without bounds start as
+/// in the first run.
 struct CmaEs : Operator {
     double sigma = 0.3; ///< first standard deviation, as a fraction of the distance between bounds, > 0
     std::size_t population = 0; ///< number of children of the first run; 0 for 4 + 3 ln n
@@ -250,15 +252,15 @@ struct CmaEs : Operator {
 
     /// The learnt state. Coordinates are genes divided by the distance between their bounds.
     struct State {
-        std::vector<Variable> moving;   ///< genes that move
-        Eigen::VectorXd first;          ///< start point of the first run
-        Cloud cloud;                    ///< distribution of the children
-        CmaRecord record;               ///< record of the current run
-        CmaPlan plan;                   ///< plan of all runs
-        CmaPlan::Run run{0, 1, 0};      ///< settings of the current run
-        std::vector<Identity> children; ///< identities of the last children, ascending
-        std::vector<bool> mirrored;     ///< whether each of them was reflected
-        bool ended = false;             ///< whether there is no further run
+        std::vector<Variable> moving;    ///< genes that move
+        Eigen::VectorXd first;           ///< start point of the first run
+        SearchDistribution distribution; ///< distribution of the children
+        CmaRecord record;                ///< record of the current run
+        CmaPlan plan;                    ///< plan of all runs
+        CmaPlan::Run run{0, 1, 0};       ///< settings of the current run
+        std::vector<Identity> children;  ///< identities of the last children, ascending
+        std::vector<bool> mirrored;      ///< whether each of them was reflected
+        bool ended = false;              ///< whether there is no further run
     };
 
     static constexpr const char* needs = real_genes;
@@ -294,7 +296,7 @@ struct CmaEs : Operator {
             return population;
         const auto order = ranking(population);
         const auto& best = population[order.front()];
-        Stream random = context.stream(everyone);
+        Stream random = context.stream(all_individuals);
         const bool begins = state.moving.empty();
         if (begins)
             begin(genes_of(context.problem(), best.genome), variables_of(context.problem(), best.genome),
@@ -303,7 +305,7 @@ struct CmaEs : Operator {
         if (!begins && !state.ended)
             learn(population, order, context.problem(), constants, state);
         if (!state.ended && state.record.spent > 0 &&
-            (over(state.cloud, constants, state.record, sigma * state.run.shrink) ||
+            (stop_criterion(state.distribution, constants, state.record, sigma * state.run.shrink) ||
              (state.run.max_evaluations > 0 && state.record.spent >= state.run.max_evaluations)))
             begin_again(state, random);
         return state.ended ? population : children(std::move(population), best.genome, context, state);
@@ -319,7 +321,7 @@ struct CmaEs : Operator {
         state.first = coordinates(genes, state.moving);
         state.run.lambda = state.plan.usual =
             population > 0 ? population : CmaConstants::usual_children(state.first.size());
-        state.cloud = Cloud(state.first, sigma);
+        state.distribution = SearchDistribution(state.first, sigma);
     }
 
     /// Reflects a value at its bounds until it is between them.
@@ -356,9 +358,11 @@ struct CmaEs : Operator {
             const auto genes = genes_of(problem, individual.genome);
             if (genes.size() <= state.moving.back().gene)
                 continue;
-            Eigen::VectorXd step = (coordinates(genes, state.moving) - state.cloud.mean) / state.cloud.sigma;
+            Eigen::VectorXd step =
+                (coordinates(genes, state.moving) - state.distribution.mean) / state.distribution.sigma;
             if (individual.origin)
-                step *= std::min(1.0, (std::sqrt(n) + 2 * n / (n + 2)) / state.cloud.whitened(step).norm());
+                step *= std::min(1.0,
+                                 (std::sqrt(n) + 2 * n / (n + 2)) / state.distribution.whitened(step).norm());
             steps.col(static_cast<Eigen::Index>(values.size())) = step;
             altered.push_back(state.mirrored[static_cast<std::size_t>(child - state.children.begin())]);
             const Fitness& fitness = individual.fitness;
@@ -366,7 +370,8 @@ struct CmaEs : Operator {
         }
         if (values.empty())
             return;
-        state.cloud.learn(constants, steps.leftCols(static_cast<Eigen::Index>(values.size())), altered);
+        state.distribution.learn(constants, steps.leftCols(static_cast<Eigen::Index>(values.size())),
+                                 altered);
         state.record.note(values, state.run.lambda);
     }
 
@@ -380,7 +385,7 @@ struct CmaEs : Operator {
         for (std::size_t i = 0; i < state.moving.size(); ++i)
             if (const Variable& v = state.moving[i]; std::isfinite(v.upper - v.lower))
                 mean[static_cast<Eigen::Index>(i)] = random.uniform(v.lower, v.upper) / width(v);
-        state.cloud = Cloud(std::move(mean), sigma * state.run.shrink);
+        state.distribution = SearchDistribution(std::move(mean), sigma * state.run.shrink);
         state.record = {};
     }
 
@@ -396,7 +401,7 @@ struct CmaEs : Operator {
             Eigen::VectorXd z(state.first.size());
             for (double& each : z)
                 each = stream.normal();
-            const Eigen::VectorXd x = state.cloud.at(z);
+            const Eigen::VectorXd x = state.distribution.at(z);
             for (std::size_t i = 0; i < state.moving.size(); ++i) {
                 const Variable& v = state.moving[i];
                 const double drawn = x[static_cast<Eigen::Index>(i)] * width(v);
@@ -418,7 +423,7 @@ inline void to_json(nlohmann::json& j, const CmaEs::State& s) {
     std::vector<double> moving;
     for (const Variable& v : s.moving)
         moving.insert(moving.end(), {static_cast<double>(v.gene), v.lower, v.upper});
-    const Cloud& c = s.cloud;
+    const SearchDistribution& c = s.distribution;
     j = {moving,
          numbers(s.first),
          {numbers(c.mean), c.sigma, numbers(c.covariance), numbers(c.path_sigma), numbers(c.path_c),
@@ -448,13 +453,13 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     const auto n = static_cast<Eigen::Index>(s.moving.size());
     s.first = numbers(j.at(1), n);
     const auto& c = j.at(2);
-    s.cloud.mean = numbers(c.at(0), n);
-    s.cloud.sigma = c.at(1);
-    s.cloud.covariance = numbers(c.at(2), n * n).reshaped(n, n);
-    s.cloud.path_sigma = numbers(c.at(3), n), s.cloud.path_c = numbers(c.at(4), n);
-    s.cloud.axes = numbers(c.at(5), n * n).reshaped(n, n);
-    s.cloud.scales = numbers(c.at(6), n);
-    read_part(c.at(7), s.cloud.learnt), read_part(c.at(8), s.cloud.drawn);
+    s.distribution.mean = numbers(c.at(0), n);
+    s.distribution.sigma = c.at(1);
+    s.distribution.covariance = numbers(c.at(2), n * n).reshaped(n, n);
+    s.distribution.path_sigma = numbers(c.at(3), n), s.distribution.path_c = numbers(c.at(4), n);
+    s.distribution.axes = numbers(c.at(5), n * n).reshaped(n, n);
+    s.distribution.scales = numbers(c.at(6), n);
+    read_part(c.at(7), s.distribution.learnt), read_part(c.at(8), s.distribution.drawn);
     read_parts(j.at(3), s.record.best, s.record.median, s.record.equal, s.record.spent);
     CmaPlan& p = s.plan;
     read_parts(j.at(4), p.usual, p.restarts, p.large, p.small, p.last_large, p.now_large, p.begun);
@@ -462,7 +467,7 @@ inline void from_json(const nlohmann::json& j, CmaEs::State& s) {
     for (const long count : {p.large, p.small, p.last_large, s.record.spent})
         expect_fit(count >= 0 && count <= 1L << 53);
     constexpr std::size_t max_children = 10'000'000;
-    expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.cloud.sigma > 0 &&
+    expect_fit(s.moving.empty() || (s.run.lambda >= 2 && s.plan.usual >= 2 && s.distribution.sigma > 0 &&
                                     s.run.lambda <= max_children && s.plan.usual <= max_children));
     read_part(j.at(6), s.children);
     s.ended = j.at(7);

@@ -130,7 +130,7 @@ struct Duel : Operator {
     static Words words() {
         return {"duel", "replacement", "each child or its first parent, whichever is better"};
     }
-    std::size_t reads_of_start() const { return everyone; }
+    std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>

@@ -104,7 +104,7 @@ struct LShade : Operator {
 
     template <HasGenes P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context, State& state) const {
-        Stream random = context.stream(everyone);
+        Stream random = context.stream(all_individuals);
         if (state.initial == 0) {
             state.initial = population.size();
             state.spent = static_cast<long>(population.size());

@@ -14,7 +14,7 @@ inline std::map<std::string, int>& held_folders() {
 }
 /// @endcond
 
-/// Makes held() find the files of a folder by its open descriptor, even if the folder's name changes.
+/// Makes held_path() find the files of a folder by its open descriptor, even if the folder's name changes.
 inline void hold_folder(const std::filesystem::path& folder, int descriptor) {
     held_folders()[(folder / "").string()] = descriptor;
 }
@@ -25,7 +25,7 @@ inline void release_folder(const std::filesystem::path& folder) {
 
 /// The path of a file. If its folder is held, the path uses the descriptor and is also valid in a child
 /// process. Otherwise it is the file's name.
-inline std::filesystem::path held(const std::filesystem::path& file) {
+inline std::filesystem::path held_path(const std::filesystem::path& file) {
     const std::string name = file.string();
     for (const auto& [folder, descriptor] : held_folders())
         if (name.starts_with(folder))

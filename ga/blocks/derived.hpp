@@ -9,7 +9,7 @@ namespace ga {
 /// body's events, marked as derived. If the run stops inside the body, checkpoints contain the run's state
 /// before the stage.
 template <Problem P>
-PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf<P> population,
+PopulationOf<P> run_derived(const Pipeline<P>& body, const P& problem, PopulationOf<P> population,
                             Context<P>& context) {
     Ledger<P>& books = context.ledger();
     Ledger<P> ledger(problem, books.evaluator(), books.memory.bytes(), books.left());
@@ -38,15 +38,15 @@ PopulationOf<P> run_derived(const Stage<P>& body, const P& problem, PopulationOf
     return unscored(std::move(population));
 }
 
-/// A block whose body runs under derived problems, as one step. `change(population, body, context)` calls
+/// A block whose body runs under derived problems, as one stage. `change(population, body, context)` calls
 /// run_derived and returns the block's population, unscored.
 template <Problem P, class Change>
-Step<P> derived_step(const std::string& name, Stage<P> body, Change change) {
+Stage<P> derived_stage(const std::string& name, Pipeline<P> body, Change change) {
     using G = typename P::Genome;
-    const auto stages = std::make_shared<const Stage<P>>(std::move(body));
-    Step<P> step;
-    step.text = name + " { " + stages->text() + " }";
-    step.check = [stages, name](CheckState& known) {
+    const auto stages = std::make_shared<const Pipeline<P>>(std::move(body));
+    Stage<P> stage;
+    stage.text = name + " { " + stages->text() + " }";
+    stage.check = [stages, name](CheckState& known) {
         if (known.on_islands)
             throw UsageError("stage '" + name + "' cannot run on islands; put it before or after them");
         CheckState inside = known;
@@ -54,11 +54,11 @@ Step<P> derived_step(const std::string& name, Stage<P> body, Change change) {
         stages->check(inside);
         known.scored.reset();
     };
-    step.apply = [stages, change](Population<G> population, Context<P>& context) {
+    stage.apply = [stages, change](Population<G> population, Context<P>& context) {
         return change(std::move(population), *stages, context);
     };
-    step.begins = stages->begins();
-    return step;
+    stage.begins = stages->begins();
+    return stage;
 }
 
 } // namespace ga

@@ -36,9 +36,9 @@ struct Islands : Operator {
     }
 
     template <Problem P>
-    Step<P> step() const {
+    Stage<P> stage() const {
         using G = typename P::Genome;
-        const auto stages = std::make_shared<const Stage<P>>(body);
+        const auto stages = std::make_shared<const Pipeline<P>>(body);
         const std::string name = text_of(*this);
         return {name + " { " + stages->text() + " }",
                 [stages, name, migration = migration](CheckState& known) {
@@ -56,8 +56,9 @@ struct Islands : Operator {
 
   private:
     template <Problem P, class G = typename P::Genome>
-    [[gnu::cold]] static Population<G> evolve(Population<G> population, const Stage<P>& body, std::size_t n,
-                                              const Migration& migration, Context<P>& context) {
+    [[gnu::cold]] static Population<G> evolve(Population<G> population, const Pipeline<P>& body,
+                                              std::size_t n, const Migration& migration,
+                                              Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.state, {});
         if (!frame.resumed()) {
             if (population.size() < n)
@@ -78,16 +79,16 @@ struct Islands : Operator {
                 context.pause();
             }
         } catch (const Stopped&) {
-            if (!context.state.in_hand)
-                context.state.in_hand = joined(frame->kept);
+            if (!context.state.stopped_population)
+                context.state.stopped_population = joined(frame->kept);
             throw;
         }
-        return strict(joined(frame->kept));
+        return without_levels(joined(frame->kept));
     }
 
     /// Runs one generation of every island, each on a separate thread.
     template <Problem P, class G = typename P::Genome>
-    [[gnu::cold]] static void run_round(Frame<G>& frame, const Stage<P>& body, Context<P>& context) {
+    [[gnu::cold]] static void run_round(Frame<G>& frame, const Pipeline<P>& body, Context<P>& context) {
         const std::size_t n = frame.kept.size(), depth = context.state.frames.size() - 1;
         Snapshot<G> before;
         context.forget_old();
@@ -112,14 +113,15 @@ struct Islands : Operator {
                     try {
                         population = body(std::move(population), island);
                     } catch (const Stopped&) {
-                        population = joined_with(start, island.state.in_hand ? *island.state.in_hand
-                                                                             : Population<G>());
+                        population = joined_with(start, island.state.stopped_population
+                                                            ? *island.state.stopped_population
+                                                            : Population<G>());
                         throw;
                     }
                 },
                 [&] { context.keep_as(before); });
         } catch (const Stopped&) {
-            context.state.in_hand = joined(frame.kept);
+            context.state.stopped_population = joined(frame.kept);
             if (context.is_kept()) {
                 frame = *std::next(before.frames.begin(), static_cast<long>(depth));
                 context.keep_stopped(before);

@@ -21,11 +21,11 @@ struct Pair : Operator {
     Right right;        ///< pipeline that gives the second parents
     Combine<G> combine; ///< function that makes a child of two parents
 
-    /// The block as one step (Operator).
+    /// The block as one stage (Operator).
     template <Problem P>
-    Step<P> step() const {
-        const auto on_left = std::make_shared<const Stage<P>>(left),
-                   on_right = std::make_shared<const Stage<P>>(right);
+    Stage<P> stage() const {
+        const auto on_left = std::make_shared<const Pipeline<P>>(left),
+                   on_right = std::make_shared<const Pipeline<P>>(right);
         const Name left_name(std::string("left")), right_name(std::string("right"));
         return {"pair(" + on_left->text() + ", " + on_right->text() + ", " + combine.name + ")",
                 [=](CheckState& known) {

@@ -4,17 +4,18 @@
 
 namespace ga {
 
-/// Whether the last progress was 10,000 generations ago. Progress is an improvement; if `paying` is set, a
-/// requested evaluation is progress, too.
+/// Whether the last progress was 10,000 generations ago. BlockProgress is an improvement; if `paying` is set,
+/// a requested evaluation is progress, too.
 template <Problem P, class G = typename P::Genome>
-bool idle(const Progress<G>& now, Numbers& numbers, Numbers& improvement, bool paying, Context<P>& context) {
-    constexpr double patience = 10000; // generations
+bool idle(const BlockProgress<G>& now, Numbers& numbers, Numbers& improvement, bool paying,
+          Context<P>& context) {
+    constexpr double stop_mode = 10000; // generations
     const auto requested = static_cast<double>(context.counters().requested);
     double &last_requested = numbers[2], &last_progress = numbers[3];
     if (improves(now, improvement) || (paying && requested > last_requested))
         last_progress = static_cast<double>(now.generation);
     last_requested = requested;
-    if (static_cast<double>(now.generation) - last_progress < patience)
+    if (static_cast<double>(now.generation) - last_progress < stop_mode)
         return false;
     context.note("ended after 10000 generations without progress towards its end");
     return true;
@@ -22,7 +23,7 @@ bool idle(const Progress<G>& now, Numbers& numbers, Numbers& improvement, bool p
 
 /// Runs the body of a block of generations until the first rule holds.
 template <Problem P, class G = typename P::Genome>
-Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& rules,
+Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>>& rules,
                               Population<G> population, Context<P>& context) {
     typename Context<P>::OpenFrame frame(context.state, std::move(population), true);
     auto& numbers = frame->numbers; // the block's, those of `improves`, then each rule's
@@ -40,8 +41,9 @@ Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& 
         paying |= rule.text.starts_with(AfterEvaluations::words().name);
     }
     const auto ended = [&] {
-        const Progress<G> now{frame->next, context.counters().requested - static_cast<long>(numbers[0][0]),
-                              context.seconds() - numbers[0][1], frame->population};
+        const BlockProgress<G> now{frame->next,
+                                   context.counters().requested - static_cast<long>(numbers[0][0]),
+                                   context.seconds() - numbers[0][1], frame->population};
         bool end = false;
         for (std::size_t i = 0; i < rules.size(); ++i)
             if (rules[i].holds(now, numbers[2 + i])) {
@@ -59,20 +61,20 @@ Population<G> run_generations(const Stage<P>& body, const std::vector<Rule<G>>& 
             frame->population = body(std::move(frame->population), context);
         }
     } catch (const Stopped&) {
-        auto& in_hand = context.state.in_hand;
-        if (in_hand && !frame->kept.empty())
-            in_hand = joined_with(frame->kept[0], std::move(*in_hand));
+        auto& stopped_population = context.state.stopped_population;
+        if (stopped_population && !frame->kept.empty())
+            stopped_population = joined_with(frame->kept[0], std::move(*stopped_population));
         throw;
     }
-    return strict(std::move(frame->population));
+    return without_levels(std::move(frame->population));
 }
 
-/// A block of generations as one step; `name` is its text in front of the braces.
+/// A block of generations as one stage; `name` is its text in front of the braces.
 template <Problem P, class G = typename P::Genome>
-[[gnu::cold]] Step<P> generations_step(const std::string& name, Stage<P> body,
-                                       const std::vector<Rule<G>>& rules) {
+[[gnu::cold]] Stage<P> generations_stage(const std::string& name, Pipeline<P> body,
+                                         const std::vector<Rule<G>>& rules) {
     const auto stages =
-        std::make_shared<const Stage<P>>(std::move(body)); // so that copies of blocks are cheap
+        std::make_shared<const Pipeline<P>>(std::move(body)); // so that copies of blocks are cheap
     return {name + " { " + stages->text() + " }",
             [=](CheckState& known) {
                 check_generation(*stages, name, known, [&](const CheckState& inside) {
@@ -99,9 +101,9 @@ struct Repeat : Operator {
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
     template <Problem P>
-    Step<P> step() const {
-        return generations_step<P>(text_of(*this), body,
-                                   {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
+    Stage<P> stage() const {
+        return generations_stage<P>(text_of(*this), body,
+                                    {rule_of<typename P::Genome>(AfterGenerations{{}, n})});
     }
 };
 /// The block `repeat n { body }`; n >= 1.
@@ -110,16 +112,16 @@ Repeat<Body> repeat(std::size_t n, Body body) {
     return checked(Repeat<Body>{{}, n, std::move(body)});
 }
 
-/// The block `until rules { body }` as one step. Throws UsageError without a rule.
+/// The block `until rules { body }` as one stage. Throws UsageError without a rule.
 template <Problem P, class G = typename P::Genome>
-[[gnu::cold]] Step<P> until_step(const Stage<P>& body, const std::vector<Rule<G>>& rules) {
+[[gnu::cold]] Stage<P> until_stage(const Pipeline<P>& body, const std::vector<Rule<G>>& rules) {
     std::string name = "until";
     for (const Rule<G>& rule : rules)
         name += " " + rule.text;
     if (rules.empty())
         throw UsageError("until has no end; give one of generations, evaluations, seconds, fitness, "
                          "stagnation, converged");
-    return generations_step<P>(name, body, rules);
+    return generations_stage<P>(name, body, rules);
 }
 
 /// Runs a body in generations, like Repeat, until a rule holds. If no rule is certain to hold, the block also
@@ -130,10 +132,10 @@ struct Generations : Operator {
     Body body; ///< pipeline that runs in each generation
     Ends ends; ///< rules that end the block
 
-    /// The block as one step (Operator). Throws UsageError if it has no rule.
+    /// The block as one stage (Operator). Throws UsageError if it has no rule.
     template <Problem P>
-    Step<P> step() const {
-        return until_step<P>(body, ends.template rules<typename P::Genome>());
+    Stage<P> stage() const {
+        return until_stage<P>(body, ends.template rules<typename P::Genome>());
     }
 };
 
@@ -162,8 +164,8 @@ struct Restarts : Operator {
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
 
     template <Problem P>
-    Step<P> step() const {
-        const auto stages = std::make_shared<const Stage<P>>(body);
+    Stage<P> stage() const {
+        const auto stages = std::make_shared<const Pipeline<P>>(body);
         return {text_of(*this) + " { " + stages->text() + " }",
                 [stages](CheckState& known) { stages->check(known); },
                 [stages, n = n](PopulationOf<P> population, Context<P>& context) {
@@ -174,7 +176,7 @@ struct Restarts : Operator {
 
   private:
     template <Problem P, class G = typename P::Genome>
-    [[gnu::cold]] static Population<G> run_all(Population<G> population, const Stage<P>& stages,
+    [[gnu::cold]] static Population<G> run_all(Population<G> population, const Pipeline<P>& stages,
                                                std::size_t n, Context<P>& context) {
         typename Context<P>::OpenFrame frame(context.state, {}, true);
         if (!frame.resumed())
@@ -190,8 +192,9 @@ struct Restarts : Operator {
                 context.need_room(answers.size(), {}, answers.empty() ? nullptr : &answers.front().genome);
             }
         } catch (const Stopped&) {
-            auto& in_hand = context.state.in_hand;
-            in_hand = joined_with(answers, in_hand ? std::move(*in_hand) : Population<G>());
+            auto& stopped_population = context.state.stopped_population;
+            stopped_population =
+                joined_with(answers, stopped_population ? std::move(*stopped_population) : Population<G>());
             throw;
         }
         return std::move(answers);

@@ -29,7 +29,7 @@ inline std::string seal_of(std::string_view bytes) {
 /// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is
 /// damaged.
 inline std::string opened(const std::filesystem::path& file) {
-    std::ifstream stream(held(file), std::ios::binary);
+    std::ifstream stream(held_path(file), std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(stream), {}};
     const std::size_t head = seal_of({}).size();
     if (!stream.is_open() || all.size() < head ||
@@ -43,7 +43,7 @@ inline std::string opened(const std::filesystem::path& file) {
 /// before it is renamed to this name. Symbolic links are not followed. Returns the error in words, or an
 /// empty text.
 inline std::string seal(const std::filesystem::path& name, std::string_view bytes) {
-    const std::filesystem::path file = held(name), draft = file.string() + ".tmp",
+    const std::filesystem::path file = held_path(name), draft = file.string() + ".tmp",
                                 before = file.string() + ".before";
     ::unlink(draft.c_str());
     std::FILE* const stream = std::fopen(draft.c_str(), "wbxe"); // x: a new file, e: not for child processes
@@ -171,7 +171,7 @@ void from_json(const json& j, Frame<G>& frame) {
             frame.numbers.back().push_back(std::bit_cast<double>(bits));
     }
     for (const auto& [path, state] : j.at(4).items())
-        frame.states[path] = HeldState(std::make_shared<const json>(state));
+        frame.states[path] = OperatorState(std::make_shared<const json>(state));
 }
 
 template <class G>
@@ -284,7 +284,7 @@ class Checkpoints : public Checkpointer<P> {
 
     std::optional<Taken> begin(Ledger<P>& ledger, std::uint64_t run) override {
         run_ = run;
-        const std::filesystem::path file = held(file_), before = file.string() + ".before";
+        const std::filesystem::path file = held_path(file_), before = file.string() + ".before";
         if (!resume_) {
             std::error_code none;
             std::filesystem::remove(before, none); // left by another run

@@ -40,7 +40,7 @@ struct MapElites : Operator {
         visit(self.descriptors, word_list("descriptors", "names of the problem's descriptors"));
         visit(self.cells, whole("cells", 1, "per descriptor").up_to(1e6).keyed().quiet());
     }
-    std::size_t reads_of_start() const { return everyone; }
+    std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const {
         known.need_comparable_start(text_of(*this));
         known.need_one_objective(text_of(*this));
@@ -132,7 +132,7 @@ struct Emit : Operator {
             if (context.watch().expired()) // some slopes may be missing
                 throw Stopped{context.watch().reason()};
         } catch (const Stopped&) {
-            context.state.in_hand = std::move(population);
+            context.state.stopped_population = std::move(population);
             throw;
         }
         Population<G> fresh = context.gather(std::move(population), chosen);

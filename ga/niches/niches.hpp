@@ -82,7 +82,7 @@ struct Crowding : Operator {
     static Words words() {
         return {"crowding", "niches", "each child replaces its more similar parent if it is better"};
     }
-    std::size_t reads_of_start() const { return everyone; }
+    std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <HasDistance P>

@@ -16,7 +16,7 @@ class Log {
   public:
     /// A log in `file`, which appears when the log is closed.
     explicit Log(std::filesystem::path file)
-        : name_(std::move(file)), file_(held(name_)), part_(file_.string() + ".part") {}
+        : name_(std::move(file)), file_(held_path(name_)), part_(file_.string() + ".part") {}
     Log(const Log&) = delete;
 
     std::uint64_t position = 0; ///< bytes of the table so far

@@ -7,12 +7,12 @@ namespace ga {
 /// A pipeline that hands genomes to its caller for evaluation:
 ///
 ///     AskTell<P> search(sample(20) | score() | ..., problem);
-///     while (auto questions = search.ask(); !questions.empty(); questions = search.ask())
-///         for (auto& [id, genome] : questions)
+///     while (auto proposals = search.ask(); !proposals.empty(); proposals = search.ask())
+///         for (auto& [id, genome] : proposals)
 ///             search.tell(id, outcome_of(genome));
 ///     search.result().best->genome;
 ///
-/// The pipeline runs on a separate thread, which waits while questions are open. Observers are called on this
+/// The pipeline runs on a separate thread, which waits while proposals are open. Observers are called on this
 /// thread. Equal outcomes give the same bits as `run`. The problem's `evaluate` is never called, but its
 /// members for derivatives are. Several threads may use an object.
 template <Problem P>
@@ -20,10 +20,10 @@ class AskTell : Evaluator<P> {
   public:
     using Genome = typename P::Genome;     ///< genome of the problem
     using Outcome = typename P::Outcome;   ///< type of the caller's answers
-    using Question = ga::Question<Genome>; ///< genome to evaluate, with its number
+    using Proposal = ga::Proposal<Genome>; ///< genome to evaluate, with its number
 
     /// Starts the run; the parameters are those of `run_by`. Throws UsageError if the pipeline cannot work.
-    AskTell(Stage<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},
+    AskTell(Pipeline<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},
             std::vector<Observer<Genome>> observers = {}, Checkpointer<P>* checkpointer = nullptr)
         : pipeline_(std::move(pipeline)), problem_(std::move(problem)), asked_to_stop_(options.budget.stop) {
         check(pipeline_, problem_, population);
@@ -48,26 +48,26 @@ class AskTell : Evaluator<P> {
         thread_.join();
     }
 
-    /// The open questions. If all are answered, waits for the next batch. Empty if the run has ended. Throws
+    /// The open proposals. If all are answered, waits for the next batch. Empty if the run has ended. Throws
     /// the exception that ended the run, if any.
-    std::vector<Question> ask() {
+    std::vector<Proposal> ask() {
         std::unique_lock lock(guard_);
         changed_.wait(lock, [&] { return done_ || open_ > 0; });
         if (error_)
             std::rethrow_exception(error_);
-        std::vector<Question> questions;
+        std::vector<Proposal> proposals;
         for (std::size_t i = 0; i < calls_.size(); ++i)
             if (std::holds_alternative<Pending>(*calls_[i].answer))
-                questions.push_back({first_ + i, *calls_[i].genome});
-        return questions;
+                proposals.push_back({first_ + i, *calls_[i].genome});
+        return proposals;
     }
-    /// Answers an open question. Throws UsageError if the question is not open. A stopped run ignores
+    /// Answers an open proposal. Throws UsageError if the proposal is not open. A stopped run ignores
     /// answers.
     void tell(std::size_t id, Outcome outcome) { answer(id, std::move(outcome)); }
-    /// Marks the evaluation of a question as failed, with the reason.
+    /// Marks the evaluation of a proposal as failed, with the reason.
     void fail(std::size_t id, std::string why) { answer(id, reason(std::move(why))); }
 
-    /// Ends the run with its current population; open questions need no answer.
+    /// Ends the run with its current population; open proposals need no answer.
     void stop() {
         const std::lock_guard lock(guard_);
         stop_ = true;
@@ -84,7 +84,7 @@ class AskTell : Evaluator<P> {
     }
 
   private:
-    /// Passes the calls to the caller as questions. Waits until they are answered or the run must end.
+    /// Passes the calls to the caller as proposals. Waits until they are answered or the run must end.
     void outcomes(const P&, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         using namespace std::chrono_literals;
         std::unique_lock lock(guard_);
@@ -107,13 +107,13 @@ class AskTell : Evaluator<P> {
             return;
         if (id < first_ || id - first_ >= calls_.size() ||
             !std::holds_alternative<Pending>(*calls_[id - first_].answer))
-            throw UsageError("question " + std::to_string(id) + " is not open; answer one that ask returned");
+            throw UsageError("proposal " + std::to_string(id) + " is not open; answer one that ask returned");
         *calls_[id - first_].answer = std::move(evaluation);
         if (--open_ == 0)
             changed_.notify_all();
     }
 
-    Stage<P> pipeline_;
+    Pipeline<P> pipeline_;
     P problem_;
     const std::atomic<bool>* asked_to_stop_;
     std::atomic<bool> stop_ = false;

@@ -127,12 +127,12 @@ struct NoParameters {
 };
 
 /// One parameter and a pointer to its value in an operator.
-struct Field {
+struct BoundParameter {
     /// Pointer to the value.
-    using Place = std::variant<double*, std::size_t*, long*, int*, std::string*, std::vector<std::string>*>;
+    using Pointer = std::variant<double*, std::size_t*, long*, int*, std::string*, std::vector<std::string>*>;
 
     Parameter parameter; ///< name, kind and range of the value
-    Place value;         ///< pointer to the value
+    Pointer value;       ///< pointer to the value
 
     /// The value as text; may be empty.
     [[gnu::cold]] std::string in_words() const {
@@ -168,8 +168,8 @@ struct Field {
 };
 
 /// The fields, whose optional parameters get the values of a new operator, `usual`, as defaults.
-[[gnu::cold]] inline std::vector<Field> with_defaults(std::vector<Field> fields,
-                                                      const std::vector<Field>& usual) {
+[[gnu::cold]] inline std::vector<BoundParameter> with_defaults(std::vector<BoundParameter> fields,
+                                                               const std::vector<BoundParameter>& usual) {
     for (std::size_t i = 0; i < fields.size(); ++i)
         if (fields[i].parameter.is_of_operator)
             fields[i].parameter.standard = usual[i].in_words();
@@ -177,11 +177,11 @@ struct Field {
 }
 /// The parameters of an object that describes itself, with pointers to its values.
 template <class T>
-[[gnu::cold]] std::vector<Field> fields_of(T& described) {
+[[gnu::cold]] std::vector<BoundParameter> bound_parameters(T& described) {
     const auto fields_in = [](T& object) {
-        std::vector<Field> fields;
+        std::vector<BoundParameter> fields;
         T::describe(object, [&](auto& value, Parameter parameter) {
-            fields.push_back({std::move(parameter), Field::Place(&value)});
+            fields.push_back({std::move(parameter), BoundParameter::Pointer(&value)});
         });
         return fields;
     };
@@ -189,9 +189,9 @@ template <class T>
     return with_defaults(fields_in(described), fields_in(usual));
 }
 /// The values of these parameters, as they are written after the name in a pipeline's text.
-[[gnu::cold]] inline std::string values_in_words(const std::vector<Field>& fields) {
+[[gnu::cold]] inline std::string values_in_words(const std::vector<BoundParameter>& fields) {
     std::string text;
-    for (const Field& field : fields) {
+    for (const BoundParameter& field : fields) {
         const std::string words = field.in_words();
         if (words.empty() || (field.parameter.is_quiet && field.parameter.standard == words))
             continue;
@@ -203,7 +203,7 @@ template <class T>
 /// The text of an object that describes itself, as in a pipeline: "tournament 2 size=5".
 template <Described T>
 [[gnu::cold]] std::string text_of(T described) {
-    const std::string values = values_in_words(fields_of(described));
+    const std::string values = values_in_words(bound_parameters(described));
     return T::words().name + (values.empty() ? "" : " ") + values;
 }
 /// The parameters of a type that describes itself.
@@ -211,13 +211,13 @@ template <class T>
 [[gnu::cold]] std::vector<Parameter> parameters_of() {
     T standard{};
     std::vector<Parameter> parameters;
-    for (Field& field : fields_of(standard))
+    for (BoundParameter& field : bound_parameters(standard))
         parameters.push_back(std::move(field.parameter));
     return parameters;
 }
 /// Throws UsageError if a value of the stage called `name` is out of range.
-[[gnu::cold]] inline void check_values(const std::vector<Field>& fields, const std::string& name) {
-    for (const Field& field : fields)
+[[gnu::cold]] inline void check_values(const std::vector<BoundParameter>& fields, const std::string& name) {
+    for (const BoundParameter& field : fields)
         if (const auto given = field.as_number(); given && !field.parameter.allows(*given))
             throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
                              "'; give " + field.parameter.expected(*given > field.parameter.upper));
@@ -226,7 +226,7 @@ template <class T>
 /// does.
 template <class T>
 [[gnu::cold]] void check_values(T described, const std::string& name) {
-    check_values(fields_of(described), name);
+    check_values(bound_parameters(described), name);
     if constexpr (requires { described.validate(); })
         described.validate();
 }

@@ -42,7 +42,7 @@ template <Problem P>
 }
 /// Throws UsageError if the pipeline cannot work on this problem and population.
 template <Problem P>
-[[gnu::cold]] void check(const Stage<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
+[[gnu::cold]] void check(const Pipeline<P>& pipeline, const P& problem, const PopulationOf<P>& population) {
     CheckState known = known_of(problem);
     known.nobody = population.empty();
     if (known.nobody && !pipeline.begins())
@@ -55,7 +55,7 @@ template <Problem P>
 
 /// A number that identifies a run by its pipeline, seed, objectives and start population.
 template <Problem P>
-[[gnu::cold]] std::uint64_t identity_of_run(const Stage<P>& pipeline, const P& problem, std::uint64_t seed,
+[[gnu::cold]] std::uint64_t identity_of_run(const Pipeline<P>& pipeline, const P& problem, std::uint64_t seed,
                                             const PopulationOf<P>& population) {
     std::uint64_t key = fold(fold(0, seed), pipeline.text());
     for (const auto& objective : problem.objectives())
@@ -68,17 +68,18 @@ template <Problem P>
 /// The population that a stopped run returns: the individuals that are scored under the most frequent policy,
 /// best first.
 template <class G>
-[[gnu::cold]] Population<G> salvaged(Population<G> in_hand) {
-    std::erase_if(in_hand, [](const auto& individual) { return !individual.fitness.known(); });
+[[gnu::cold]] Population<G> salvaged(Population<G> population) {
+    std::erase_if(population, [](const auto& individual) { return !individual.fitness.known(); });
     std::map<std::string, std::size_t> policies;
-    for (const auto& individual : in_hand)
+    for (const auto& individual : population)
         ++policies[individual.fitness.objective()];
     std::string policy;
     for (const auto& [name, count] : policies)
         if (policy.empty() || count > policies[policy])
             policy = name;
-    std::erase_if(in_hand, [&](const auto& individual) { return individual.fitness.objective() != policy; });
-    return best_of(strict(std::move(in_hand)), everyone);
+    std::erase_if(population,
+                  [&](const auto& individual) { return individual.fitness.objective() != policy; });
+    return best_of(without_levels(std::move(population)), all_individuals);
 }
 
 /// Makes the identities of a population unique; returns the first free identity.
@@ -122,7 +123,7 @@ template <Problem P>
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
-run_by(Evaluator<P>& evaluator, const std::type_identity_t<Stage<P>>& pipeline, const P& problem,
+run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipeline, const P& problem,
        Population<G> population, const RunOptions& options = {}, std::vector<Observer<G>> observers = {},
        Checkpointer<P>* checkpointer = nullptr) {
     check(pipeline, problem, population);
@@ -156,8 +157,8 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Stage<P>>& pipeline, 
             checkpointer->write(context.snapshot(), ledger, &result.population);
     } catch (const Stopped& stop) {
         result.stopped = stop.reason;
-        if (context.state.in_hand)
-            result.population = salvaged(std::move(*context.state.in_hand));
+        if (context.state.stopped_population)
+            result.population = salvaged(std::move(*context.state.stopped_population));
         if (result.population.empty() && context.best())
             result.population = {*context.best()};
     }
@@ -174,7 +175,7 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Stage<P>>& pipeline, 
 
 /// Runs a pipeline as run_by() does, with the evaluations spread over threads.
 template <Problem P, class G = typename P::Genome>
-[[gnu::cold]] Result<G> run(const std::type_identity_t<Stage<P>>& pipeline, const P& problem,
+[[gnu::cold]] Result<G> run(const std::type_identity_t<Pipeline<P>>& pipeline, const P& problem,
                             Population<G> population, const RunOptions& options = {},
                             std::vector<Observer<G>> observers = {},
                             Checkpointer<P>* checkpointer = nullptr) {
@@ -185,8 +186,8 @@ template <Problem P, class G = typename P::Genome>
 
 /// A genome that the caller evaluates.
 template <class G>
-struct Question {
-    std::size_t id; ///< number of the question in the run, from 0
+struct Proposal {
+    std::size_t id; ///< number of the genome in the run, from 0
     G genome;       ///< genome to evaluate
 };
 

@@ -73,7 +73,7 @@ struct CheckState {
 /// In a block that runs in generations, e.g. `repeat`, the *start* of a generation is the population at its
 /// beginning.
 template <Problem P>
-struct Step {
+struct Stage {
     using Genome = typename P::Genome;      ///< genome of the problem
     std::string text;                       ///< text of the operator in pipelines
     std::function<void(CheckState&)> check; ///< checks whether the operator can work, updates the CheckState
@@ -98,12 +98,12 @@ struct Step {
 ///                                             write and read it; the call takes a State& as last parameter
 ///     static constexpr const char* needs;     members that the problem must have, in words
 ///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
-///                                             the operator reads, or `everyone`
+///                                             the operator reads, or `all_individuals`
 ///     static constexpr bool begins = true;    if the operator works without a population
 /// @endcode
 /// A block is an operator that contains pipelines. Instead of check and operator() it has
 /// @code
-///     template <Problem P> Step<P> step() const;
+///     template <Problem P> Stage<P> stage() const;
 /// @endcode
 // clang-format on
 struct Operator : NoParameters {};
@@ -124,7 +124,7 @@ concept Callable = std::invocable < const Op&,
 
 /// a | b for any problem.
 template <class A, class B>
-struct Then : Operator {
+struct Sequence : Operator {
     A first;  ///< operator that runs first
     B second; ///< operator that runs on the result of the first
 };
@@ -132,51 +132,51 @@ struct Then : Operator {
 /// A pipeline: a list of operators, Population -> Population. `|` joins lists, so that parentheses have no
 /// effect.
 template <Problem P>
-class Stage {
+class Pipeline {
   public:
     using Genome = typename P::Genome; ///< genome of the problem
 
-    Stage() = default;
+    Pipeline() = default;
     /// A pipeline of one operator, or of several operators with `|` between them. The compiler checks the
     /// requirements that concepts can express. Throws UsageError if another requirement is not met.
     template <class Op>
-    requires(std::derived_from<Op, Operator>) Stage(const Op& op) {
+    requires(std::derived_from<Op, Operator>) Pipeline(const Op& op) {
         static_assert(members_fit<P>());
         take(op);
     }
-    /// A pipeline of one step.
-    Stage(Step<P> step) { add(std::move(step)); }
+    /// A pipeline of one stage.
+    Pipeline(Stage<P> stage) { add(std::move(stage)); }
 
     /// Appends the stages of another pipeline.
-    void append(const Stage& other) {
-        for (const auto& place : other.places_) {
-            add(place.step);
-            places_.back().written = place.written;
+    void append(const Pipeline& other) {
+        for (const auto& placed : other.stages_) {
+            add(placed.stage);
+            stages_.back().written = placed.written;
         }
     }
     /// Sets the text and the column that error messages name, for stages that do not have them yet.
     void locate(const std::string& text, std::size_t column) {
-        for (auto& place : places_)
-            if (!place.written)
-                place.written = {text, column};
+        for (auto& placed : stages_)
+            if (!placed.written)
+                placed.written = {text, column};
     }
 
     /// Throws UsageError if the pipeline cannot work on a population with the properties in `known`.
     void check(CheckState& known) const {
-        for (const auto& place : places_)
-            place.located([&] {
-                if (known.nobody && !place.step.begins)
-                    throw UsageError("stage '" + place.step.text +
+        for (const auto& placed : stages_)
+            placed.located([&] {
+                if (known.nobody && !placed.stage.begins)
+                    throw UsageError("stage '" + placed.stage.text +
                                      "' needs a population; give one at the start, or put sample before it");
-                place.step.check(known);
+                placed.stage.check(known);
                 known.nobody = false;
             });
     }
     /// Throws UsageError if the pipeline leaves the population unscored.
     void check_end(const CheckState& known) const {
-        if (!known.scored && !places_.empty())
-            places_.back().located([&] {
-                throw UsageError("stage '" + places_.back().step.text +
+        if (!known.scored && !stages_.empty())
+            stages_.back().located([&] {
+                throw UsageError("stage '" + stages_.back().stage.text +
                                  "' leaves the population unscored at the end; put score after it");
             });
     }
@@ -185,16 +185,16 @@ class Stage {
     /// selection is empty.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context.state, std::move(population));
-        expect_fit(frame->next <= places_.size());
+        expect_fit(frame->next <= stages_.size());
         try {
-            while (frame->next < places_.size()) {
-                apply(places_[frame->next], *frame, context);
+            while (frame->next < stages_.size()) {
+                apply(stages_[frame->next], *frame, context);
                 ++frame->next;
                 context.pause();
             }
         } catch (const Stopped&) {
-            if (!context.state.in_hand)
-                context.state.in_hand = std::move(frame->population);
+            if (!context.state.stopped_population)
+                context.state.stopped_population = std::move(frame->population);
             throw;
         }
         return std::move(frame->population);
@@ -203,23 +203,23 @@ class Stage {
     /// The pipeline as text, from which the parser makes the same pipeline.
     std::string text() const {
         std::string text;
-        for (const auto& place : places_)
-            text += (text.empty() ? "" : " | ") + place.step.text;
+        for (const auto& placed : stages_)
+            text += (text.empty() ? "" : " | ") + placed.stage.text;
         return text;
     }
     /// Whether the pipeline works without a population.
-    bool begins() const { return !places_.empty() && places_.front().step.begins; }
+    bool begins() const { return !stages_.empty() && stages_.front().stage.begins; }
     /// Number of the best individuals of a generation's start that the stages read.
     std::size_t reads_of_start() const {
         std::size_t max = 0;
-        for (const auto& place : places_)
-            max = std::max(max, place.step.reads_of_start);
+        for (const auto& placed : stages_)
+            max = std::max(max, placed.stage.reads_of_start);
         return max;
     }
 
   private:
-    struct Place {
-        Step<P> step;
+    struct PlacedStage {
+        Stage<P> stage;
         Name name;
         std::size_t ordinal = 1;
         std::optional<std::pair<std::string, std::size_t>> written = {}; ///< text and column
@@ -239,13 +239,13 @@ class Stage {
     };
 
     /// Runs one stage. If the run stops inside it, the checkpoint holds the state before the stage.
-    static void apply(const Place& place, Frame<Genome>& frame, Context<P>& context) {
-        const typename Context<P>::Scope scope(context.position, place.name, place.ordinal);
+    static void apply(const PlacedStage& placed, Frame<Genome>& frame, Context<P>& context) {
+        const typename Context<P>::Scope scope(context.position, placed.name, placed.ordinal);
         std::optional<std::pair<Snapshot<Genome>, Population<Genome>>> before;
         if (context.is_kept())
             before.emplace(context.snapshot(false), frame.population);
         try {
-            frame.population = place.step.apply(std::move(frame.population), context);
+            frame.population = placed.stage.apply(std::move(frame.population), context);
         } catch (const Stopped&) {
             if (before) {
                 frame.population = std::move(before->second);
@@ -257,41 +257,41 @@ class Stage {
     }
 
     template <class A, class B>
-    void take(const Then<A, B>& pair) {
+    void take(const Sequence<A, B>& pair) {
         take(pair.first);
         take(pair.second);
     }
     template <class Op>
     [[gnu::cold]] void take(const Op& op) {
-        if constexpr (requires { op.template step<P>(); }) {
-            add(op.template step<P>());
+        if constexpr (requires { op.template stage<P>(); }) {
+            add(op.template stage<P>());
         } else if constexpr (!requires { typename Op::State; } && !Callable<Op, P>) {
             static_assert(Callable<Op, P>,
                           "this operator needs what the problem or its genome does not have; the compiler "
                           "names it below");
             // Not callable; here the compiler names the constraint.
-            using Answer [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
+            using Called [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
-            Step<P> step;
+            Stage<P> stage;
             if constexpr (requires { op.text(); })
-                step.text = op.text();
+                stage.text = op.text();
             else
-                step.text = text_of(op);
-            step.check = [op](CheckState& known) { op.check(known); };
-            step.apply = [op](Population<Genome> population, Context<P>& context) {
+                stage.text = text_of(op);
+            stage.check = [op](CheckState& known) { op.check(known); };
+            stage.apply = [op](Population<Genome> population, Context<P>& context) {
                 return applied(op, std::move(population), context);
             };
             if constexpr (requires { op.reads_of_start(); })
-                step.reads_of_start = op.reads_of_start();
+                stage.reads_of_start = op.reads_of_start();
             if constexpr (requires { Op::begins; })
-                step.begins = Op::begins;
-            add(std::move(step));
+                stage.begins = Op::begins;
+            add(std::move(stage));
         }
     }
     template <class Op>
     static Population<Genome> applied(const Op& op, Population<Genome> population, Context<P>& context) {
         if constexpr (requires { typename Op::State; }) {
-            HeldState& held = context.state.loops.back()->states[context.path()];
+            OperatorState& held = context.state.loops.back()->states[context.path()];
             auto& state = held.template as<typename Op::State>();
             const auto before = state;
             try {
@@ -305,25 +305,25 @@ class Stage {
         }
     }
 
-    [[gnu::cold, gnu::noinline]] void add(Step<P> step) {
-        const Name name(step.text.substr(0, step.text.find_first_of(" ({")));
+    [[gnu::cold, gnu::noinline]] void add(Stage<P> stage) {
+        const Name name(stage.text.substr(0, stage.text.find_first_of(" ({")));
         const auto earlier =
-            std::ranges::count_if(places_, [&](const Place& place) { return place.name == name; });
-        places_.push_back({std::move(step), name, 1 + static_cast<std::size_t>(earlier)});
+            std::ranges::count_if(stages_, [&](const PlacedStage& placed) { return placed.name == name; });
+        stages_.push_back({std::move(stage), name, 1 + static_cast<std::size_t>(earlier)});
     }
 
-    std::vector<Place> places_;
+    std::vector<PlacedStage> stages_;
 };
 
 /// Checks a body that runs in generations. Each generation must be able to work on the population that the
 /// previous generation returns. `more` checks the CheckState after the first generation.
 template <Problem P, class More>
-[[gnu::cold]] void check_generation(const Stage<P>& body, const std::string& name, CheckState& known,
+[[gnu::cold]] void check_generation(const Pipeline<P>& body, const std::string& name, CheckState& known,
                                     More more) {
     CheckState inside = known;
     inside.in_generation = true;
     inside.start_scored = known.scored;
-    if (const std::size_t reads = body.reads_of_start(); reads > 0 && reads != everyone)
+    if (const std::size_t reads = body.reads_of_start(); reads > 0 && reads != all_individuals)
         known.need_score(name); // its best are ranked
     body.check(inside);
     more(inside);
@@ -336,24 +336,24 @@ template <Problem P, class More>
 
 /// a | b of operators, for any problem.
 template <class A, class B>
-requires std::derived_from<A, Operator> && std::derived_from<B, Operator> Then<A, B>
+requires std::derived_from<A, Operator> && std::derived_from<B, Operator> Sequence<A, B>
 operator|(A a, B b) { return {{}, std::move(a), std::move(b)}; }
 
 /// a | b of a pipeline and an operator.
 template <Problem P, class B>
-requires std::convertible_to<B, Stage<P>> Stage<P>
-operator|(Stage<P> a, const B& b) {
-    a.append(Stage<P>(b));
+requires std::convertible_to<B, Pipeline<P>> Pipeline<P>
+operator|(Pipeline<P> a, const B& b) {
+    a.append(Pipeline<P>(b));
     return a;
 }
 
 /// a | b of an operator and a pipeline.
 template <class A, Problem P>
-requires std::derived_from<A, Operator> Stage<P>
-operator|(const A& a, const Stage<P>& b) {
-    Stage<P> stage(a);
-    stage.append(b);
-    return stage;
+requires std::derived_from<A, Operator> Pipeline<P>
+operator|(const A& a, const Pipeline<P>& b) {
+    Pipeline<P> pipeline(a);
+    pipeline.append(b);
+    return pipeline;
 }
 
 } // namespace ga

@@ -20,7 +20,7 @@ class SteadyState {
   public:
     using Genome = typename P::Genome;     ///< genome of the problem
     using Outcome = typename P::Outcome;   ///< type of the caller's answers
-    using Question = ga::Question<Genome>; ///< genome to evaluate, with its number
+    using Proposal = ga::Proposal<Genome>; ///< genome to evaluate, with its number
 
     /// A question or its answer, in the log.
     struct Event {
@@ -34,8 +34,8 @@ class SteadyState {
     /// current population, which is its generation's start (`plus`, `steady`, `crowding`). Individuals are
     /// scored under the problem's first objective. The time budget begins here. Throws UsageError if a stage
     /// cannot work.
-    SteadyState(Stage<P> start, Stage<P> breed, Stage<P> replace, P problem, RunOptions options = {})
-        : problem_(std::move(problem)), breed_(std::move(breed)), replace_(Stage<P>(score()) | replace),
+    SteadyState(Pipeline<P> start, Pipeline<P> breed, Pipeline<P> replace, P problem, RunOptions options = {})
+        : problem_(std::move(problem)), breed_(std::move(breed)), replace_(Pipeline<P>(score()) | replace),
           ledger_(problem_, evaluator_, options.memory_bytes, options.budget),
           context_(ledger_, StagePosition<Genome>(options.variant, options.seed), 0,
                    options.population_bytes) {
@@ -56,7 +56,7 @@ class SteadyState {
     /// The next question. A child with a known outcome is used at once and not asked. Returns nothing if no
     /// individual is known yet, or if the open questions use up the budget. Throws NothingLeft if `breed`
     /// does not make a new genome.
-    std::optional<Question> ask() {
+    std::optional<Proposal> ask() {
         for (int known = 0;;) {
             if (ledger_.watch().expired() || ledger_.spent(static_cast<long>(open_.size())) || !breed())
                 return std::nullopt;
@@ -67,7 +67,7 @@ class SteadyState {
                 continue;
             }
             log_.push_back({asked_});
-            Question question{asked_++, next.genome};
+            Proposal question{asked_++, next.genome};
             open_.emplace(question.id, std::move(next));
             return question;
         }
@@ -104,7 +104,7 @@ class SteadyState {
     /// The current result: the population, best first, without open questions.
     Result<Genome> result() const {
         Result<Genome> result;
-        result.population = best_of(population_, everyone);
+        result.population = best_of(population_, all_individuals);
         result.front = front_of(result.population);
         result.best = context_.best();
         result.counters = ledger_.counters;
@@ -149,7 +149,7 @@ class SteadyState {
         const typename Context<P>::Scope scope(context_.position, Name("told"), 0);
         const typename Context<P>::Round round(context_.position, told_++, &population_);
         if (population_.size() < size_) {
-            context_.score(child, "", Patience::finish);
+            context_.score(child, "", StopMode::after_request);
             population_.push_back(std::move(child.front()));
         } else {
             population_ = replace_(std::move(child), context_);
@@ -159,7 +159,7 @@ class SteadyState {
 
     P problem_;
     Serial<P> evaluator_; ///< never called, because answers are prepaid
-    Stage<P> breed_, replace_;
+    Pipeline<P> breed_, replace_;
     Ledger<P> ledger_;
     Context<P> context_;
     Frame<Genome> states_;

@@ -77,7 +77,7 @@ inline std::vector<double> crowding_distances(const std::vector<Point>& points,
 }
 
 /// A number of individuals that stands for all.
-constexpr std::size_t everyone = static_cast<std::size_t>(-1);
+constexpr std::size_t all_individuals = static_cast<std::size_t>(-1);
 
 /// Classes by Deb's rules (2000). Feasible individuals are first, in the order of falling merit. Infeasible
 /// individuals follow, in the order of growing violation. Failed individuals are last. The first class is -1,
@@ -162,7 +162,7 @@ std::vector<double> merits(const Population<G>& population, const Population<G>&
 }
 
 /// Positions of the n best merits, best first; ties in their order.
-inline std::vector<std::size_t> ranking(const std::vector<double>& merits, std::size_t n = everyone) {
+inline std::vector<std::size_t> ranking(const std::vector<double>& merits, std::size_t n = all_individuals) {
     std::vector<std::size_t> order(merits.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(n, order.size()));
@@ -174,7 +174,7 @@ inline std::vector<std::size_t> ranking(const std::vector<double>& merits, std::
 }
 /// Positions of the n best individuals, best first, failed ones last; ties in the population's order.
 template <class G>
-std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n = everyone) {
+std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n = all_individuals) {
     return ranking(merits(population), n);
 }
 
@@ -188,15 +188,16 @@ Population<G> best_of(const Population<G>& population, std::size_t n) {
     return chosen;
 }
 
-/// The part of a generation's start that a block keeps: the best `reads` individuals, or all for `everyone`.
+/// The part of a generation's start that a block keeps: the best `reads` individuals, or all for
+/// `all_individuals`.
 template <class G>
 Population<G> start_of_generation(const Population<G>& population, std::size_t reads) {
-    return reads == 0 ? Population<G>() : reads == everyone ? population : best_of(population, reads);
+    return reads == 0 ? Population<G>() : reads == all_individuals ? population : best_of(population, reads);
 }
 
 /// Sets all levels of the stage `epsilon` to 0, so that any violation makes an individual infeasible.
 template <class G>
-Population<G> strict(Population<G> population) {
+Population<G> without_levels(Population<G> population) {
     for (auto& individual : population)
         if (!individual.fitness.violations().empty())
             individual.fitness = individual.fitness.relaxed({});

@@ -77,9 +77,9 @@ concept Keyed = requires(const P& problem, const typename P::Genome& genome) {
 /// Optional: the final form of a genome after its evaluation. `score` replaces an evaluated genome by this
 /// final form. Both must have the same key, so that results do not depend on what the memory has forgotten.
 template <class P>
-concept Settling = requires(const P& problem, const typename P::Genome& genome,
-                            const typename P::Outcome& outcome) {
-    { problem.settled(genome, outcome) } -> std::same_as<typename P::Genome>;
+concept HasFinalGenome = requires(const P& problem, const typename P::Genome& genome,
+                                  const typename P::Outcome& outcome) {
+    { problem.final_genome(genome, outcome) } -> std::same_as<typename P::Genome>;
 };
 
 /// Optional: whether operators can work with a genome from outside the run, e.g. by its length and numbers.
@@ -275,7 +275,7 @@ constexpr bool members_fit() {
                           "the problem's member '" #member "' has another signature than " #Concept          \
                           " (ga/problem/problem.hpp) asks for");
     GA_MEMBER_FITS(key, Keyed)
-    GA_MEMBER_FITS(settled, Settling)
+    GA_MEMBER_FITS(final_genome, HasFinalGenome)
     GA_MEMBER_FITS(valid, ValidatesGenomes)
     GA_MEMBER_FITS(valid_outcome, ValidatesOutcomes)
     GA_MEMBER_FITS(genes, ConvertsGenes)

@@ -5,14 +5,14 @@
 namespace ga {
 
 /// A function of the residuals that a search maximises, with its derivatives.
-struct Reading {
+struct ResidualMerit {
     double value;                                        ///< higher is better
     double merit;                                        ///< ranks points, higher is better
     std::vector<std::pair<Eigen::Index, double>> slopes; ///< rows k and d value / d r_k, if it is not 0
 };
 
 /// Minus the largest |r_k| of the residuals r. The slope is taken from the first row k with this value.
-inline Reading minus_largest(const Eigen::VectorXd& residuals) {
+inline ResidualMerit minus_largest(const Eigen::VectorXd& residuals) {
     Eigen::Index worst = 0;
     const double largest = residuals.cwiseAbs().maxCoeff(&worst);
     return {-largest, -largest, {{worst, residuals[worst] < 0 ? 1.0 : -1.0}}};
@@ -22,7 +22,7 @@ inline Reading minus_largest(const Eigen::VectorXd& residuals) {
 /// 2002; NLopt's LD_MMA). `read` returns the function's value and derivatives for given residuals.
 /// @param evaluations  maximum number of evaluations after the start point; inner iterations count
 inline Eigen::VectorXd maximised_by_mma(const auto& land, int evaluations,
-                                        const std::function<Reading(const Eigen::VectorXd&)>& read) {
+                                        const std::function<ResidualMerit(const Eigen::VectorXd&)>& read) {
     NloptSearch search(nlopt::LD_MMA, land.lower, land.upper, evaluations + 1);
     BestPoint best{land.start, -HUGE_VAL};
     search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
@@ -35,7 +35,7 @@ inline Eigen::VectorXd maximised_by_mma(const auto& land, int evaluations,
         const std::optional<Sensitivity> at = land.sensitivity(x);
         if (!at)
             return HUGE_VAL;
-        const Reading reading = read(at->residuals);
+        const ResidualMerit reading = read(at->residuals);
         if (gradient)
             for (const auto& [row, rate] : reading.slopes)
                 slope -= rate * at->jacobian.row(row).transpose();

@@ -103,9 +103,9 @@ class Search {
         Fitness found;
         violations_.resize(0);
         EvaluationRequest<P> request;
-        request.questions.push_back({&genome});
+        request.outcomes.push_back({&genome});
         request.use = [&] {
-            const auto* answer = request.questions.front().answer;
+            const auto* answer = request.outcomes.front().answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return;
             found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
@@ -192,7 +192,7 @@ struct Refine : Operator {
         // One evaluation is reserved for each result. The rest of the budget is divided before any search.
         const auto count = static_cast<long>(jobs.size());
         if (context.ledger().spent(count)) {
-            context.state.in_hand = population;
+            context.state.stopped_population = population;
             throw Stopped{"evaluation budget spent"};
         }
         const long left =
@@ -226,7 +226,7 @@ struct Refine : Operator {
         std::optional<Stopped> stop;
         try {
             if (!answers.empty())
-                context.score(answers, jobs.front()->fitness.objective(), Patience::finish);
+                context.score(answers, jobs.front()->fitness.objective(), StopMode::after_request);
         } catch (const Stopped& stopped) {
             stop = stopped;
         }
@@ -237,7 +237,7 @@ struct Refine : Operator {
             if (answers[i].fitness.known() && better(answers[i].fitness, jobs[i]->fitness))
                 *jobs[i] = std::move(answers[i]);
         if (stop) {
-            context.state.in_hand = population;
+            context.state.stopped_population = population;
             throw *stop;
         }
         return population;

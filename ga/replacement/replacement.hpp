@@ -48,7 +48,7 @@ struct Plus : Operator {
     static void describe(auto& self, auto visit) {
         visit(self.mu, whole("mu", 0, "how many; 0 for as many as at the start").quiet());
     }
-    std::size_t reads_of_start() const { return everyone; }
+    std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>
@@ -65,7 +65,7 @@ struct JoinParents : Operator {
         return {"parents", "replacement",
                 "adds the generation's start, so that the next stages choose among all"};
     }
-    std::size_t reads_of_start() const { return everyone; }
+    std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const {
         known.need_generation(text_of(*this));
         if (known.scored != known.start_scored)
@@ -87,7 +87,7 @@ struct Steady : Operator {
     static Words words() {
         return {"steady", "replacement", "the generation's start with its worst replaced by the children"};
     }
-    std::size_t reads_of_start() const { return everyone; }
+    std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
 
     template <Problem P>

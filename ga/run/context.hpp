@@ -103,7 +103,7 @@ class Context {
     /// Gives every individual its fitness under an objective (empty: the problem's first), with an evaluation
     /// if needed.
     void score(Population<Genome>& population, const std::string& objective_name,
-               Patience patience = Patience::none) {
+               StopMode stop_mode = StopMode::at_once) {
         const std::size_t which = objective_index(objective_name);
         const auto& objective = problem().objectives()[which];
         const Name name = names_[which];
@@ -112,24 +112,24 @@ class Context {
             [&](auto& individual, const Evaluation<Outcome>& evaluation) {
                 individual.fitness = fitness_of(problem(), evaluation, objective, name);
             },
-            patience);
+            stop_mode);
     }
     /// Evaluates every individual for which wanted(individual) is true, unless its outcome is known. Then
     /// calls assign(individual, evaluation), which sets the fitness.
     template <class Wanted, class Assign>
     void visit(Population<Genome>& population, Wanted wanted, Assign assign,
-               Patience patience = Patience::none) {
-        request_.questions.clear();
+               StopMode stop_mode = StopMode::at_once) {
+        request_.outcomes.clear();
         requested_.clear();
         for (auto& individual : population)
             if (wanted(std::as_const(individual))) {
-                request_.questions.push_back({&individual.genome, !individual.fitness.known()});
+                request_.outcomes.push_back({&individual.genome, !individual.fitness.known()});
                 requested_.push_back(&individual);
             }
-        request_.patience = patience;
+        request_.stop_mode = stop_mode;
         request_.use = [&] {
             for (std::size_t i = 0; i < requested_.size(); ++i) {
-                const Evaluation<Outcome>* answer = request_.questions[i].answer;
+                const Evaluation<Outcome>* answer = request_.outcomes[i].answer;
                 if (!answer || std::holds_alternative<Pending>(*answer))
                     continue;
                 auto& individual = *requested_[i];
@@ -137,8 +137,8 @@ class Context {
                 ledger_.note(individual.fitness);
                 if (individual.fitness.has_failed())
                     ++counters().failures;
-                else if constexpr (Settling<P>)
-                    individual.genome = problem().settled(individual.genome, std::get<Outcome>(*answer));
+                else if constexpr (HasFinalGenome<P>)
+                    individual.genome = problem().final_genome(individual.genome, std::get<Outcome>(*answer));
                 offer(individual);
             }
         };
@@ -151,7 +151,7 @@ class Context {
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
-        request_.questions.clear();
+        request_.outcomes.clear();
         requested_.clear();
         std::vector<std::size_t> firsts;
         for (auto& individual : population) {
@@ -159,13 +159,13 @@ class Context {
             const std::size_t had = known.known(names_[which]) ? known.replicates() : 0;
             if (had >= std::max(n, limit) || known.has_failed())
                 continue;
-            firsts.push_back(request_.questions.size());
+            firsts.push_back(request_.outcomes.size());
             requested_.push_back(&individual);
             for (std::size_t r = 0; r < std::min(had + n, std::max(n, limit)); ++r)
-                request_.questions.push_back({&individual.genome, r > 0 ? r >= had : !known.known(), r});
+                request_.outcomes.push_back({&individual.genome, r > 0 ? r >= had : !known.known(), r});
         }
-        firsts.push_back(request_.questions.size());
-        request_.patience = Patience::none;
+        firsts.push_back(request_.outcomes.size());
+        request_.stop_mode = StopMode::at_once;
         request_.use = [&] {
             auto& best = root_.state.best;
             for (std::size_t i = 0; i < requested_.size(); ++i) {
@@ -199,13 +199,14 @@ class Context {
     /// Adds a remark to the run's result, under the path of the current stage.
     void note(const std::string& text) { state.note(path() + ": " + text); }
 
-    /// Throws Stopped, with `in_hand` as the result, if a population of `individuals` individuals would need
-    /// more memory than one population may take. Stages call this before they make a population larger. The
-    /// size of a genome is that of `like`, by default of the first genome in `in_hand`.
-    void need_room(std::size_t individuals, const Population<Genome>& in_hand, const Genome* like = nullptr) {
-        if (in_hand.empty() && !like)
+    /// Throws Stopped, with `population` as the result, if a population of `individuals` individuals would
+    /// need more memory than one population may take. Stages call this before they make a population larger.
+    /// The size of a genome is that of `example`, by default of the first genome in `population`.
+    void need_room(std::size_t individuals, const Population<Genome>& population,
+                   const Genome* example = nullptr) {
+        if (population.empty() && !example)
             return;
-        const Genome& genome = like ? *like : in_hand.front().genome;
+        const Genome& genome = example ? *example : population.front().genome;
         std::size_t each = sizeof(Individual<Genome>);
         if constexpr (Keyed<P>)
             each += 2 * std::string(problem().key(genome)).size();
@@ -213,7 +214,7 @@ class Context {
             each += std::ranges::size(genome) * sizeof(std::ranges::range_value_t<const Genome>);
         if (individuals <= population_bytes_ / each)
             return;
-        state.in_hand = in_hand;
+        state.stopped_population = population;
         throw Stopped{path() + ": a population of " + std::to_string(individuals) + " exceeds the " +
                       std::to_string(population_bytes_ >> 20) + " MB for one"};
     }
@@ -305,7 +306,7 @@ class Context {
         try {
             queue_.serve(request_);
         } catch (const Stopped&) {
-            state.in_hand = population;
+            state.stopped_population = population;
             throw;
         }
     }
@@ -315,7 +316,7 @@ class Context {
         double value = 0;
         std::vector<double> violations;
         for (std::size_t i = from; i < from + n; ++i) {
-            const Evaluation<Outcome>* answer = request_.questions[i].answer;
+            const Evaluation<Outcome>* answer = request_.outcomes[i].answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return std::nullopt;
             const Fitness one = fitness_of(problem(), *answer, objective, names_[which]);

@@ -131,31 +131,31 @@ class Memory {
 template <Problem P>
 using PopulationOf = Population<typename P::Genome>;
 
-/// Whether a stop request takes effect at once or after the current questions.
-enum class Patience { none, finish };
+/// Whether a stop request takes effect at once or after the current request.
+enum class StopMode { at_once, after_request };
 
-/// Questions that are answered together: outcomes of genomes and derivatives.
+/// Outcomes of genomes and derivatives that are requested together.
 template <Problem P>
 struct EvaluationRequest {
     using Genome = typename P::Genome;   ///< genome of the problem
     using Outcome = typename P::Outcome; ///< outcome of an evaluation
 
-    /// One genome's outcome.
-    struct Question {
+    /// One requested outcome.
+    struct OutcomeRequest {
         const Genome* genome;        ///< genome to evaluate; must outlive the answer
-        bool counts = true;          ///< whether the question counts against the budget
+        bool counts = true;          ///< whether the request counts against the budget
         std::uint64_t replicate = 0; ///< number of the replicate of a noisy evaluation
         Fingerprint print = {};      ///< fingerprint of the genome, set by the queue
         /// The answer, set by the queue; null or pending if the run had to end.
         const Evaluation<Outcome>* answer = nullptr;
     };
 
-    std::vector<Question> questions;    ///< questions, which are counted in this order
-    std::vector<Slope<P>*> slopes;      ///< requests for derivatives
-    Patience patience = Patience::none; ///< whether a stop request waits for the answers
+    std::vector<OutcomeRequest> outcomes;   ///< requested outcomes, which are counted in this order
+    std::vector<Slope<P>*> slopes;          ///< requests for derivatives
+    StopMode stop_mode = StopMode::at_once; ///< whether a stop request waits for the answers
     /// Reads the answers, which are valid until it returns. It is called on the queue's thread.
     std::function<void()> use = {};
-    bool spent = false;            ///< whether the budget was too small for all questions; set by the queue
+    bool spent = false;            ///< whether the budget was too small for all outcomes; set by the queue
     std::exception_ptr error = {}; ///< Stopped, NothingLeft, or the exception of `use`; set by the queue
 };
 
@@ -196,10 +196,11 @@ class Ledger : public EvaluationQueue<P> {
         slopes_.clear();
         for (EvaluationRequest<P>* request : requests)
             look_up(*request);
-        const bool patient =
-            std::any_of(requests.begin(), requests.end(),
-                        [](const EvaluationRequest<P>* each) { return each->patience == Patience::finish; });
-        evaluate(patient);
+        const bool to_the_end =
+            std::any_of(requests.begin(), requests.end(), [](const EvaluationRequest<P>* each) {
+                return each->stop_mode == StopMode::after_request;
+            });
+        evaluate(to_the_end);
         const bool cut_short = book();
         for (EvaluationRequest<P>* request : requests)
             answer(*request, cut_short);
@@ -253,7 +254,7 @@ class Ledger : public EvaluationQueue<P> {
     static constexpr std::size_t bookkeeping =
         sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
 
-    /// Counts the questions, and adds a call for each unknown answer.
+    /// Counts the requests, and adds a call for each unknown answer.
     void look_up(EvaluationRequest<P>& request) {
         std::size_t within = 0;
         const auto pay = [&] {
@@ -262,26 +263,26 @@ class Ledger : public EvaluationQueue<P> {
             return !request.spent;
         };
         request.spent = false;
-        for (auto& question : request.questions) {
-            if (question.counts && !pay())
+        for (auto& wanted : request.outcomes) {
+            if (wanted.counts && !pay())
                 break;
-            question.print = identify(problem_, *question.genome);
-            if (question.replicate > 0)
-                question.print = {fold(question.print.high, question.replicate),
-                                  fold(question.print.low, question.replicate)};
-            memory.young.prefetch(question.print);
+            wanted.print = identify(problem_, *wanted.genome);
+            if (wanted.replicate > 0)
+                wanted.print = {fold(wanted.print.high, wanted.replicate),
+                                fold(wanted.print.low, wanted.replicate)};
+            memory.young.prefetch(wanted.print);
             ++within;
         }
         for (std::size_t i = 0; i < within; ++i) {
-            auto& question = request.questions[i];
-            Evaluation<Outcome>& place = memory.at(question.print);
-            question.answer = &place;
+            auto& wanted = request.outcomes[i];
+            Evaluation<Outcome>& place = memory.at(wanted.print);
+            wanted.answer = &place;
             auto* const pending = std::get_if<Pending>(&place);
             if (!pending || pending->queued) {
                 ++counters.remembered;
-            } else if (!take_prepaid(question.print, place)) {
+            } else if (!take_prepaid(wanted.print, place)) {
                 pending->queued = true;
-                calls_.push_back({question.genome, &place, question.replicate});
+                calls_.push_back({wanted.genome, &place, wanted.replicate});
             }
         }
         for (Slope<P>* slope : request.slopes) {
@@ -292,11 +293,11 @@ class Ledger : public EvaluationQueue<P> {
         }
     }
 
-    void evaluate(bool patient) {
+    void evaluate(bool to_the_end) {
         static const Budget endless;
         static const Watch never(endless);
         if (!calls_.empty())
-            evaluator_.outcomes(problem_, calls_, patient ? never : watch_);
+            evaluator_.outcomes(problem_, calls_, to_the_end ? never : watch_);
         if (!slopes_.empty())
             evaluator_.slopes(problem_, slopes_, watch_);
     }
@@ -319,8 +320,8 @@ class Ledger : public EvaluationQueue<P> {
     void answer(EvaluationRequest<P>& request, bool cut_short) {
         const bool open =
             cut_short &&
-            std::any_of(request.questions.begin(), request.questions.end(), [](const auto& question) {
-                return question.answer && std::holds_alternative<Pending>(*question.answer);
+            std::any_of(request.outcomes.begin(), request.outcomes.end(), [](const auto& wanted) {
+                return wanted.answer && std::holds_alternative<Pending>(*wanted.answer);
             });
         try {
             if (request.use)

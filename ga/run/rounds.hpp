@@ -49,7 +49,7 @@ class Rounds {
         return room;
     }
 
-    class Seat : public EvaluationQueue<P> {
+    class JobQueue : public EvaluationQueue<P> {
       public:
         using EvaluationQueue<P>::serve;
         void serve(std::span<EvaluationRequest<P>* const> requests) override {
@@ -64,9 +64,9 @@ class Rounds {
         bool done = false;
     };
 
-    explicit Rounds(std::size_t n) : seats_(n), busy_(n) {
-        for (Seat& seat : seats_)
-            seat.rounds = this;
+    explicit Rounds(std::size_t n) : queues_(n), busy_(n) {
+        for (JobQueue& queue : queues_)
+            queue.rounds = this;
     }
 
     /// Marks one job as waiting or done.
@@ -79,45 +79,45 @@ class Rounds {
     template <class Job>
     void go(std::size_t from, EvaluationQueue<P>& through, Job& job, const std::function<void()>& after) {
         std::vector<std::thread> threads;
-        const std::size_t inside = std::max<std::size_t>(1, room() / seats_.size());
-        for (std::size_t i = 0; i < seats_.size(); ++i)
+        const std::size_t inside = std::max<std::size_t>(1, room() / queues_.size());
+        for (std::size_t i = 0; i < queues_.size(); ++i)
             try {
                 threads.emplace_back([&, i] {
                     room() = inside;
-                    Seat& seat = seats_[i];
+                    JobQueue& queue = queues_[i];
                     try {
-                        job(from + i, static_cast<EvaluationQueue<P>&>(seat));
+                        job(from + i, static_cast<EvaluationQueue<P>&>(queue));
                     } catch (...) {
-                        seat.error = std::current_exception();
+                        queue.error = std::current_exception();
                     }
-                    seat.done = true;
+                    queue.done = true;
                     wait();
                 });
             } catch (const std::system_error&) {
-                seats_[i].error = std::make_exception_ptr(
+                queues_[i].error = std::make_exception_ptr(
                     UsageError("search " + std::to_string(from + i + 1) +
                                ": the system refuses another thread; use fewer islands or more memory"));
-                seats_[i].done = true;
+                queues_[i].done = true;
                 wait();
             }
         while (one_round(through, after)) {
         }
         for (std::thread& thread : threads)
             thread.join();
-        for (const Seat& seat : seats_)
-            if (seat.error)
-                std::rethrow_exception(seat.error);
+        for (const JobQueue& queue : queues_)
+            if (queue.error)
+                std::rethrow_exception(queue.error);
     }
 
     bool one_round(EvaluationQueue<P>& through, const std::function<void()>& after) {
         std::unique_lock lock(guard_);
         all_wait_.wait(lock, [&] { return busy_ == 0; });
         std::vector<EvaluationRequest<P>*> all;
-        std::vector<Seat*> waiting;
-        for (Seat& seat : seats_)
-            if (!seat.done) {
-                waiting.push_back(&seat);
-                all.insert(all.end(), seat.requests.begin(), seat.requests.end());
+        std::vector<JobQueue*> waiting;
+        for (JobQueue& queue : queues_)
+            if (!queue.done) {
+                waiting.push_back(&queue);
+                all.insert(all.end(), queue.requests.begin(), queue.requests.end());
             }
         if (waiting.empty())
             return false;
@@ -133,12 +133,12 @@ class Rounds {
         lock.lock();
         busy_ = waiting.size();
         lock.unlock();
-        for (Seat* seat : waiting)
-            seat->answered.release();
+        for (JobQueue* queue : waiting)
+            queue->answered.release();
         return true;
     }
 
-    std::deque<Seat> seats_;
+    std::deque<JobQueue> queues_;
     std::mutex guard_;
     std::condition_variable all_wait_;
     std::size_t busy_;

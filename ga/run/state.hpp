@@ -20,28 +20,28 @@ class StagePosition {
     /// key of every random stream.
     StagePosition(const std::string& variant, std::uint64_t seed) {
         const std::uint64_t key = fold(0, seed);
-        places_.push_back({Name(variant), 0, key, key, {}});
+        path_.push_back({Name(variant), 0, key, key, {}});
     }
 
     /// Random numbers for the index-th task of the current stage, in this generation.
-    Stream stream(std::size_t index) const { return Stream(fold(places_.back().key, index)); }
+    Stream stream(std::size_t index) const { return Stream(fold(path_.back().key, index)); }
 
     /// The path of the stage: the enclosing blocks, then its name with its ordinal among stages of this name.
     std::string path() const {
         std::string path;
-        for (const Place& place : places_) {
-            path += (path.empty() ? "" : "/") + place.name.text();
-            if (place.ordinal > 0)
-                path += "." + std::to_string(place.ordinal);
+        for (const PathElement& element : path_) {
+            path += (path.empty() ? "" : "/") + element.name.text();
+            if (element.ordinal > 0)
+                path += "." + std::to_string(element.ordinal);
         }
         return path;
     }
     /// The generation of each enclosing block, outermost first, from 0.
     std::vector<std::size_t> generations() const {
         std::vector<std::size_t> generations;
-        for (const Place& place : places_)
-            if (place.generation)
-                generations.push_back(*place.generation);
+        for (const PathElement& element : path_)
+            if (element.generation)
+                generations.push_back(*element.generation);
         return generations;
     }
     /// The best individuals of the innermost generation's first population, as many as its stages read: five
@@ -53,11 +53,11 @@ class StagePosition {
       public:
         /// Enters the stage of that name. Paths show its ordinal if it is above 0.
         Scope(StagePosition& position, Name name, std::size_t ordinal) : position_(position) {
-            const std::uint64_t key = fold(fold(position.places_.back().inner, name.text()), ordinal);
-            position.places_.push_back({name, ordinal, key, key, {}});
+            const std::uint64_t key = fold(fold(position.path_.back().inner, name.text()), ordinal);
+            position.path_.push_back({name, ordinal, key, key, {}});
         }
         Scope(const Scope&) = delete;
-        ~Scope() { position_.places_.pop_back(); }
+        ~Scope() { position_.path_.pop_back(); }
 
       private:
         StagePosition& position_;
@@ -70,16 +70,16 @@ class StagePosition {
         /// it is null, stages use the enclosing block's start.
         Round(StagePosition& position, std::size_t number, Population<G>* start = nullptr)
             : position_(position), has_start_(start != nullptr) {
-            Place& place = position.places_.back();
-            place.generation = number;
-            place.inner = fold(place.key, number);
+            PathElement& element = position.path_.back();
+            element.generation = number;
+            element.inner = fold(element.key, number);
             if (has_start_)
                 position.starts_.push_back(start);
         }
         Round(const Round&) = delete;
         ~Round() {
-            position_.places_.back().generation.reset();
-            position_.places_.back().inner = position_.places_.back().key;
+            position_.path_.back().generation.reset();
+            position_.path_.back().inner = position_.path_.back().key;
             if (has_start_)
                 position_.starts_.pop_back();
         }
@@ -90,7 +90,7 @@ class StagePosition {
     };
 
   private:
-    struct Place {
+    struct PathElement {
         Name name;
         std::size_t ordinal;
         std::uint64_t key;   ///< key of the stage's random numbers
@@ -98,19 +98,19 @@ class StagePosition {
         std::optional<std::size_t> generation;
     };
 
-    std::vector<Place> places_;
+    std::vector<PathElement> path_;
     std::vector<Population<G>*> starts_;
 };
 
 /// The state of an operator, e.g. the step sizes of `cma-es`. Its type may be any S that to_json writes and
 /// from_json reads without loss. Copies are independent of each other.
-class HeldState {
+class OperatorState {
     using Stored = std::shared_ptr<const nlohmann::json>;
 
   public:
-    HeldState() = default;
+    OperatorState() = default;
     /// A state as JSON from a checkpoint. The first call of as() converts it to the operator's type.
-    explicit HeldState(Stored stored) : value_(std::move(stored)) {}
+    explicit OperatorState(Stored stored) : value_(std::move(stored)) {}
 
     /// The state as type S. The first call creates it or reads the stored state. Throws UsageError if the
     /// checkpoint stores another type.
@@ -190,11 +190,11 @@ using Observer = std::function<void(const Event<G>&)>;
 /// Snapshot.
 template <class G>
 struct Frame {
-    std::size_t next = 0;                     ///< index of the block's next stage or generation
-    Population<G> population;                 ///< the current population at this point
-    std::vector<Population<G>> kept;          ///< populations that the block stores
-    std::vector<std::vector<double>> numbers; ///< numbers that the block and its rules store
-    std::map<std::string, HeldState> states;  ///< states of the operators inside, by path
+    std::size_t next = 0;                        ///< index of the block's next stage or generation
+    Population<G> population;                    ///< the current population at this point
+    std::vector<Population<G>> kept;             ///< populations that the block stores
+    std::vector<std::vector<double>> numbers;    ///< numbers that the block and its rules store
+    std::map<std::string, OperatorState> states; ///< states of the operators inside, by path
 };
 
 /// The state of a run between two stages, from which it can continue.
@@ -219,15 +219,15 @@ class RunState {
     /// @param step  difference of two successive identities
     explicit RunState(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
 
-    Identity next_identity;               ///< identity of the next new individual
-    Identity identity_step;               ///< difference of two successive identities
-    std::list<Frame<G>> frames;           ///< one per open block, outermost first
-    std::list<Frame<G>> saved;            ///< frames of blocks that will open again after a resume
-    std::vector<Frame<G>*> loops;         ///< frames of blocks whose stages run repeatedly
-    std::optional<Individual<G>> best;    ///< best under the problem's first objective
-    std::optional<Population<G>> in_hand; ///< the population of a run that has to stop
-    double earlier_seconds = 0;           ///< time spent in earlier processes of the run, s
-    std::vector<std::string> notes;       ///< remarks, in the order they were made
+    Identity next_identity;                          ///< identity of the next new individual
+    Identity identity_step;                          ///< difference of two successive identities
+    std::list<Frame<G>> frames;                      ///< one per open block, outermost first
+    std::list<Frame<G>> saved;                       ///< frames of blocks that will open again after a resume
+    std::vector<Frame<G>*> loops;                    ///< frames of blocks whose stages run repeatedly
+    std::optional<Individual<G>> best;               ///< best under the problem's first objective
+    std::optional<Population<G>> stopped_population; ///< the population of a run that has to stop
+    double earlier_seconds = 0;                      ///< time spent in earlier processes of the run, s
+    std::vector<std::string> notes;                  ///< remarks, in the order they were made
 
     /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {

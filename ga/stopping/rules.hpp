@@ -8,7 +8,7 @@ namespace ga {
 
 /// The state of a block before each generation, for its stopping rules.
 template <class G>
-struct Progress {
+struct BlockProgress {
     std::size_t generation;          ///< number of completed generations
     long requested;                  ///< evaluations requested since the block began
     double seconds;                  ///< time since the block began, in all processes of the run, s
@@ -22,7 +22,7 @@ using Numbers = std::vector<double>;
 /// operator, and this member:
 ///
 /// @code
-///     template <class G> bool operator()(const Progress<G>&, Numbers& memory) const;
+///     template <class G> bool operator()(const BlockProgress<G>&, Numbers& memory) const;
 /// @endcode
 /// It may also have
 /// @code
@@ -38,8 +38,8 @@ struct Rule {
     std::string text; ///< text of the rule, e.g. "stagnation 5"
     std::function<void(const CheckState&, const std::string&)>
         check; ///< checks whether the rule can work in the stage of this name; may be empty
-    std::function<bool(const Progress<G>&, Numbers&)> holds; ///< whether to end the block
-    bool sure = false;                                       ///< whether it certainly holds at some time
+    std::function<bool(const BlockProgress<G>&, Numbers&)> holds; ///< whether to end the block
+    bool sure = false;                                            ///< whether it certainly holds at some time
 };
 
 /// The rule for one type of genome.
@@ -59,7 +59,7 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 /// more the hypervolume is estimated (dominated_share). Stores in `memory` the lowest violation, the highest
 /// value and the last generation that improved.
 template <class G>
-bool improves(const Progress<G>& now, Numbers& memory) {
+bool improves(const BlockProgress<G>& now, Numbers& memory) {
     if (memory.empty())
         memory = {HUGE_VAL, -HUGE_VAL, 0};
     double violation = HUGE_VAL, worth = -HUGE_VAL;
@@ -114,7 +114,7 @@ struct AfterGenerations : StoppingRule {
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
 
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers&) const {
+    bool operator()(const BlockProgress<G>& now, Numbers&) const {
         return now.generation >= n;
     }
 };
@@ -127,7 +127,7 @@ struct AfterEvaluations : StoppingRule {
     static void describe(auto& self, auto visit) { visit(self.n, count_of(words())); }
 
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers&) const {
+    bool operator()(const BlockProgress<G>& now, Numbers&) const {
         return now.requested >= n;
     }
 };
@@ -143,7 +143,7 @@ struct AfterSeconds : StoppingRule {
     static void describe(auto& self, auto visit) { visit(self.limit, value_of(words(), 0)); }
 
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers&) const {
+    bool operator()(const BlockProgress<G>& now, Numbers&) const {
         return now.seconds >= limit;
     }
 };
@@ -157,7 +157,7 @@ struct AtFitness : StoppingRule {
     void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
 
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers&) const {
+    bool operator()(const BlockProgress<G>& now, Numbers&) const {
         return std::any_of(now.population.begin(), now.population.end(), [&](const auto& individual) {
             const Fitness& f = individual.fitness;
             return f.known() && f.feasible() && (f.minimises() ? f.value() <= value : f.value() >= value);
@@ -177,7 +177,7 @@ struct AtStagnation : StoppingRule {
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
 
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers& memory) const {
+    bool operator()(const BlockProgress<G>& now, Numbers& memory) const {
         improves(now, memory);
         return static_cast<double>(now.generation) - memory[2] >= static_cast<double>(n);
     }
@@ -193,7 +193,7 @@ struct AtConvergence : StoppingRule {
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
 
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers&) const {
+    bool operator()(const BlockProgress<G>& now, Numbers&) const {
         Point lowest, highest;
         for (const auto& individual : now.population) {
             const Fitness& fitness = individual.fitness;

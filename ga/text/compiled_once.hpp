@@ -18,10 +18,10 @@
 #define GA_PIPELINES_OF(instantiate, P)                                                                      \
     instantiate ga::Registry<P> ga::vocabulary<P>();                                                         \
     instantiate class ga::Parser<P>;                                                                         \
-    instantiate ga::Result<P::Genome> ga::run(const ga::Stage<P>&, const P&, ga::Population<P::Genome>,      \
+    instantiate ga::Result<P::Genome> ga::run(const ga::Pipeline<P>&, const P&, ga::Population<P::Genome>,   \
                                               const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>,   \
                                               ga::Checkpointer<P>*);                                         \
     instantiate ga::Result<P::Genome> ga::run_by(                                                            \
-        ga::Evaluator<P>&, const ga::Stage<P>&, const P&, ga::Population<P::Genome>, const ga::RunOptions&,  \
-        std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
+        ga::Evaluator<P>&, const ga::Pipeline<P>&, const P&, ga::Population<P::Genome>,                      \
+        const ga::RunOptions&, std::vector<ga::Observer<P::Genome>>, ga::Checkpointer<P>*);
 /// @endcond

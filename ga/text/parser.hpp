@@ -148,10 +148,10 @@ class Parser {
 
     /// @param text   a pipeline
     /// @param where  its name in messages
-    [[gnu::cold]] Stage<P> parse(const std::string& text, const std::string& where = "pipeline");
+    [[gnu::cold]] Pipeline<P> parse(const std::string& text, const std::string& where = "pipeline");
 
     /// The pipeline of a named variant. Names of other variants are expanded in place; a cycle is refused.
-    [[gnu::cold]] Stage<P> variant(const std::string& name);
+    [[gnu::cold]] Pipeline<P> variant(const std::string& name);
 
   private:
     static constexpr std::size_t max_stages = 10000;
@@ -161,24 +161,24 @@ class Parser {
         open_.clear();
         stages_ = 0;
     }
-    [[gnu::cold]] Stage<P> read(const std::string& text, const std::string& where) {
-        return made(Syntax(text, where).read(), where);
+    [[gnu::cold]] Pipeline<P> read(const std::string& text, const std::string& where) {
+        return make(Syntax(text, where).read(), where);
     }
-    [[gnu::cold]] Stage<P> named(const std::string& name) {
+    [[gnu::cold]] Pipeline<P> named(const std::string& name) {
         open_.push_back(name);
-        Stage<P> stage = read(variants_.at(name), "variant '" + name + "'");
+        Pipeline<P> pipeline = read(variants_.at(name), "variant '" + name + "'");
         open_.pop_back();
-        return stage;
+        return pipeline;
     }
 
-    [[gnu::cold]] Stage<P> made(const PipelineText& pipeline, const std::string& where) {
-        Stage<P> stage;
-        for (const auto& each : pipeline)
-            stage.append(made(each, where));
-        return stage;
+    [[gnu::cold]] Pipeline<P> make(const PipelineText& stages, const std::string& where) {
+        Pipeline<P> pipeline;
+        for (const StageText& stage : stages)
+            pipeline.append(make(stage, where));
+        return pipeline;
     }
 
-    [[gnu::cold]] Stage<P> made(const StageText& text, const std::string& where) {
+    [[gnu::cold]] Pipeline<P> make(const StageText& text, const std::string& where) {
         if (variants_.count(text.name))
             return expanded(text, where);
         if (text.name == "pair")
@@ -194,9 +194,9 @@ class Parser {
                 where, text.column,
                 "stage '" + name +
                     (entry.bodies == 0 ? "' takes no { ... }; remove it" : "' lacks its { ... }; add it"));
-        std::vector<Stage<P>> bodies;
+        std::vector<Pipeline<P>> bodies;
         for (const auto& body : stage.bodies)
-            bodies.push_back(made(body, where));
+            bodies.push_back(make(body, where));
         if (entry.pairs_of_words)
             key_words(entry, stage, where);
         const Arguments arguments(entry.parameters, stage.arguments, name, text.column, where);
@@ -266,19 +266,19 @@ class Parser {
             }
     }
 
-    [[gnu::cold]] Stage<P> paired(const StageText& text, const std::string& where) {
+    [[gnu::cold]] Pipeline<P> paired(const StageText& text, const std::string& where) {
         const ArgumentText& name = text.arguments.front();
         std::vector<std::string> names;
         for (const auto& [combine, meaning] : registry_.combines()) {
             if (combine.name == name.value)
-                return Stage<P>(pair(made(text.bodies[0], where), made(text.bodies[1], where), combine));
+                return Pipeline<P>(pair(make(text.bodies[0], where), make(text.bodies[1], where), combine));
             names.push_back(combine.name);
         }
         throw TextError(where, name.column,
                         "unknown combination '" + name.value + "'" + suggestion(name.value, names));
     }
 
-    [[gnu::cold]] Stage<P> expanded(const StageText& text, const std::string& where) {
+    [[gnu::cold]] Pipeline<P> expanded(const StageText& text, const std::string& where) {
         if (!text.arguments.empty() || !text.bodies.empty())
             throw TextError(where, text.column,
                             "variant '" + text.name + "' takes no arguments; remove them");
@@ -293,11 +293,11 @@ class Parser {
     }
 
     /// Returns the stage with its column.
-    [[gnu::cold]] Stage<P> located(Stage<P> stage, const StageText& text, const std::string& where) {
+    [[gnu::cold]] Pipeline<P> located(Pipeline<P> pipeline, const StageText& text, const std::string& where) {
         if (++stages_ > max_stages)
             throw TextError(where, text.column, "more than 10000 stages, with those of variants; use fewer");
-        stage.locate(where, text.column);
-        return stage;
+        pipeline.locate(where, text.column);
+        return pipeline;
     }
 
     [[gnu::cold]] std::vector<std::string> variant_names() const {
@@ -315,12 +315,12 @@ class Parser {
 
 // Functions outside the class are not inline, so compiled_once.hpp can keep them in one file.
 template <Problem P>
-Stage<P> Parser<P>::parse(const std::string& text, const std::string& where) {
+Pipeline<P> Parser<P>::parse(const std::string& text, const std::string& where) {
     begin();
     return read(text, where);
 }
 template <Problem P>
-Stage<P> Parser<P>::variant(const std::string& name) {
+Pipeline<P> Parser<P>::variant(const std::string& name) {
     if (!variants_.count(name))
         throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
     begin();

@@ -74,7 +74,7 @@ class Arguments {
     /// Assigns the values to an object with these parameters and validates it.
     template <class T>
     [[gnu::cold]] void fill(T& described) const {
-        put(fields_of(described));
+        put(bound_parameters(described));
         if constexpr (requires { described.validate(); })
             described.validate();
     }
@@ -93,8 +93,8 @@ class Arguments {
     }
 
   private:
-    [[gnu::cold]] void put(const std::vector<Field>& fields) const {
-        for (const Field& field : fields)
+    [[gnu::cold]] void put(const std::vector<BoundParameter>& fields) const {
+        for (const BoundParameter& field : fields)
             if (has(field.parameter.name))
                 std::visit(
                     [&](auto* at) {
@@ -126,9 +126,9 @@ class Registry {
   public:
     using Genome = typename P::Genome; ///< genome of the problem
     /// Pipelines in braces after a stage.
-    using Bodies = std::vector<Stage<P>>;
+    using Bodies = std::vector<Pipeline<P>>;
     /// A function that makes a stage from its arguments.
-    using Make = std::function<Stage<P>(const Arguments&, const Bodies&, const Registry&)>;
+    using Make = std::function<Pipeline<P>(const Arguments&, const Bodies&, const Registry&)>;
 
     /// An operator for text. A name of two words ("cross sbx") is a member of the family "cross". A member
     /// with only the family's name is its default.
@@ -179,7 +179,7 @@ class Registry {
     requires std::derived_from<Op, Operator>
     void add(std::string name, std::string group, std::string meaning, Op op) {
         add({std::move(name), std::move(group), std::move(meaning), {}},
-            [stage = Stage<P>(std::move(op))](const auto&...) { return stage; });
+            [stage = Pipeline<P>(std::move(op))](const auto&...) { return stage; });
     }
     /// Adds a combination of two individuals, which `pair` takes by its name.
     void add(Combine<Genome> combine, std::string meaning) {
@@ -236,7 +236,7 @@ class Registry {
                     if constexpr (is_block)
                         op.body = bodies[0];
                     a.fill(op);
-                    return Stage<P>(std::move(op));
+                    return Pipeline<P>(std::move(op));
                 });
         }
     }

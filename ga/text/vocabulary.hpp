@@ -17,14 +17,14 @@ Registry<P> vocabulary() {
         .template add<Cross<OnePoint>, Cross<Points>, Cross<Uniform>, Cross<Blend>, Cross<SimulatedBinary>,
                       Cross<Order>, Mutate<Natural>, Mutate<Gaussian>, Mutate<UniformStep>,
                       Mutate<Polynomial>, Mutate<Reset>, Mutate<Swap>, Mutate<Reverse>, Sample>();
-    registry.template add<Elite, Plus, JoinParents, Steady, Repeat<Stage<P>>>();
+    registry.template add<Elite, Plus, JoinParents, Steady, Repeat<Pipeline<P>>>();
     registry.add({"until", "blocks", "generations until the first condition holds", {}, {}, 1, true},
-                 [](const Arguments& a, const std::vector<Stage<P>>& bodies, const Registry<P>& r) {
-                     return Stage<P>(until_step<P>(bodies[0], r.rules(a)));
+                 [](const Arguments& a, const std::vector<Pipeline<P>>& bodies, const Registry<P>& r) {
+                     return Pipeline<P>(until_stage<P>(bodies[0], r.rules(a)));
                  });
     registry.template add_rule<AfterGenerations, AfterEvaluations, AfterSeconds, AtFitness, AtStagnation,
                                AtConvergence>();
-    registry.template add<Restarts<Stage<P>>, Islands<Stage<P>>>();
+    registry.template add<Restarts<Pipeline<P>>, Islands<Pipeline<P>>>();
     return registry;
 }
 

@@ -8,16 +8,16 @@ namespace ga {
 
 /// The stage that refines the named choice of genes; `all` is every gene within the problem's bounds.
 template <Problem P, class M>
-Stage<P> refined(M method, const Arguments& a, const Registry<P>& registry) {
+Pipeline<P> refined(M method, const Arguments& a, const Registry<P>& registry) {
     std::vector<std::string> names;
     for (const auto& [variables, meaning] : registry.variables()) {
         if (variables.name == a.word("genes"))
-            return Stage<P>(refine(std::move(method), variables));
+            return Pipeline<P>(refine(std::move(method), variables));
         names.push_back(variables.name);
     }
     if constexpr (Bounded<P>) {
         if (a.word("genes") == EveryGene().name)
-            return Stage<P>(refine(std::move(method)));
+            return Pipeline<P>(refine(std::move(method)));
         names.push_back(EveryGene().name);
     }
     a.refuse("genes", "unknown genes '" + a.word("genes") + "'" + suggestion(a.word("genes"), names));
@@ -32,7 +32,7 @@ void add_method(Registry<P>& registry) {
     entry.parameters.push_back(word("genes", "all", "which genes move, and how far"));
     if constexpr (Refinable<P, M>) {
         registry.add(
-            std::move(entry), +[](const Arguments& a, const std::vector<Stage<P>>&, const Registry<P>& r) {
+            std::move(entry), +[](const Arguments& a, const std::vector<Pipeline<P>>&, const Registry<P>& r) {
                 V values;
                 a.fill(values);
                 return refined(method_of(std::move(values)), a, r);

@@ -35,7 +35,7 @@ struct Mutate : Operator {
     std::string text() const {
         std::string text = "mutate " + number(rate);
         Method copy = method;
-        for (const std::string& part : {Method::words().name, values_in_words(fields_of(copy))})
+        for (const std::string& part : {Method::words().name, values_in_words(bound_parameters(copy))})
             text += (part.empty() ? "" : " ") + part;
         return text;
     }

@@ -87,10 +87,8 @@ void calibrate() {
     rounds_of_a_millisecond = static_cast<long>(1000 / least);
 }
 
-using Pipeline = Stage<Real<first>>;
-
 /// The overhead of a pipeline of 1000 generations of a hundred, median of nine.
-double overhead(const char* name, const Pipeline& pipeline) {
+double overhead(const char* name, const Pipeline<Real<first>>& pipeline) {
     const Real<first> problem;
     std::vector<double> nanoseconds;
     for (int i = 0; i < 9; ++i) {

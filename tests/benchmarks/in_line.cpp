@@ -51,7 +51,7 @@ Reached in_line(const char* file, const Target& target, double seconds) {
     setup.limits.shortest_wave = store.setup().law.shortest;
     const auto genomes = stored_starts(store, setup, 8);
     const DesignProblem problem(setup);
-    const Pipeline pipeline =
+    const DesignPipeline pipeline =
         design_pipeline(setup, "score | refine lm 12 | best 4 | refine lm 30 sharpen=8 | "
                                "best 2 | refine lm 200 sharpen=5 | best 1");
     ga::RunOptions options;

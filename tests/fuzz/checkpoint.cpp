@@ -10,7 +10,7 @@ namespace {
 struct Begun {
     tests::Folder folder;
     rough::DesignProblem problem;
-    rough::Pipeline pipeline;
+    rough::DesignPipeline pipeline;
     std::string kept;
 
     static rough::DesignSetup setup() {

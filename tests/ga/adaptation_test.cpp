@@ -57,7 +57,7 @@ struct Counting : Operator {
     }
 };
 /// Runs it in a block and returns its notes.
-Counting::Seen seen_in(const std::function<Stage<Reals>(const Stage<Reals>&)>& block) {
+Counting::Seen seen_in(const std::function<Pipeline<Reals>(const Pipeline<Reals>&)>& block) {
     const Counting counting;
     run(reals("sample 2 | score") | block(counting), Reals{}, {}, {.threads = 1});
     std::stable_sort(counting.seen->begin(), counting.seen->end(),
@@ -78,27 +78,29 @@ TEST_CASE("the constants of CMA-ES follow Hansen's tutorial for few and many chi
 }
 
 TEST_CASE("three generations of CMA-ES equal those of an independent program") {
-    Cloud cloud(Eigen::Vector2d(1, 2), 0.5);
+    SearchDistribution distribution(Eigen::Vector2d(1, 2), 0.5);
     const auto check = [&](double m0, double m1, double sigma, double c00, double c01, double c11, double p0,
                            double p1) {
-        CHECK((cloud.mean[0] == Approx(m0).epsilon(1e-13) && cloud.mean[1] == Approx(m1).epsilon(1e-13)));
-        CHECK(cloud.sigma == Approx(sigma).epsilon(1e-13));
-        CHECK(cloud.covariance(0, 0) == Approx(c00).epsilon(1e-13));
-        CHECK(cloud.covariance(0, 1) == Approx(c01).epsilon(1e-12));
-        CHECK(cloud.covariance(1, 1) == Approx(c11).epsilon(1e-13));
-        CHECK((cloud.path_c[0] == Approx(p0).epsilon(1e-12) && cloud.path_c[1] == Approx(p1).epsilon(1e-13)));
+        CHECK((distribution.mean[0] == Approx(m0).epsilon(1e-13) &&
+               distribution.mean[1] == Approx(m1).epsilon(1e-13)));
+        CHECK(distribution.sigma == Approx(sigma).epsilon(1e-13));
+        CHECK(distribution.covariance(0, 0) == Approx(c00).epsilon(1e-13));
+        CHECK(distribution.covariance(0, 1) == Approx(c01).epsilon(1e-12));
+        CHECK(distribution.covariance(1, 1) == Approx(c11).epsilon(1e-13));
+        CHECK((distribution.path_c[0] == Approx(p0).epsilon(1e-12) &&
+               distribution.path_c[1] == Approx(p1).epsilon(1e-13)));
     };
-    cloud.learn(six, six_steps);
+    distribution.learn(six, six_steps);
     check(1.3533681071042383, 2.032652948355438, 0.4517482891753802, 0.9914491124828981, 0.01512945756488861,
           0.7596880712640123, 0.9329613559687964, 0.08621021071684297);
-    cloud.learn(six, six_steps.rowwise().reverse());
+    distribution.learn(six, six_steps.rowwise().reverse());
     check(1.2211853493352072, 2.6728819547164044, 0.5396732465936928, 0.8352413023389593,
           -0.017983686540776412, 1.3479413344979199, -0.035988220829193174, 1.903243816844794);
-    cloud.learn(six, 5 * six_steps); // so far that the path of C stalls
+    distribution.learn(six, 5 * six_steps); // so far that the path of C stalls
     check(3.1282184853713275, 2.8491011812147575, 1.3130938780643515, 2.197923196966732, 0.44020658447124417,
           2.2152431620282624, -0.013511614158820797, 0.714564252159636);
     for (const double length : {0.99, 1.01}) { // in the first generation it stalls from 1.4 + 2/(n + 1)
-        Cloud first(Eigen::Vector2d(1, 2), 0.5);
+        SearchDistribution first(Eigen::Vector2d(1, 2), 0.5);
         first.learn(six, Eigen::Vector2d(0, length * (1.4 + 2 / 3.0) * six.chi / std::sqrt(six.mu_eff)));
         CHECK((first.path_c.norm() > 0) == (length < 1));
     }
@@ -106,17 +108,17 @@ TEST_CASE("three generations of CMA-ES equal those of an independent program") {
 
 TEST_CASE("a mirrored child teaches nothing when it is bad, all when it is good") {
     const auto learnt = [&](const Eigen::MatrixXd& from, const std::vector<bool>& altered) {
-        Cloud cloud(Eigen::Vector2d(1, 2), 0.5);
-        cloud.learn(six, from, altered);
-        return cloud;
+        SearchDistribution distribution(Eigen::Vector2d(1, 2), 0.5);
+        distribution.learn(six, from, altered);
+        return distribution;
     };
-    const Cloud whole = learnt(six_steps, {});
+    const SearchDistribution whole = learnt(six_steps, {});
     CHECK(learnt(six_steps, {true, true, true, false, false, false}).covariance == whole.covariance);
     // The difference is c_mu |w| (n y y' / |y|^2 - C): Eq. 46 and 47 from C = I.
     const Eigen::Vector2d y = six_steps.col(4);
     const double w = six.c_mu * six.weights[4];
     const Eigen::Matrix2d less = w * (2 * y * y.transpose() / y.squaredNorm() - Eigen::Matrix2d::Identity());
-    const Cloud without = learnt(six_steps, {false, false, false, false, true});
+    const SearchDistribution without = learnt(six_steps, {false, false, false, false, true});
     CHECK((without.covariance - (whole.covariance - less)).norm() < 1e-15);
     CHECK(without.mean == whole.mean);
     CHECK(without.sigma == whole.sigma);
@@ -174,45 +176,53 @@ TEST_CASE("restarts of CMA-ES find Rastrigin's minimum, unlike a single run") {
 }
 
 TEST_CASE("a run of CMA-ES ends by each of Hansen's rules") {
-    using Change = std::function<void(Cloud&, CmaRecord&)>;
+    using Change = std::function<void(SearchDistribution&, CmaRecord&)>;
     const auto flat = [](std::vector<double>& values) {
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = static_cast<double>(i % 2);
     };
     const auto equal = [](int times) {
-        return [=](Cloud&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, times, 1.0); };
+        return
+            [=](SearchDistribution&, CmaRecord& record) { std::fill_n(record.equal.end() - 10, times, 1.0); };
     };
     const auto small = [](double sigma, double variance) {
-        return [=](Cloud& cloud, CmaRecord&) {
-            cloud.mean.setZero();
-            cloud.sigma = sigma;
-            cloud.covariance.diagonal().setConstant(variance);
+        return [=](SearchDistribution& distribution, CmaRecord&) {
+            distribution.mean.setZero();
+            distribution.sigma = sigma;
+            distribution.covariance.diagonal().setConstant(variance);
         };
     };
     const std::vector<std::tuple<std::string, Change, double>> cases = {
-        {"", [](Cloud&, CmaRecord&) {}, 0.3},
-        {"MaxIter", [](Cloud& cloud, CmaRecord&) { cloud.learnt = 3000; }, 0.3},
+        {"", [](SearchDistribution&, CmaRecord&) {}, 0.3},
+        {"MaxIter", [](SearchDistribution& distribution, CmaRecord&) { distribution.learnt = 3000; }, 0.3},
         {"TolHistFun",
-         [](Cloud&, CmaRecord& record) { std::fill(record.best.end() - 40, record.best.end(), 7.0); }, 0.3},
+         [](SearchDistribution&, CmaRecord& record) {
+             std::fill(record.best.end() - 40, record.best.end(), 7.0);
+         },
+         0.3},
         {"", equal(3), 0.3},
         {"EqualFunVals", equal(4), 0.3},
         {"TolX", small(1.8e-12, 0.25), 1}, // the standard deviation is sigma sqrt(C)
         {"", small(0.9e-12, 4), 1},
-        {"TolUpSigma", [](Cloud& cloud, CmaRecord&) { cloud.sigma = 1e20; }, 0.3},
-        {"Stagnation", [&](Cloud&, CmaRecord& record) { flat(record.best), flat(record.median); }, 0.3},
-        {"", [&](Cloud&, CmaRecord& record) { flat(record.best); }, 0.3},
-        {"", [&](Cloud&, CmaRecord& record) { flat(record.median); }, 0.3},
-        {"ConditionCov", [](Cloud& cloud, CmaRecord&) { cloud.scales[4] = 1e-8; }, 0.3},
-        {"NoEffectAxis", [](Cloud& cloud, CmaRecord&) { cloud.sigma = 1e-17; }, 1e-10},
-        {"NoEffectCoord", [](Cloud& cloud, CmaRecord&) { cloud.covariance(3, 3) = 1e-40; }, 0.3}};
+        {"TolUpSigma", [](SearchDistribution& distribution, CmaRecord&) { distribution.sigma = 1e20; }, 0.3},
+        {"Stagnation",
+         [&](SearchDistribution&, CmaRecord& record) { flat(record.best), flat(record.median); }, 0.3},
+        {"", [&](SearchDistribution&, CmaRecord& record) { flat(record.best); }, 0.3},
+        {"", [&](SearchDistribution&, CmaRecord& record) { flat(record.median); }, 0.3},
+        {"ConditionCov", [](SearchDistribution& distribution, CmaRecord&) { distribution.scales[4] = 1e-8; },
+         0.3},
+        {"NoEffectAxis", [](SearchDistribution& distribution, CmaRecord&) { distribution.sigma = 1e-17; },
+         1e-10},
+        {"NoEffectCoord",
+         [](SearchDistribution& distribution, CmaRecord&) { distribution.covariance(3, 3) = 1e-40; }, 0.3}};
     for (const auto& [reason, change, scale] : cases) {
-        Cloud cloud(Eigen::VectorXd::Ones(10), 0.3);
-        cloud.learnt = 155;
+        SearchDistribution distribution(Eigen::VectorXd::Ones(10), 0.3);
+        distribution.learnt = 155;
         CmaRecord record;
         for (int i = 0; i < 200; ++i)
             record.note({i + 0.0, i + 0.0, i - 1.0}, 10);
-        change(cloud, record);
-        const char* const why = over(cloud, CmaConstants(10, 10), record, scale);
+        change(distribution, record);
+        const char* const why = stop_criterion(distribution, CmaConstants(10, 10), record, scale);
         CHECK(std::string(why ? why : "") == reason);
     }
 }
@@ -394,7 +404,7 @@ TEST_CASE("inherited step sizes multiply by log-normal factors in every generati
                                   CHECK(square / count == Approx(++generation * variance).epsilon(0.15));
                                   CHECK(std::abs(mean / count) < 4 * std::sqrt(generation * variance / 2000));
                               }};
-        run(reals("sample 2000 | score") | repeat(3, Stage<Reals>(watched) | reals("score")),
+        run(reals("sample 2000 | score") | repeat(3, Pipeline<Reals>(watched) | reals("score")),
             minimum(8, functions::sphere), {});
         CHECK(generation == 3);
     }
@@ -422,7 +432,7 @@ TEST_CASE("an operator's state starts again with its block and differs between i
     using Seen = Counting::Seen;
     CHECK(seen_in([](const auto& body) { return repeat(3, body); }) == Seen{{0, 0}, {1, 1}, {2, 2}});
     CHECK(seen_in([](const auto& body) { return restarts(3, body); }) == Seen{{0, 0}, {0, 1}, {0, 2}});
-    CHECK(seen_in([](const auto& body) { return repeat(2, Stage<Reals>(repeat(2, body))); }) ==
+    CHECK(seen_in([](const auto& body) { return repeat(2, Pipeline<Reals>(repeat(2, body))); }) ==
           Seen{{0, 0}, {0, 0}, {1, 1}, {1, 1}});
     CHECK(seen_in([](const auto& body) { return islands(2, {.rounds = 2, .migrants = 0}, body); }) ==
           Seen{{0, 0}, {0, 0}, {1, 1}, {1, 1}});

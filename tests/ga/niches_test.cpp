@@ -112,7 +112,7 @@ TEST_CASE("crowding replaces the more similar parent when the child is better") 
     const Reals f = minimum(
         1, [](const Vector& x) { return std::abs(x[0] - 5); }, 0, 10);
     const auto after = [&](Vector genes) {
-        const auto body = Stage<Reals>(Children{{}, std::move(genes)}) | reals("score | crowding");
+        const auto body = Pipeline<Reals>(Children{{}, std::move(genes)}) | reals("score | crowding");
         return first_genes(run(repeat(1, body), f, scored(f, {{1}, {8}, {4}})).population);
     };
     CHECK(after({7, 2}) == Vector{2, 4, 7});

@@ -20,14 +20,14 @@ std::vector<Point> points(std::size_t n, std::size_t objectives, std::uint64_t s
 
 TEST_CASE("Pareto ranks equal those of the definition") {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        const auto cloud = points(40, 2 + seed % 3, seed);
-        std::vector<std::size_t> expected(cloud.size(), 99);
-        for (std::size_t front = 0, left = cloud.size(); left > 0; ++front) {
+        const auto distribution = points(40, 2 + seed % 3, seed);
+        std::vector<std::size_t> expected(distribution.size(), 99);
+        for (std::size_t front = 0, left = distribution.size(); left > 0; ++front) {
             std::vector<std::size_t> members;
-            for (std::size_t i = 0; i < cloud.size(); ++i) {
+            for (std::size_t i = 0; i < distribution.size(); ++i) {
                 bool dominated = false;
-                for (std::size_t j = 0; j < cloud.size(); ++j)
-                    dominated |= expected[j] >= front && dominates(cloud[j], cloud[i]);
+                for (std::size_t j = 0; j < distribution.size(); ++j)
+                    dominated |= expected[j] >= front && dominates(distribution[j], distribution[i]);
                 if (expected[i] == 99 && !dominated)
                     members.push_back(i);
             }
@@ -35,7 +35,7 @@ TEST_CASE("Pareto ranks equal those of the definition") {
                 expected[i] = front;
             left -= members.size();
         }
-        CHECK(pareto_ranks(cloud) == expected);
+        CHECK(pareto_ranks(distribution) == expected);
     }
 }
 

@@ -132,10 +132,10 @@ TEST_CASE("a check takes time in proportion to the depth of blocks") {
         Population<Vector> operator()(Population<Vector> all, Context<Reals>&) const { return all; }
     };
     long checks = 0;
-    Stage<Reals> stage = Stage<Reals>(Counted{{}, &checks}) | reals("score");
+    Pipeline<Reals> pipeline = Pipeline<Reals>(Counted{{}, &checks}) | reals("score");
     for (int depth = 0; depth < 40; ++depth)
-        stage = Stage<Reals>(repeat(1, stage));
-    run(reals("sample 2") | stage, Reals{}, {});
+        pipeline = Pipeline<Reals>(repeat(1, pipeline));
+    run(reals("sample 2") | pipeline, Reals{}, {});
     CHECK(checks <= 3 * 40);
 }
 
@@ -194,19 +194,19 @@ TEST_CASE("ask and tell give the bits of a run, whatever the order of answers") 
     const auto inside = run(searching, Reals{}, {}, {.seed = 5});
     AskTell<Reals> search(reals(searching), outside(), {}, {.seed = 5});
     std::size_t told = 0;
-    for (auto questions = search.ask(); !questions.empty(); questions = search.ask()) {
-        CHECK(questions.front().id == told);
-        std::reverse(questions.begin(), questions.end());
-        if (questions.size() > 1) { // answers one question; all other questions are returned again
-            const auto [id, genome] = questions.back();
-            questions.pop_back();
+    for (auto proposals = search.ask(); !proposals.empty(); proposals = search.ask()) {
+        CHECK(proposals.front().id == told);
+        std::reverse(proposals.begin(), proposals.end());
+        if (proposals.size() > 1) { // answers one proposal; all other proposals are returned again
+            const auto [id, genome] = proposals.back();
+            proposals.pop_back();
             search.tell(id, genome);
-            CHECK(search.ask().size() == questions.size());
+            CHECK(search.ask().size() == proposals.size());
             ++told;
         }
-        for (const auto& [id, genome] : questions)
+        for (const auto& [id, genome] : proposals)
             search.tell(id, genome);
-        told += questions.size();
+        told += proposals.size();
     }
     CHECK(bits_of(search.result()) == bits_of(inside));
     CHECK(told == static_cast<std::size_t>(inside.counters.evaluations));
@@ -214,18 +214,18 @@ TEST_CASE("ask and tell give the bits of a run, whatever the order of answers") 
 
 TEST_CASE("ask and tell return what is known when the caller ends early") {
     AskTell<Reals> search(reals(searching), outside());
-    auto questions = search.ask();
-    REQUIRE(questions.size() == 12);
+    auto proposals = search.ask();
+    REQUIRE(proposals.size() == 12);
     for (std::size_t i = 0; i < 5; ++i)
-        search.tell(questions[i].id, questions[i].genome);
-    search.fail(questions[5].id, "broke");
+        search.tell(proposals[i].id, proposals[i].genome);
+    search.fail(proposals[5].id, "broke");
     const auto part = search.result();
     CHECK(part.stopped == "stop requested");
     CHECK(part.population.size() == 6);
     CHECK(part.counters.evaluations == 6);
     CHECK(part.counters.failures == 1);
     CHECK(search.ask().empty());
-    search.tell(questions[7].id, questions[7].genome); // too late, and no matter
+    search.tell(proposals[7].id, proposals[7].genome); // too late, and no matter
 
     const AskTell<Reals> never_asked(reals(searching), outside());
     std::atomic<bool> stop = true;
@@ -241,8 +241,8 @@ TEST_CASE("ask and tell throw the run's errors to the caller") {
     CHECK_THROWS_WITH(AskTell<Reals>(reals("score | best 1"), outside()),
                       "the population is empty; give at least one individual, or begin with sample");
     AskTell<Reals> failing(reals(searching), outside());
-    for (const auto& question : failing.ask())
-        failing.fail(question.id, "broke");
+    for (const auto& proposal : failing.ask())
+        failing.fail(proposal.id, "broke");
     CHECK_THROWS_AS(failing.ask(), NothingLeft);
     CHECK_THROWS_WITH(failing.result(), "every one of 12 evaluations failed; the first: broke");
 
@@ -251,9 +251,9 @@ TEST_CASE("ask and tell throw the run's errors to the caller") {
     CHECK_THROWS_WITH(watched.ask(), "seen enough");
 
     AskTell<Reals> search(reals(searching), outside());
-    const auto questions = search.ask();
-    search.tell(0, questions[0].genome);
-    CHECK_THROWS_WITH(search.tell(0, questions[0].genome),
-                      "question 0 is not open; answer one that ask returned");
+    const auto proposals = search.ask();
+    search.tell(0, proposals[0].genome);
+    CHECK_THROWS_WITH(search.tell(0, proposals[0].genome),
+                      "proposal 0 is not open; answer one that ask returned");
     CHECK_THROWS_AS(search.tell(12, {}), UsageError);
 }

@@ -76,7 +76,8 @@ TEST_CASE("a ranking puts the best first and keeps the order of ties") {
     CHECK(best_of(individuals, 9).size() == 5);
     CHECK(start_of_generation(individuals, 0).empty());
     CHECK(start_of_generation(individuals, 2).size() == 2);
-    CHECK(identities(start_of_generation(individuals, everyone)) == std::vector<Identity>{0, 1, 2, 3, 4});
+    CHECK(identities(start_of_generation(individuals, all_individuals)) ==
+          std::vector<Identity>{0, 1, 2, 3, 4});
     CHECK(identities(joined_with(individuals, {individuals[3], individuals[1]})) ==
           std::vector<Identity>{3, 1, 0, 2, 4});
     CHECK(identities(front_of(individuals)) == std::vector<Identity>{1, 3});

@@ -27,7 +27,7 @@ const Registry<Reals>& registry() {
     }();
     return registry;
 }
-Stage<Reals> reals(const std::string& pipeline) { return Parser<Reals>(registry()).parse(pipeline); }
+Pipeline<Reals> reals(const std::string& pipeline) { return Parser<Reals>(registry()).parse(pipeline); }
 
 Result<Vector> run(const std::string& pipeline, const Reals& problem, const Population<Vector>& start,
                    const RunOptions& options, const Observers& observers, Checkpointer<Reals>* keeper) {

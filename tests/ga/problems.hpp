@@ -217,8 +217,8 @@ const ga::Registry<Reals>& registry();
 const ga::Registry<CurveFit>& curve_registry();
 
 /// Pipelines from text.
-ga::Stage<Reals> reals(const std::string& pipeline);
-ga::Stage<CurveFit> curves(const std::string& pipeline);
+ga::Pipeline<Reals> reals(const std::string& pipeline);
+ga::Pipeline<CurveFit> curves(const std::string& pipeline);
 
 using Observers = std::vector<ga::Observer<Vector>>;
 /// Runs a pipeline written as text.

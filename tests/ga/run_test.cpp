@@ -232,7 +232,7 @@ TEST_CASE("an objective that throws marks its individual with the reason") {
 
 TEST_CASE("a transformation that throws keeps the genome and marks its individual") {
     const auto half = transform("half", [](const Vector& g) { return Vector{fragile(g[0]) / 2}; });
-    for (const auto& before : {reals("score") | half, Stage<Reals>(half)}) {
+    for (const auto& before : {reals("score") | half, Pipeline<Reals>(half)}) {
         const auto result = run(before | half | reals("score"), given(), individuals({8, -1, 101}));
         CHECK(result.population[0].value() == 2);
         for (std::size_t i = 1; i < 3; ++i)

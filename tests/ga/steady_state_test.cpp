@@ -18,7 +18,7 @@ std::unique_ptr<Search> search_of(long evaluations, std::uint64_t seed = 3, std:
 /// Asks for four workers that finish in an order drawn at random, one of them hardly ever; every 17th fails.
 void run_scrambled(Search& search, std::uint64_t order) {
     Stream stream(order);
-    std::vector<Search::Question> open;
+    std::vector<Search::Proposal> open;
     for (;;) {
         while (open.size() < 4) {
             auto question = search.ask();
@@ -92,7 +92,7 @@ TEST_CASE("a steady-state search on threads keeps to its budget and replays") {
         }
     };
     const RunOptions options{.budget = {.evaluations = 150}};
-    const auto breed = Stage<Uneven>(tournament(2, 1) | mutate(0.3));
+    const auto breed = Pipeline<Uneven>(tournament(2, 1) | mutate(0.3));
     SteadyState<Uneven> search(sample(8), breed, steady(), Uneven{}, options);
     run_steady(search, Uneven{}, 3);
     CHECK(search.result().counters.requested == 150);

@@ -16,7 +16,7 @@ struct AtSpread : StoppingRule {
         visit(self.spread, ga::number("spread", "", 0, no_limit, words().meaning));
     }
     template <class G>
-    bool operator()(const Progress<G>& now, Numbers&) const {
+    bool operator()(const BlockProgress<G>& now, Numbers&) const {
         double low = HUGE_VAL, high = -HUGE_VAL;
         for (const auto& each : now.population) {
             low = std::min(low, each.genome[0]);
@@ -52,7 +52,7 @@ TEST_CASE("a population has converged when all are feasible and their objectives
         Population<Vector> population(all.size());
         for (std::size_t i = 0; i < all.size(); ++i)
             population[i].fitness = all[i];
-        return rule(Progress<Vector>{1, 10, 0, population}, memory);
+        return rule(BlockProgress<Vector>{1, 10, 0, population}, memory);
     };
     const auto worth = [](double value, bool minimise = false, double violation = 0) {
         return Fitness(Name("f"), value, minimise).constrained({violation});
@@ -74,15 +74,15 @@ TEST_CASE("only a fully scored, better population counts as an improvement, with
     auto with_failed = start;
     with_failed.push_back(start[1]);
     with_failed.back().fitness = Fitness::failed(start[1].fitness.objective_name(), reason("no"));
-    CHECK(improves(Progress<Vector>{0, 0, 0, start}, memory));
-    CHECK(improves(Progress<Vector>{0, 0, 0, with_failed}, other));
+    CHECK(improves(BlockProgress<Vector>{0, 0, 0, start}, memory));
+    CHECK(improves(BlockProgress<Vector>{0, 0, 0, with_failed}, other));
     CHECK(memory == other);
     auto better = run("score", Reals{}, population<Vector>({Vector(6, 0)})).population;
     better.push_back({Vector(6, 0), 1, {}, {}, {}});
-    CHECK_FALSE(improves(Progress<Vector>{1, 0, 0, better}, memory));
+    CHECK_FALSE(improves(BlockProgress<Vector>{1, 0, 0, better}, memory));
     better.pop_back();
-    CHECK(improves(Progress<Vector>{2, 0, 0, better}, memory));
-    CHECK_FALSE(improves(Progress<Vector>{3, 0, 0, better}, memory));
+    CHECK(improves(BlockProgress<Vector>{2, 0, 0, better}, memory));
+    CHECK_FALSE(improves(BlockProgress<Vector>{3, 0, 0, better}, memory));
     CHECK(memory[2] == 2);
 }
 
@@ -90,9 +90,9 @@ TEST_CASE("whether a population is an improvement does not depend on its order")
     Numbers memory, other;
     for (std::size_t generation = 0; generation < 20; ++generation) {
         auto now = run("sample 5 | score", Reals{}, {}, {.seed = generation}).population;
-        const bool better = improves(Progress<Vector>{generation, 0, 0, now}, memory);
+        const bool better = improves(BlockProgress<Vector>{generation, 0, 0, now}, memory);
         std::ranges::reverse(now);
-        CHECK(improves(Progress<Vector>{generation, 0, 0, now}, other) == better);
+        CHECK(improves(BlockProgress<Vector>{generation, 0, 0, now}, other) == better);
         CHECK(memory == other);
     }
 }

@@ -18,7 +18,7 @@ const Variables<Vector> tenth{"tenth", [](const Vector& g) {
                               }};
 const auto turn = transform("turn genes", [](const Vector& g) { return Vector{g[1], g[2], g[0]}; });
 
-std::vector<std::string> trace(const Stage<CurveFit>& pipeline) {
+std::vector<std::string> trace(const Pipeline<CurveFit>& pipeline) {
     std::vector<std::string> trace;
     const Observer<Vector> observer = [&](const auto& event) {
         std::string line = event.path;
@@ -54,7 +54,7 @@ const Registry<CurveFit>& curve_registry() {
     }();
     return registry;
 }
-Stage<CurveFit> curves(const std::string& pipeline) {
+Pipeline<CurveFit> curves(const std::string& pipeline) {
     return Parser<CurveFit>(curve_registry()).parse(pipeline);
 }
 Result<Vector> run(const std::string& pipeline, const CurveFit& problem, const Population<Vector>& start,
@@ -64,7 +64,7 @@ Result<Vector> run(const std::string& pipeline, const CurveFit& problem, const P
 
 TEST_CASE("a pipeline as text gives the same paths and bits as in code") {
     Parser<CurveFit> parser(curve_registry());
-    const auto same = [&](const std::string& text, const Stage<CurveFit>& code) {
+    const auto same = [&](const std::string& text, const Pipeline<CurveFit>& code) {
         const auto parsed = parser.parse(text);
         CHECK(parsed.text() == code.text());
         CHECK(trace(parsed) == trace(code));
@@ -102,7 +102,7 @@ TEST_CASE("the algorithm of ga/README.md gives the same bits as its text") {
     const std::size_t at = page.str().find("    mine = ") + 11;
     const std::string line = page.str().substr(at, page.str().find('\n', at) - at);
     const auto text = curves(line);
-    CHECK(Stage<CurveFit>(mine).text() == text.text());
+    CHECK(Pipeline<CurveFit>(mine).text() == text.text());
     CHECK(trace(mine) == trace(text));
     CHECK(run(text, CurveFit{}, CurveFit::start(20)).best->value() > 0.9999);
 }

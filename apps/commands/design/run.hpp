@@ -139,7 +139,7 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
         write_page(folder, limit - run.clock.seconds());
     if (run.found.stopped.empty() || run.summary.found)
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
-            std::filesystem::remove(ga::held(folder / kept));
+            std::filesystem::remove(ga::held_path(folder / kept));
     tell_notes(run.found.notes);
     for (const Fact& fact : run.summary.facts)
         say(fact.name + ": " + fact.text);

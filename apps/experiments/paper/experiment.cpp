@@ -156,7 +156,7 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
 /// A pipeline with its name.
 struct Variant {
     std::string name;
-    rough::Pipeline pipeline;
+    rough::DesignPipeline pipeline;
 };
 
 /// The paper's three in both forms, then what the experiment writes in [variants]. If `reduces_children`, cco
@@ -318,7 +318,7 @@ class Paper {
         const std::string name = title + "-" + variant.name;
         std::error_code none; // without these folders the run continues
         for (const char* folder : {"checkpoints", "log"})
-            std::filesystem::create_directories(ga::held(conditions_.folder / folder), none);
+            std::filesystem::create_directories(ga::held_path(conditions_.folder / folder), none);
         ga::Log log(conditions_.folder / "log" / (name + ".csv"));
         ga::Checkpoints<DesignProblem> checkpoints(conditions_.folder / "checkpoints" / (name + ".cbor"),
                                                    RUGOSA_VERSION + key_of(run_.origin.inputs) +

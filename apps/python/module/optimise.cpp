@@ -185,7 +185,7 @@ struct Prepared {
     Optimisation& search;
     Callback callback;
     P problem;
-    ga::Stage<P> stage;
+    ga::Pipeline<P> stage;
     ga::RunOptions run;
 
     Prepared(Optimisation& of, std::atomic<bool>& stop)
@@ -196,7 +196,7 @@ struct Prepared {
         run.budget = {search.evaluations, search.seconds, &stop};
     }
 
-    ga::Stage<P> parsed() {
+    ga::Pipeline<P> parsed() {
         auto registry = ga::whole_vocabulary<P>();
         for (const py::object& each : search.operators) {
             const auto name = each.attr("name").template cast<std::string>();
@@ -271,7 +271,7 @@ class AskTell : public Search {
 
     py::array ask() override {
         prepared_.callback.rethrow();
-        std::vector<typename Engine::Question> open;
+        std::vector<typename Engine::Proposal> open;
         {
             const py::gil_scoped_release unlocked;
             try {
@@ -284,7 +284,7 @@ class AskTell : public Search {
         prepared_.callback.rethrow();
         open_ = std::move(open);
         asker_ = std::this_thread::get_id();
-        return rows_of<G>(open_, prepared_.problem.count, &Engine::Question::genome);
+        return rows_of<G>(open_, prepared_.problem.count, &Engine::Proposal::genome);
     }
     void tell(const py::object& iterable) override {
         const py::list given(iterable);
@@ -311,7 +311,7 @@ class AskTell : public Search {
     std::atomic<bool> stop_ = false;
     Prepared<G> prepared_;
     Engine engine_;
-    std::vector<typename Engine::Question> open_; ///< used only with the interpreter's lock
+    std::vector<typename Engine::Proposal> open_; ///< used only with the interpreter's lock
     std::thread::id asker_;                       ///< the thread that has asked last
 };
 

@@ -40,7 +40,7 @@ TEST_CASE("the score does not depend on the scale, and settling reaches p_max") 
     for (int i = 0; i < 5; ++i) {
         const Genome genome = random_genome(random, 2, 1, 0.84942, 0.05);
         const auto outcome = problem.evaluate(genome);
-        const Genome settled = problem.settled(genome, outcome);
+        const Genome settled = problem.final_genome(genome, outcome);
         CHECK(problem.key(settled) == problem.key(genome));
         CHECK(problem.evaluate(settled).misfits == outcome.misfits);
         const Response response = respond(settled, problem.setup().model);

@@ -149,7 +149,7 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     setup.max_pressure = 1.6e-4;
     const DesignProblem problem(setup);
     Genome genome = fitted_genome(random, setup, 3);
-    genome = problem.settled(genome, problem.evaluate(genome));
+    genome = problem.final_genome(genome, problem.evaluate(genome));
     const auto has = margins(genome, setup.model.grid, {});
     setup.limits = {setup.limits.shortest_wave, 0.8 * has[1].value, 0.7 * has[2].value, 1.2 * has[3].value};
     CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);

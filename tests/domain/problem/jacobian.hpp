@@ -88,7 +88,7 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
 inline void check_jacobian(const DesignSetup& setup, const Genome& start, const std::string& objective,
                            double tolerance = 1e-5) {
     const DesignProblem problem(setup);
-    const Genome genome = problem.settled(start, problem.evaluate(start));
+    const Genome genome = problem.final_genome(start, problem.evaluate(start));
     const ga::Sensitivity all = problem.sensitivity(genome, objective);
     const double largest = all.jacobian.cwiseAbs().maxCoeff();
     const auto values = problem.genes(genome);

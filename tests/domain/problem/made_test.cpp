@@ -24,7 +24,8 @@ TEST_CASE("derivatives of misfits under noise and tilt agree with differences") 
     for (const bool eq_11 : {false, true}) {
         const DesignSetup setup = setup_with(eq_11, {2e-6, 0, 1e-5});
         const DesignProblem problem(setup);
-        const Genome start = random_start(setup), genome = problem.settled(start, problem.evaluate(start));
+        const Genome start = random_start(setup),
+                     genome = problem.final_genome(start, problem.evaluate(start));
         const ga::Sensitivity all = problem.sensitivity(genome, "made");
         const CommonErrors errors(setup);
         CHECK(errors.noise.size() == 72); // three draws for four of 96 nodes

@@ -92,7 +92,7 @@ TEST_CASE("rows of limits on shape agree with differences, and are 0 within the 
         DesignSetup setup = drawn_setup(128, !free_amplitude);
         DesignProblem problem(setup);
         Genome genome = shaped_start(setup, ga::Stream(5));
-        genome = problem.settled(genome, problem.evaluate(genome));
+        genome = problem.final_genome(genome, problem.evaluate(genome));
         const auto has = margins(genome, setup.model.grid, {});
         CHECK(problem.sensitivity(genome, "similarity").residuals.size() == 20);
         const double wave = setup.limits.shortest_wave;

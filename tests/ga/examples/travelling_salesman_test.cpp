@@ -64,7 +64,7 @@ TEST_CASE("a search finds the shortest tour of towns on a circle") {
 TEST_CASE("a run of permutations resumes to the uninterrupted result, in any memory") {
     const tests::Folder folder;
     const Salesman problem{{{0, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 2}, {2, 2}, {1, 1}}};
-    const Stage<Salesman> breeding =
+    const Pipeline<Salesman> breeding =
         sample(20) | score() |
         repeat(8, tournament(4) | cross(order(), 0.3) | mutate(0.05, reverse()) | score() | plus());
     for (const std::size_t bytes : {std::size_t{1} << 30, std::size_t{3000}}) {
@@ -85,7 +85,7 @@ TEST_CASE("a run of permutations resumes to the uninterrupted result, in any mem
 TEST_CASE("a checkpoint whose tours or lengths are forged is refused") {
     const tests::Folder folder;
     const Salesman problem{{{0, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 2}}};
-    const Stage<Salesman> breeding =
+    const Pipeline<Salesman> breeding =
         sample(20) | score() | repeat(8, tournament(4) | cross(order()) | score() | plus());
     Checkpoints<Salesman> checkpoints(folder / "run", "", false);
     run(breeding, problem, {}, {.budget = {.evaluations = 30}}, {}, &checkpoints);
