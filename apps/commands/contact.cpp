@@ -270,7 +270,7 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
         return;
     std::map<std::string, std::string> tables;
     if (!files.page.empty())
-        tables = contact_tables(found.surface, completed(found.model), response);
+        tables = contact_tables(found.surface, found.model, response);
     if (files.tables.contains("slip")) {
         const rough::PartialSlip slip = partial_slip(response, settings.number("friction"));
         tables["slip"] = csv({"tangential_displacement_mm", "tangential_traction_MPa",
@@ -291,7 +291,7 @@ void write_files(const CurveFiles& files, const Pressed& found, const std::vecto
     if (files.page.empty())
         return write_json(files.account, values);
     const rough::Profile& surface = found.surface;
-    const rough::Body body = completed(found.model).body;
+    const rough::Body& body = found.model.body;
     const Index last = response.steps() - 1;
     values.update({{"kind", "contact"},
                    {"is_2d", surface.is_2d()},

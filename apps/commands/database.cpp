@@ -172,11 +172,11 @@ std::vector<Setting> query_settings() {
 
 rough::DesignSetup query_from(const Settings& settings, const rough::GenomeStore& store,
                               const std::vector<rough::Target>& targets) {
-    rough::DesignSetup setup;
-    setup.targets = targets;
-    settings.take("max-pressure", setup.max_pressure);
     // The stored curves are scaled to the model of the settings.
-    setup.model = any_given(settings, model_settings()) ? model_from(settings) : store.setup().model;
+    rough::DesignSetup setup{.model = any_given(settings, model_settings()) ? model_from(settings)
+                                                                            : store.setup().model,
+                             .targets = targets};
+    settings.take("max-pressure", setup.max_pressure);
     return setup;
 }
 

@@ -41,66 +41,77 @@ namespace {
 /// the answer end. The rest is for drawing the report.
 constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 
-/// Finds the smallest change of the controlled phases that brings a surface back to its target.
-void morph_into(DesignRun& run) {
-    const Production& from = *run.from;
-    run.morphed = rough::morph(run.searched, from.genome, from.control, from.largest_change,
-                               run.searched.required_similarity);
-    run.found = as_found(run.searched, *run.morphed);
-    run.found.name = run.found.pipeline = "morph";
+/// Searches for a surface or, in production, morphs one.
+DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std::vector<StageRecord>& stages,
+                       Progress& progress) {
+    DesignAnswer answer;
+    if (task.from) {
+        const Production& from = *task.from;
+        answer.morphed = rough::morph(task.searched, from.genome, from.control, from.largest_change,
+                                      task.searched.required_similarity);
+        answer.found = as_found(task.searched, *answer.morphed);
+        answer.found.name = answer.found.pipeline = "morph";
+    } else {
+        const auto evaluator = design_evaluator(options.threads);
+        options.evaluator = evaluator.get();
+        answer.found = rough::search(
+            task.searched, options,
+            {recorder(stages),
+             ga::progress<rough::Genome>([&](const std::string& text) { progress.show(text); })});
+    }
+    const rough::Answer& best = answer.found.best;
+    const rough::Grid& grid = task.setup.model.grid;
+    answer.response = response_of(task.setup, best);
+    answer.margins = margins(best.genome, grid, task.setup.limits);
+    if (!grid.is_2d() || (best.is_verified() && !options.stop->load()))
+        answer.unrequested_errors = unrequested_errors(task.setup, best.genome);
+    return answer;
+}
+
+/// Checks the answer of a run whose whole time is `limit` (s).
+AnswerChecks checks_of(const DesignRun& run, double limit, Progress& progress) {
+    const rough::Answer& best = run.found.best;
+    rough::ToleranceOptions tolerance = run.tolerance_options;
+    rough::TrustOptions trust = run.trust_options;
+    tolerance.stop = trust.stop = run.options.stop;
+    progress.show("tolerance");
+    tolerance.seconds = tolerance_by * limit - run.clock.seconds();
+    AnswerChecks checks;
+    checks.tolerance = tolerance_of(run.setup, best.genome, tolerance);
+    progress.show("verifying");
+    trust.seconds = checked_by * limit - run.clock.seconds();
+    checks.trust = trust_in(run.setup, best.genome, trust, &best, &run.response);
+    return checks;
 }
 
 int design(const Settings& settings, const std::string& line) {
     if (settings.has("asperities"))
         return design_asperities(settings, line);
     expect_none(settings, names_of(asperity_settings()), "given without --asperities; give both or none");
-    DesignRun run = design_from(settings);
+    DesignRun run = design_from(settings, request_from(settings));
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
-        const auto& folder = output.path();
         for (const auto& account : run.accounts)
             say(account);
         Progress progress;
         const double limit = run.options.seconds;
-        run.options.seconds = searched_by * limit - run.clock.seconds();
-        const auto evaluator = design_evaluator(run.options.threads);
-        run.options.evaluator = evaluator.get();
-        if (run.from)
-            morph_into(run);
-        else
-            run.found = rough::search(
-                run.searched, run.options,
-                {recorder(run.stages),
-                 ga::progress<rough::Genome>([&](const std::string& text) { progress.show(text); })});
-        run.setup = exactly(run.found.setup);
-        run.searched = run.found.setup;
-        run.interrupted = interrupt.requested();
-        run.response = response_of(run.setup, run.found.best);
-        if (!run.setup.model.grid.is_2d() || (run.found.best.is_verified() && !run.interrupted))
-            run.unrequested_errors = unrequested_errors(run);
-        run.margins = margins(run.found.best.genome, run.setup.model.grid, run.setup.limits);
         const auto record = [&](const std::filesystem::path& to) {
+            run.interrupted = interrupt.requested();
             run.summary = summary_of(run);
             run.seconds = run.clock.seconds();
             write_design_result(run, to);
         };
+        rough::SearchOptions options = run.options;
+        options.seconds = searched_by * limit - run.clock.seconds();
+        static_cast<DesignAnswer&>(run) = answer_to(run, options, run.stages, progress);
         record(output.restored());
-        write_design_tables(run, folder);
+        write_design_tables(run, output.path());
         if (!run.interrupted) {
-            progress.show("tolerance");
-            run.tolerance_options.seconds = tolerance_by * limit - run.clock.seconds();
-            run.tolerance_options.stop = run.options.stop;
-            run.tolerance = tolerance_of(run.setup, run.found.best.genome, run.tolerance_options);
-            progress.show("verifying");
-            run.trust_options.seconds = checked_by * limit - run.clock.seconds();
-            run.trust_options.stop = run.options.stop;
-            run.trust =
-                trust_in(run.setup, run.found.best.genome, run.trust_options, &run.found.best, &run.response);
-            run.interrupted = interrupt.requested();
-            record(folder);
+            static_cast<AnswerChecks&>(run) = checks_of(run, limit, progress);
+            record(output.path());
         }
         if (!run.interrupted && settings.choice("pictures") == 0)
             try {
-                write_design_drawings(run, folder);
+                write_design_drawings(run, output.path());
             } catch (const rough::InputError& error) { // the page has no pictures then
                 say(std::string("note: ") + error.what());
             }

@@ -59,7 +59,7 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         say(source.account);
     const rough::Model model = model_from(settings, source);
     rough::Model loaded = model;
-    double last = 0;
+    std::optional<double> last;
     settings.take("to", last);
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
     const auto resolution =
@@ -88,7 +88,7 @@ int report(const rough::Target& goal, const rough::Model& model, const Settings&
 
 /// Writes the page on which a person draws a target for the model of the flags, and saves it as NAME.csv.
 void write_drawing_page(const std::filesystem::path& page, const Settings& settings) {
-    const rough::Model model = completed(model_from(settings));
+    const rough::Model model = model_from(settings);
     const bool nests = contact_sets_nest(model.body, model.grid);
     nlohmann::json data{{"file", page.stem().string() + ".csv"},
                         {"quantity", rough::quantity_names()[settings.choice("quantity")]},

@@ -24,8 +24,9 @@ struct ModelParameters {
 /// Maximum number of layers. The time to compute a body's compliance grows with their cube.
 constexpr std::size_t max_layers = 32;
 
-/// The layers that --layer describes, T or T:E:NU each, one after another.
-std::vector<rough::Layer> layers_from(const std::string& text, const std::string& place) {
+/// The layers that --layer describes, T or T:E:NU each, one after another. E and nu are given if T is alone.
+std::vector<rough::Layer> layers_from(const std::string& text, const std::string& place, double modulus,
+                                      double poissons_ratio) {
     std::vector<rough::Layer> layers;
     std::string all = text;
     std::ranges::replace(all, '\n', ',');
@@ -39,7 +40,7 @@ std::vector<rough::Layer> layers_from(const std::string& text, const std::string
             rough::refuse(place, ": \"", word, "\" given; give a thickness T (mm), or T:E:NU");
         if (has_elasticity && !(numbers[1] > 0))
             rough::refuse(place, ": \"", word, "\" has no modulus above 0; give T:E:NU");
-        numbers.resize(3); // 0: that of the body
+        numbers.insert(numbers.end(), {modulus, poissons_ratio});
         layers.push_back({numbers[0], numbers[1], numbers[2]});
         if (layers.size() > max_layers)
             rough::refuse(place, ": more than ", max_layers, " layers given; give fewer");
@@ -256,8 +257,9 @@ rough::Model model_on(const rough::Grid& grid, const Settings& settings, const s
         given.poisson = material->poissons;
     given.model.body.effective_modulus = rough::effective_modulus(given.modulus, given.poisson);
     rough::Layering& layering = given.model.body.layering;
-    layering.layers = layers_from(given.layers, settings.place(prefix + "layer"));
-    layering.poissons_ratio = given.poisson;
+    const double nu = given.poisson, modulus = given.model.body.effective_modulus * (1 - nu * nu);
+    layering.layers = layers_from(given.layers, settings.place(prefix + "layer"), modulus, nu);
+    layering.poissons_ratio = nu;
     rough::Model model = completed(std::move(given.model));
     placing(settings, prefix, [&] { validate(model); });
     return model;

@@ -94,7 +94,7 @@ json model_json(const rough::Model& model) {
                    {"datum_mm", nullptr},
                    {"strip_width_mm", nullptr},
                    {"steps", model.loading.steps},
-                   {"reach", model.loading.reach},
+                   {"reach", *model.loading.reach},
                    {"accuracy", nullptr}};
     if (model.accuracy > 0)
         result["accuracy"] = model.accuracy;
@@ -102,9 +102,9 @@ json model_json(const rough::Model& model) {
         result["nodes"] = {model.grid.nodes, model.grid.rows};
         result["length_mm"] = {model.grid.length, model.grid.width};
     } else if (model.body.kernel == rough::Kernel::free)
-        result["datum_mm"] = model.body.datum;
+        result["datum_mm"] = *model.body.datum;
     if (model.body.kernel == rough::Kernel::strip)
-        result["strip_width_mm"] = model.body.strip_width;
+        result["strip_width_mm"] = *model.body.strip_width;
     if (const rough::Layering& layering = model.body.layering; !layering.layers.empty()) {
         result["layers"] = json::array();
         for (const rough::Layer& layer : layering.layers)

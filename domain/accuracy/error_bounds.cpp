@@ -114,8 +114,8 @@ Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading
     if (!loading.pressures.empty())
         share += (pressure / Eigen::Map<const Eigen::ArrayXd>(loading.pressures.data(), pressure.size()) - 1)
                      .abs();
-    else if (loading.to_pressure > 0)
-        share += std::abs(pressure[last] / loading.to_pressure - 1);
+    else if (loading.to_pressure)
+        share += std::abs(pressure[last] / *loading.to_pressure - 1);
     return share;
 }
 

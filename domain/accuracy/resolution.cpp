@@ -90,7 +90,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
     std::vector<Response> responses;
     if (is_omitted(scan, resolution))
         return responses;
-    const Body body = completed(model.body, model.grid.length);
+    const Body& body = model.body;
     ContactOptions options = model.contact;
     options.solver = Solver::automatic;
     options.tolerance = std::max(options.tolerance, tolerance);
@@ -148,7 +148,7 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
 ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit) {
     ContactOptions options = model.contact;
     options.states = true;
-    const Body body = completed(model.body, model.grid.length);
+    const Body& body = model.body;
     const auto largest_at = [&](Index step) {
         if (const double known = response.largest_pressure[step]; known > 0)
             return known;

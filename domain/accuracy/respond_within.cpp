@@ -63,9 +63,8 @@ double largest_change(const Response& rows, const Eigen::VectorXd& values, const
     return worst;
 }
 
-/// The completed model, with a solver's tolerance that takes no more than its share of the accuracy.
-Model tolerant(const Model& given) {
-    Model model = completed(given);
+/// The model, with a solver's tolerance that takes no more than its share of the accuracy.
+Model tolerant(Model model) {
     if (!(model.accuracy >= 0) || model.accuracy > 1)
         refuse_value("accuracy", model.accuracy, " is out of range (more than 0, at most 1)");
     if (model.accuracy == 0)
@@ -327,7 +326,7 @@ class Question {
 /// pressure_bounds(). They are proven for the continuum, not for sampled maps (README.md).
 std::optional<AccountedResponse> respond_by_line(const Profile& map, const Model& model) {
     const Loading& loading = model.loading;
-    const bool by_reach = loading.pressures.empty() && loading.to_pressure == 0;
+    const bool by_reach = loading.pressures.empty() && !loading.to_pressure;
     const LineOfMap of = line_of_map(map);
     AccountedResponse result;
     Account& account = result.account;
@@ -397,7 +396,7 @@ AccountedResponse respond_within(const Profile& scan, const Model& given) {
         Question question(scan, given);
         question.by_resolved_grid(0);
         result = question.answer();
-        if (by_line && model.loading.pressures.empty() && model.loading.to_pressure == 0)
+        if (by_line && model.loading.pressures.empty() && !model.loading.to_pressure)
             result.account.line_error = relative_error(by_line->response.pressure, result.response.pressure);
     }
     if (periodic_map)

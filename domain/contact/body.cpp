@@ -35,15 +35,10 @@ double datum_sensitivity(double stiffness, double length, double effective_modul
 }
 
 Body completed(Body body, double length) {
-    if (body.kernel == Kernel::free && body.datum == 0)
-        body.datum = length;
-    if (body.kernel == Kernel::strip && body.strip_width == 0)
-        body.strip_width = length / 511;
-    for (Layer& layer : body.layering.layers)
-        if (layer.modulus == 0) {
-            layer.poissons_ratio = body.layering.poissons_ratio;
-            layer.modulus = body.effective_modulus * (1 - layer.poissons_ratio * layer.poissons_ratio);
-        }
+    if (body.kernel == Kernel::free)
+        body.datum = body.datum.value_or(length);
+    if (body.kernel == Kernel::strip)
+        body.strip_width = body.strip_width.value_or(length / 511);
     return body;
 }
 
@@ -56,11 +51,12 @@ void validate(const Body& body, Index nodes, double spacing) {
     if (!(body.hardness > 0))
         refuse_value("hardness", body.hardness, " MPa is out of range (above 0)");
     const double limit = spacing * static_cast<double>(nodes) / 4;
-    if (body.kernel == Kernel::free && !(body.datum > limit && std::isfinite(body.datum)))
-        refuse_value("datum", body.datum, " mm is out of range (above ", limit,
+    const double datum = body.datum.value_or(0);
+    if (body.kernel == Kernel::free && !(datum > limit && std::isfinite(datum)))
+        refuse_value("datum", datum, " mm is out of range (above ", limit,
                      " mm, (L + spacing)/4, for a unique solution of the free half-plane)");
     if (body.kernel == Kernel::strip)
-        expect_positive("strip width", body.strip_width, " mm", "length");
+        expect_positive("strip width", body.strip_width.value_or(0), " mm", "length");
     const Layering& layering = body.layering;
     if (!layering.layers.empty() && body.kernel != Kernel::periodic)
         throw InputError("layers need a periodic body; choose --kernel periodic", "layer");

@@ -3,6 +3,7 @@
 #include "domain/numerics/grid.hpp"
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace rough {
 /// An elastic layer, bonded to the layer or base under it.
 struct Layer {
     double thickness = 0;      ///< t, mm, > 0 and finite
-    double modulus = 0;        ///< Young's modulus E, MPa; 0: E and nu are those of the half-space
+    double modulus = 0;        ///< Young's modulus E, MPa
     double poissons_ratio = 0; ///< Poisson's ratio nu, above -1, up to 0.5
 
     auto operator<=>(const Layer&) const = default; ///< member by member
@@ -28,7 +29,7 @@ struct Layering {
     bool carries_mean() const;
 };
 
-/// The layers with thicknesses divided by `length` and moduli by `pressure` (both > 0). No modulus may be 0.
+/// The layers with thicknesses divided by `length` and moduli by `pressure` (both > 0).
 Layering in_units(Layering layering, double length, double pressure);
 
 /// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q). p_q and u_q
@@ -59,9 +60,9 @@ struct Body {
     Kernel kernel = Kernel::free; ///< type of body, which determines the influence matrix
     double effective_modulus = 1; ///< E* = E/(1 - nu^2), MPa
     /// Datum d, mm: the distance from the contact at which the free half-plane's displacement is zero (free
-    /// only); 0: L.
-    double datum = 0;
-    double strip_width = 0; ///< width W of the strip, mm (strip only); 0: L/511
+    /// only). Default: L.
+    std::optional<double> datum = {};
+    std::optional<double> strip_width = {}; ///< width W, mm (strip only). Default: L/511
     /// Hardness p_H, MPa: the highest pressure of a node. Nodes that would carry more are held at it and sink
     /// in. Then pressures are not proportional to the amplitude of the heights, and contact sets are not
     /// known to be nested. Bounds that need either property are not used.
@@ -83,7 +84,7 @@ double effective_modulus(double youngs_modulus, double poissons_ratio);
 /// is L in mm, `stiffness` K in MPa/mm.
 double datum_sensitivity(double stiffness, double length, double effective_modulus);
 
-/// The body with the defaults of its kernel in place of zeros, for a profile of this length (mm).
+/// The body with the defaults of its kernel for a profile of this length (mm).
 Body completed(Body body, double length);
 
 /// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart.

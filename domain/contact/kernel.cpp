@@ -115,8 +115,8 @@ double datum_limit(const Profile& profile) {
 }
 
 UnitBody in_units(const Body& body, double spacing, double row_spacing) {
-    return {body.kernel, row_spacing / spacing, body.datum / spacing, body.strip_width / spacing,
-            in_units(body.layering, spacing, body.effective_modulus)};
+    return {body.kernel, row_spacing / spacing, body.datum.value_or(0) / spacing,
+            body.strip_width.value_or(0) / spacing, in_units(body.layering, spacing, body.effective_modulus)};
 }
 
 Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
@@ -190,8 +190,7 @@ bool contact_sets_nest(const UnitBody& body, Extent shape) {
 }
 
 bool contact_sets_nest(const Body& body, const Grid& grid) {
-    return contact_sets_nest(in_units(completed(body, grid.length), grid.spacing(), grid.row_spacing()),
-                             grid.shape());
+    return contact_sets_nest(in_units(body, grid.spacing(), grid.row_spacing()), grid.shape());
 }
 
 } // namespace rough

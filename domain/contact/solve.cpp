@@ -371,7 +371,7 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
 double full_contact_stiffness(const Profile& surface, const Body& given, int threads) {
     if (given.kernel == Kernel::periodic) { // on a rigid base 1/C0
         const double modulus = given.effective_modulus;
-        return modulus / mean_compliance(completed(given, 0).layering, modulus);
+        return modulus / mean_compliance(given.layering, modulus);
     }
     Profile flat = surface;
     flat.heights.setZero();
@@ -391,7 +391,7 @@ double full_contact_stiffness(const Profile& surface, const Body& given, int thr
         return stiffness;
     // 1/K(d) = 1/K(L) + (2 L/(pi E*)) ln(d/L)
     return 1 / (1 / stiffness -
-                datum_sensitivity(1, length, body.effective_modulus) * std::log(body.datum / length));
+                datum_sensitivity(1, length, body.effective_modulus) * std::log(*body.datum / length));
 }
 
 double full_contact_load(const Profile& profile, const Body& body) {

@@ -65,10 +65,10 @@ bool need_fractions(const std::vector<Target>& targets) {
 void check(const StoredCurves& curves, const std::vector<Target>& targets, const ScreenOptions& options) {
     for (const Target& target : targets) {
         validate(target);
-        if (options.max_pressure > 0 && target.against_pressure() &&
-            target.last() > options.max_pressure * (1 + 1e-9))
+        if (options.max_pressure && target.against_pressure() &&
+            target.last() > *options.max_pressure * (1 + 1e-9))
             refuse("target ", target.name, ": reaches ", target.last(), " MPa; give pressures up to ",
-                   options.max_pressure, " MPa");
+                   *options.max_pressure, " MPa");
     }
     if (targets.empty())
         throw InputError("genome database: has no target to screen for; give one");
@@ -83,7 +83,7 @@ void check(const StoredCurves& curves, const std::vector<Target>& targets, const
 std::vector<Match> screen(const StoredCurves& curves, const Model& model, const std::vector<Target>& targets,
                           const ScreenOptions& options) {
     check(curves, targets, options);
-    const bool rescaled = options.max_pressure > 0;
+    const bool rescaled = options.max_pressure.has_value();
     const auto displacements =
         load_displacements(1, model.loading, model.body.kernel); // for a height range of 1
     const auto steps = static_cast<Index>(displacements.size());
@@ -114,7 +114,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
     };
     // On a finer grid the genome's curve ends elsewhere: with this margin it still covers the targets.
     const auto smallest = [&](std::size_t g, const std::vector<Curve>& stored) {
-        return rescaled ? options.max_pressure / curves.pressure[(g + 1) * displacements.size() - 1]
+        return rescaled ? *options.max_pressure / curves.pressure[(g + 1) * displacements.size() - 1]
                         : 1.02 * covering(stored);
     };
 
@@ -169,9 +169,10 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
 
 namespace {
 
-/// The wanted length if the two differ only by rounding.
-double settled(double stretched, double wanted) {
-    return std::abs(stretched - wanted) <= 1e-12 * std::abs(wanted) ? wanted : stretched;
+/// Multiplies a length by `factor`. Sets it to the wanted length if the two then differ only by rounding.
+void stretch(std::optional<double>& length, double factor, std::optional<double> wanted) {
+    if (length && wanted)
+        length = std::abs(*length * factor - *wanted) <= 1e-12 * *wanted ? *wanted : *length * factor;
 }
 
 /// Factors that convert a database's responses to a model of another length and modulus, exactly (README.md,
@@ -181,15 +182,14 @@ struct DatabaseScale {
     double pressure; ///< factor on pressures, and on stiffness
 };
 
-DatabaseScale scale_to(const GenomeStore& store, const Model& given) {
-    const Model wanted = completed(given);
-    Model stored = completed(store.setup().model);
+DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
+    Model stored = store.setup().model;
     const double length = wanted.grid.length / stored.grid.length;
     const DatabaseScale scale{length, wanted.body.effective_modulus / stored.body.effective_modulus / length};
     stored.grid.length = wanted.grid.length;
     stored.body.effective_modulus = wanted.body.effective_modulus;
-    stored.body.datum = settled(stored.body.datum * length, wanted.body.datum);
-    stored.body.strip_width = settled(stored.body.strip_width * length, wanted.body.strip_width);
+    stretch(stored.body.datum, length, wanted.body.datum);
+    stretch(stored.body.strip_width, length, wanted.body.strip_width);
     const std::string differs = difference(fields(stored), fields(wanted));
     if (!differs.empty())
         throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
@@ -228,7 +228,9 @@ std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, 
     std::vector<Target> targets;
     for (const Target& target : setup.targets)
         targets.push_back(unscaled(target, scale));
-    const ScreenOptions options{setup.max_pressure.value_or(0) / scale.pressure, count, threads};
+    ScreenOptions options{setup.max_pressure, count, threads};
+    if (options.max_pressure)
+        *options.max_pressure /= scale.pressure;
     std::vector<Stored> all;
     for (const Match& match :
          screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
@@ -248,10 +250,9 @@ std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& s
     return genomes;
 }
 
-std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& given,
+std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
                                          std::size_t count, int threads) {
     constexpr std::size_t min_verified = 16;
-    const DesignSetup setup = completed(given);
     validate(setup);
     const std::vector<Stored> stored = nearest(store, setup, std::max(count, min_verified), threads);
     std::vector<std::optional<StoredAnswer>> verified(stored.size());

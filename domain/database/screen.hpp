@@ -14,9 +14,10 @@ struct Match {
 
 /// Options of screen().
 struct ScreenOptions {
-    double max_pressure = 0; ///< pressure to which Eq. 11 rescales every genome, MPa; 0: amplitude is free
-    std::size_t best = 10;   ///< number of matches to return
-    int threads = 0;         ///< number of threads; 0: all
+    /// Pressure to which Eq. 11 rescales every genome, MPa. If it is not given, amplitude is free.
+    std::optional<double> max_pressure = {};
+    std::size_t best = 10; ///< number of matches to return
+    int threads = 0;       ///< number of threads; 0: all
 };
 
 /// The stored genomes nearest to the targets, best first. Equal similarities are ordered by index. Genomes

@@ -99,11 +99,11 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     read("length_mm", model.grid.length);
     read("effective_modulus_MPa", model.body.effective_modulus);
     read("steps", model.loading.steps);
-    read("reach", model.loading.reach);
+    read("reach", model.loading.reach.emplace());
     if (model.body.kernel == Kernel::free)
-        read("datum_mm", model.body.datum);
+        read("datum_mm", model.body.datum.emplace());
     if (model.body.kernel == Kernel::strip)
-        read("strip_width_mm", model.body.strip_width);
+        read("strip_width_mm", model.body.strip_width.emplace());
     visit_law(setup.law, read);
     const auto within = [](double value, double above, double to) { return value > above && value <= to; };
     constexpr double largest = std::numeric_limits<double>::max();
@@ -112,7 +112,7 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
         refuse(where, ": nodes ", model.grid.nodes, " are too many for a database; give at most ", max_nodes);
     if (!within(static_cast<double>(model.grid.nodes), 1, 1e7) || !within(model.grid.length, 0, largest) ||
         !within(model.body.effective_modulus, 0, largest) || !within(model.loading.steps, 0, 1e6) ||
-        !within(model.loading.reach, 0, 1))
+        !within(*model.loading.reach, 0, 1))
         throw InputError(where + ": its set-up has no contact solution; give a genome database");
     return setup;
 }

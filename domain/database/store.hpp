@@ -40,8 +40,8 @@ Genome drawn(const GenomeDistribution& law, std::uint64_t index);
 
 /// The set-up of all genomes and responses of a database.
 struct DatabaseSetup {
-    Model model;            ///< grid, body, load steps and contact options of every response
-    GenomeDistribution law; ///< distribution of the genomes
+    Model model = completed(Model()); ///< grid, body, load steps and contact options; complete
+    GenomeDistribution law = {};      ///< distribution of the genomes
 };
 
 /// A set-up as names with units and values, the model first.

@@ -221,8 +221,7 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
 
 SearchResult as_found(const DesignSetup& setup, const Morphed& morphed) {
     SearchResult found;
-    found.setup = completed(setup);
-    found.best = verified_answer(as_reported(found.setup), morphed.genome);
+    found.best = verified_answer(as_reported(setup), morphed.genome);
     found.alternatives = {found.best};
     found.counters.gradients = morphed.gradients;
     found.counters.requested = morphed.gradients;

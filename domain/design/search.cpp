@@ -193,19 +193,17 @@ std::vector<Compromise> compromises(const DesignSetup& searched, const std::vect
     return front;
 }
 
-void expect_searchable(const DesignSetup& given, const std::string& pipeline) {
-    const DesignSetup setup = completed(given);
+void expect_searchable(const DesignSetup& setup, const std::string& pipeline) {
     ga::check(design_pipeline(setup, pipeline), DesignProblem(setup), ga::population(std::vector<Genome>(1)));
 }
 
 SearchResult search(const DesignSetup& given, const SearchOptions& given_options,
                     std::vector<ga::Observer<Genome>> observers) {
     const ga::Stopwatch clock;
+    validate(given);
+    DesignSetup setup = given;
+    setup.model.contact.threads = ga::thread_count(given_options.threads);
     SearchResult result;
-    result.setup = completed(given);
-    result.setup.model.contact.threads = ga::thread_count(given_options.threads);
-    const DesignSetup setup = result.setup;
-    validate(setup);
     SearchOptions options = given_options;
     for (Genome& genome : options.starts)
         genome = fitting_grid(setup, genome);

@@ -55,7 +55,6 @@ struct SearchResult : SearchRun {
     /// The similarity without errors falls from answer to answer. Empty for a map, and if no errors are
     /// given.
     std::vector<Answer> made;
-    DesignSetup setup; ///< set-up with its default values
 };
 
 /// Throws ga::UsageError if the pipeline (a text or one of design_variants) cannot search the set-up.

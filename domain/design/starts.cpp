@@ -143,7 +143,7 @@ Points points_of(const Profile& scan, const std::vector<int>& touching) {
 }
 
 std::vector<int> touching(const DesignSetup& setup) {
-    const Body body = completed(setup.model.body, setup.model.grid.length);
+    const Body& body = setup.model.body;
     double last = 0;
     for (const Loading& loading : loadings_of(setup, setup.model.loading))
         last = std::max(last, step_displacements(*setup.like, body, loading, setup.model.contact).back());
@@ -158,8 +158,7 @@ double longest_wave(const DesignSetup& setup) {
 
 } // namespace
 
-Genome shaped_start(const DesignSetup& given, ga::Stream random) {
-    const DesignSetup setup = completed(given);
+Genome shaped_start(const DesignSetup& setup, ga::Stream random) {
     const Target& target = setup.targets.front();
     Grid grid = setup.model.grid;
     grid.nodes = std::min(grid.nodes, grid.is_2d() ? shaping_side : shaping_nodes);
@@ -169,7 +168,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
     // A coarser grid requires a farther datum; a start need only be near the target.
     Body body = setup.model.body;
     if (body.kernel == Kernel::free)
-        body.datum = std::max(body.datum, 1.02 * grid.spacing() * static_cast<double>(grid.nodes) / 4);
+        body.datum = std::max(*body.datum, 1.02 * grid.spacing() * static_cast<double>(grid.nodes) / 4);
     const double L = grid.length, infinity = std::numeric_limits<double>::infinity();
     const double last_pressure = setup.max_pressure          ? *setup.max_pressure
                                  : target.against_pressure() ? target.last()
@@ -184,7 +183,7 @@ Genome shaped_start(const DesignSetup& given, ga::Stream random) {
                         target.against_pressure() ? infinity : target.last());
     const bool periodic_line = grid.periodic && !grid.is_2d();
     if (periodic_line && setup.max_pressure)
-        inverse = with_mean_at_full_approach(std::move(inverse), setup.model.loading.reach);
+        inverse = with_mean_at_full_approach(std::move(inverse), *setup.model.loading.reach);
     else if (setup.max_pressure)
         inverse = with_range_at_last(std::move(inverse));
     else if (periodic_line) // stiffness has no upper limit, so the valleys would have none
@@ -283,19 +282,17 @@ Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& 
     return {1, {std::move(one), std::move(twin)}};
 }
 
-Index max_scan_waves(const DesignSetup& given) {
-    const DesignSetup setup = completed(given);
+Index max_scan_waves(const DesignSetup& setup) {
     return static_cast<Index>(longest_wave(setup) /
                               std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
                               (1 + 1e-12));
 }
 
-Genome scan_waves(const DesignSetup& given, Index waves) {
-    if (!given.like)
+Genome scan_waves(const DesignSetup& setup, Index waves) {
+    if (!setup.like)
         throw InputError("own: a measured profile is missing; design like a scan");
-    if (given.like->is_2d())
+    if (setup.like->is_2d())
         throw InputError("own: the measured surface is a map; use a profile");
-    const DesignSetup setup = completed(given);
     const double longest = longest_wave(setup);
     const Index count = std::max<Index>(1, waves);
     Points points = points_of(*setup.like, touching(setup));

@@ -32,8 +32,8 @@ class Trials {
   public:
     Trials(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options)
         : options_(options), threads_(ga::thread_count(options.threads)),
-          watch_({std::numeric_limits<long>::max(), options.seconds, options.stop}),
-          setup_(exactly(completed(given))), made_(stopping(setup_), genome),
+          watch_({std::numeric_limits<long>::max(), options.seconds, options.stop}), setup_(exactly(given)),
+          made_(stopping(setup_), genome),
           range_(made_.surface().heights.maxCoeff() - made_.surface().heights.minCoeff()) {}
     Trials(const Trials&) = delete; // the surface refers to the clock
 
@@ -239,7 +239,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Trials trials(setup, genome, options);
     Tolerance result;
-    result.noise_length = completed(setup).errors.noise_length;
+    result.noise_length = setup.errors.noise_length;
     result.similarity = unknown;
     std::vector<double> levels{0.99, 0.95, 0.9, setup.required_similarity};
     std::sort(levels.rbegin(), levels.rend());

@@ -18,7 +18,7 @@ constexpr double unsettled = 0.01;
 Model with_kernel(Model model, Kernel kernel) {
     model.body.kernel = kernel;
     model.body.layering = {};
-    model.loading.reach = std::min(model.loading.reach, completed(Loading(), kernel).reach);
+    model.loading.reach = std::min(*model.loading.reach, reach_of({}, kernel));
     return completed(model);
 }
 
@@ -58,8 +58,8 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
         flag(trust, "rms slope ", trust.rms_slope,
              " is above 0.1: ", profile.is_2d() ? "half-space" : "half-plane",
              " theory assumes small slopes");
-    if (options.hardness > 0 && trust.peak_pressure > options.hardness)
-        flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", options.hardness,
+    if (options.hardness && trust.peak_pressure > *options.hardness)
+        flag(trust, "peak pressure ", trust.peak_pressure, " MPa is above the hardness, ", *options.hardness,
              " MPa: the peaks would flow");
     if (trust.shortest_wave_nodes < 8 * (1 - 1e-9))
         flag(trust, "the shortest wave has ", trust.shortest_wave_nodes,
@@ -109,7 +109,7 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
     if (setup.model.body.kernel == Kernel::free && !setup.model.grid.is_2d()) {
         DesignSetup far = unscaled;
         far.targets = with_datum(setup.targets, setup.model, 4);
-        far.model.body.datum *= 4;
+        *far.model.body.datum *= 4;
         if (!far.targets.empty())
             jobs.push_back({check, "4 times the datum, the target moved with it",
                             [&, far] { return similarity(far, respond(far, genome, far.model)); }});
@@ -129,13 +129,13 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
                      {noise, noise_length, 0});
     if (tilt > 0)
         under_errors(line_of("tilt of ", tilt, " mm over the length"), {0, noise_length, tilt});
-    if (trust.peak_pressure > options.hardness && options.hardness > 0) {
+    if (options.hardness && trust.peak_pressure > *options.hardness) {
         DesignSetup yielding = unscaled;
-        yielding.model.body.hardness = options.hardness;
+        yielding.model.body.hardness = *options.hardness;
         for (const Target& target : setup.targets)
             if (target.against_pressure())
                 yielding.model.loading.to_pressure =
-                    std::max(yielding.model.loading.to_pressure, target.last());
+                    std::max(yielding.model.loading.to_pressure.value_or(0), target.last());
         jobs.push_back({check, "nodes held at the hardness",
                         [&, yielding] { // nodes of a measured target are held, too
                             const DesignSetup held = in_finer_steps(yielding, 1);
@@ -186,10 +186,9 @@ std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& 
     return moved;
 }
 
-Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOptions& options,
-               const Answer* verified, const DesignResponse* designed) {
+Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& options, const Answer* verified,
+               const DesignResponse* designed) {
     Trust trust;
-    DesignSetup setup = completed(given);
     assess_strains(setup, genome, options, designed ? *designed : respond(setup, genome, setup.model), trust);
     const auto late = ending_after(options.seconds, options.stop);
     setup.model.contact.stop = late;
@@ -235,8 +234,7 @@ Trust trust_in(const DesignSetup& given, const Genome& genome, const TrustOption
     return trust;
 }
 
-std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& answer) {
-    const DesignSetup setup = completed(given);
+std::vector<ErrorSource> error_budget(const DesignSetup& setup, const Answer& answer) {
     const Model exact = exactly(setup.model);
     const Target& target = setup.targets.front();
     const auto values = [&](const Model& model) {
@@ -250,7 +248,7 @@ std::vector<ErrorSource> error_budget(const DesignSetup& given, const Answer& an
     };
     if (exact.body.kernel == Kernel::free && !exact.grid.is_2d()) {
         Model far = exact;
-        far.body.datum *= 4;
+        *far.body.datum *= 4;
         add("model", "the half-plane's datum at 4 times the distance", far);
         add("model", "a periodic half-plane instead of the free one", with_kernel(exact, Kernel::periodic));
     }

@@ -65,15 +65,14 @@ Grid resolved_grid(const Genome& genome, double length, bool periodic) {
     return {static_cast<Index>(elements) + (periodic ? 0 : 1), length, periodic};
 }
 
-Response respond(const Genome& genome, const Model& given) {
-    const Model model = completed(given);
+Response respond(const Genome& genome, const Model& model) {
     if (model.accuracy > 0)
         return respond_within(genome, model).response;
     return respond(rough_profile(genome, model.grid), model.body, model.loading, model.contact);
 }
 
 AccountedResponse respond_within(const Genome& genome, const Model& model) {
-    const Grid grid = completed(model).grid;
+    const Grid& grid = model.grid;
     const Profile whole = rough_profile(genome, grid);
     return respond_within(
         whole, {sampler(genome), places(genome)},

@@ -67,8 +67,7 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
             {}};
 }
 
-Genome drawn_start(const DesignSetup& given, ga::Stream random) {
-    const DesignSetup setup = completed(given);
+Genome drawn_start(const DesignSetup& setup, ga::Stream random) {
     Genome genome{1, {}};
     const double shortest = setup.limits.shortest_wave;
     const auto take = [&](Series series) {

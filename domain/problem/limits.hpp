@@ -11,8 +11,8 @@ struct GeneBounds {
     double H_to = 2.5;        ///< highest Hurst exponent
     double gamma_from = 1.05; ///< lowest ratio of neighbouring wavenumbers, > 1
     double gamma_to = 4;      ///< highest ratio of neighbouring wavenumbers
-    double lambda_from = 0;   ///< lowest value of a series' longest wavelength, mm; 0: L/4
-    double lambda_to = 0;     ///< highest value of a series' longest wavelength, mm; 0: 4 L
+    double lambda_from = 0;   ///< lowest value of a series' longest wavelength, mm
+    double lambda_to = 0;     ///< highest value of a series' longest wavelength, mm
 };
 
 /// The largest distance by which refinement may move a phase from its value before the first refinement: the

@@ -25,7 +25,7 @@ std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetu
     for (const Target& target : given.targets)
         last = std::max(last, target.last());
     for (Loading& loading : loadings)
-        loading.to_pressure *= std::max(1., *given.max_pressure / last);
+        *loading.to_pressure *= std::max(1., *given.max_pressure / last);
     return loadings;
 }
 

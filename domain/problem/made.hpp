@@ -17,7 +17,7 @@ std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 /// displacement counts from their first touch. The surface is loaded as far as in the search.
 class MadeSurface {
   public:
-    /// The surface of a genome from in_final_form(), under a completed set-up.
+    /// The surface of a genome from in_final_form().
     MadeSurface(DesignSetup setup, Genome genome);
 
     const Profile& surface() const { return surface_; } ///< the surface without errors
@@ -39,7 +39,7 @@ class MadeSurface {
 /// The errors under which a search scores genomes: fixed draws of the noise, equal for every genome, and each
 /// tilt in both directions.
 struct CommonErrors {
-    explicit CommonErrors(const DesignSetup& setup); ///< takes a completed set-up
+    explicit CommonErrors(const DesignSetup& setup); ///< the errors of a set-up
     std::vector<Eigen::VectorXd> noise = {};         ///< errors of the heights in each draw, mm
     std::vector<Eigen::VectorXd> tilts = {};         ///< errors of the heights for each tilt, mm
     /// The lower of two similarities; 1 without errors. The first is the mean of the lowest tenth of the

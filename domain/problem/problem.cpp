@@ -122,7 +122,7 @@ ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(co
 double DesignOutcome::similarity() const { return min_similarity(misfits); }
 
 DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads)
-    : setup_(std::make_shared<DesignSetup>(completed(std::move(setup)))), memory_(std::move(memory)),
+    : setup_(std::make_shared<DesignSetup>(std::move(setup))), memory_(std::move(memory)),
       descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     verifier_ = std::make_shared<Verifier>(as_reported(*setup_), threads);

@@ -15,7 +15,7 @@ double load_slack(const Model& model) { return model.grid.is_2d() ? 1 + 3 * mode
 
 /// Whether a profile may reach full contact before the load steps end: on an elastic periodic body.
 bool may_pass_full_contact(const Loading& loading, const Body& body) {
-    return body.relative_to_mean() && !body.yields() && loading.to_displacement + loading.to_pressure > 0;
+    return body.relative_to_mean() && !body.yields() && (loading.to_displacement || loading.to_pressure);
 }
 
 CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const ResponseJacobian& jacobian) {
@@ -137,19 +137,20 @@ Pressed every(Index part, Pressed pressed) {
 std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loading) {
     if (setup.max_pressure)
         return {loading};
-    double pressure = 0, displacement = 0;
-    for (const Target& target : setup.targets)
-        (target.against_pressure() ? pressure : displacement) =
-            std::max(target.against_pressure() ? pressure : displacement, target.last());
     std::vector<Loading> loadings;
-    for (const auto& [to_pressure, to_displacement] :
-         {std::pair(pressure, 0.0), std::pair(0.0, displacement)})
-        if (to_pressure + to_displacement > 0) {
-            Loading one = loading;
-            one.to_pressure = to_pressure * load_slack(setup.model);
-            one.to_displacement = to_displacement;
-            loadings.push_back(one);
-        }
+    for (const bool by_pressure : {true, false}) {
+        double last = 0;
+        for (const Target& target : setup.targets)
+            if (target.against_pressure() == by_pressure)
+                last = std::max(last, target.last());
+        if (last == 0)
+            continue;
+        Loading one = loading;
+        one.to_pressure.reset(), one.to_displacement.reset();
+        (by_pressure ? one.to_pressure : one.to_displacement) =
+            by_pressure ? last * load_slack(setup.model) : last;
+        loadings.push_back(std::move(one));
+    }
     return loadings;
 }
 
@@ -200,9 +201,9 @@ Loading up_to_full_contact(Loading loading, const Profile& profile, const Model&
     if (!may_pass_full_contact(loading, model.body))
         return loading;
     if (loading.to_displacement > nearly_full * displacement_range(profile, model.body.kernel) ||
-        (loading.to_pressure > 0 &&
-         loading.to_pressure > nearly_full * full_contact_load(profile, model.body))) {
-        loading.to_displacement = loading.to_pressure = 0;
+        (loading.to_pressure &&
+         *loading.to_pressure > nearly_full * full_contact_load(profile, model.body))) {
+        loading.to_displacement.reset(), loading.to_pressure.reset();
         loading.reach = nearly_full;
     }
     return loading;

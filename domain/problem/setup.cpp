@@ -12,7 +12,6 @@ constexpr Index max_exactly_reported = 16385; ///< nodes of the finer grid
 /// reported_tolerance.
 constexpr Index max_factored = 2049;
 constexpr double reported_tolerance = 1e-10;
-constexpr int area_ridges = 8;
 /// A target's last pressure may be rounded.
 constexpr double rounded_up = 1 + 1e-9;
 
@@ -23,26 +22,17 @@ constexpr double min_area_nodes = 512, max_area_nodes = 4096;
 /// Largest distance of a band's edges from the measured curve, relative to this curve.
 constexpr double max_band_share = 0.05;
 
-Index enough_nodes(const DesignSetup& setup) {
+Index enough_nodes(const Profile& profile, const std::vector<Target>& targets) {
     double nodes = 0;
-    for (const Target& target : setup.targets)
+    for (const Target& target : targets)
         if (is_contact_fraction(target.quantity))
-            nodes = std::max({nodes, static_cast<double>(setup.like->nodes()), first_nodes / target.y[0]});
+            nodes = std::max({nodes, static_cast<double>(profile.nodes()), first_nodes / target.y[0]});
     return nodes == 0 ? Grid().nodes : static_cast<Index>(std::clamp(nodes, min_area_nodes, max_area_nodes));
 }
 
 } // namespace
 
-GeneBounds completed(GeneBounds bounds, double length) {
-    if (bounds.lambda_from == 0)
-        bounds.lambda_from = 0.25 * length;
-    if (bounds.lambda_to == 0)
-        bounds.lambda_to = 4 * length;
-    return bounds;
-}
-
-DesignSetup completed(DesignSetup setup) {
-    setup.model = completed(setup.model);
+void validate(const DesignSetup& setup) {
     const Grid& grid = setup.model.grid;
     const Index fewest = grid.is_2d() ? std::min(grid.nodes, grid.rows) : grid.nodes;
     if (!setup.phases && fewest < 16)
@@ -52,27 +42,15 @@ DesignSetup completed(DesignSetup setup) {
     if (grid.is_2d() && setup.model.body.kernel == Kernel::strip)
         refuse_value("kernel", "strip does not apply to a map; give free or periodic");
     validate(setup.model);
-    if (setup.errors.noise_length == 0)
-        setup.errors.noise_length = grid.length / 60;
-    if (setup.ridges == 0)
-        setup.ridges = grid.is_2d() ? area_ridges : 1;
-    if (setup.phases)
-        return setup;
-    setup.bounds = completed(setup.bounds, grid.length);
-    double& shortest = setup.limits.shortest_wave;
-    const double spacing = grid.widest_spacing();
-    if (shortest == 0)
-        shortest = 8 * spacing;
-    if (shortest < spacing)
+    const double shortest = setup.limits.shortest_wave, spacing = grid.widest_spacing();
+    if (!setup.phases && shortest < spacing)
         refuse_value("shortest wave", shortest, " mm is below the node spacing; give at least ", spacing,
                      " mm");
-    if (shortest > setup.bounds.lambda_to)
+    if (!setup.phases && shortest > setup.bounds.lambda_to)
         refuse_value("shortest wave", shortest, " mm is above the longest wave; give at most ",
                      setup.bounds.lambda_to, " mm");
-    return setup;
-}
-
-void validate(const DesignSetup& setup) {
+    if (setup.errors.noise > 0 && !(setup.errors.noise_length > 0))
+        refuse_value("noise-length", setup.errors.noise_length, " mm is not above 0; give a length");
     if (setup.targets.empty())
         throw InputError("target: none given; give at least one");
     if (setup.max_pressure && !(*setup.max_pressure > 0))
@@ -124,20 +102,21 @@ DesignSetup as_reported(DesignSetup searched) {
     return setup;
 }
 
-DesignSetup like(DesignSetup setup, Profile profile, const Model& model, const std::string& name,
-                 const std::vector<Quantity>& quantities, Index points, Index nodes, Resolution resolution) {
-    setup.like = std::move(profile);
-    setup.model = model;
-    setup.targets = targets_like(*setup.like, model, name, quantities, points, setup.max_pressure.value_or(0),
-                                 resolution);
-    for (Target& target : setup.targets)
+DesignSetup like(const Profile& profile, Model model, const std::string& name,
+                 const std::vector<Quantity>& quantities, Index points, std::optional<Index> nodes,
+                 Resolution resolution, std::optional<double> max_pressure) {
+    auto targets = targets_like(profile, model, name, quantities, points, max_pressure, resolution);
+    for (Target& target : targets)
         if (target.has_band()) {
             target.lower = target.lower.cwiseMax((1 - max_band_share) * target.y);
             target.upper = target.upper.cwiseMin((1 + max_band_share) * target.y);
         }
-    if (!setup.like->is_2d())
-        setup.model.grid.nodes = nodes > 0 ? nodes : enough_nodes(setup);
-    return setup;
+    if (!profile.is_2d())
+        model.grid.nodes = nodes ? *nodes : enough_nodes(profile, targets);
+    return {.model = std::move(model),
+            .targets = std::move(targets),
+            .max_pressure = max_pressure,
+            .like = profile};
 }
 
 const std::vector<std::string>& names_of_likeness() {

@@ -51,26 +51,24 @@ std::vector<double> even_steps(double last, const Loading& loading) {
 
 } // namespace
 
-Loading completed(Loading loading, Kernel kernel) {
-    if (loading.reach == 0)
-        loading.reach = kernel == Kernel::periodic ? 0.95 : 1;
-    return loading;
+double reach_of(const Loading& loading, Kernel kernel) {
+    return loading.reach.value_or(kernel == Kernel::periodic ? 0.95 : 1);
 }
 
 void validate(const Loading& loading, Kernel kernel) {
     if (loading.steps < 2)
         refuse_value("steps", loading.steps, " is out of range (at least 2)");
     const bool periodic = kernel == Kernel::periodic;
-    if (!(loading.reach > 0) || loading.reach > 1 || (periodic && loading.reach == 1))
-        refuse_value("reach", loading.reach, " is out of range (above 0, ",
+    const double reach = reach_of(loading, kernel);
+    if (!(reach > 0) || reach > 1 || (periodic && reach == 1))
+        refuse_value("reach", reach, " is out of range (above 0, ",
                      periodic ? "less than 1: the periodic half-plane has no solution beyond full contact)"
                               : "at most 1)");
 }
 
-std::vector<double> load_displacements(double range, const Loading& given, Kernel kernel) {
-    const Loading loading = completed(given, kernel);
+std::vector<double> load_displacements(double range, const Loading& loading, Kernel kernel) {
     validate(loading, kernel);
-    return even_steps(loading.reach * range, loading);
+    return even_steps(reach_of(loading, kernel) * range, loading);
 }
 
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
@@ -82,11 +80,11 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
             displacements.push_back(step.displacement);
         return displacements;
     }
-    validate(completed(loading, body.kernel), body.kernel);
-    if (loading.to_displacement > 0)
-        return even_steps(loading.to_displacement, loading);
-    if (loading.to_pressure > 0)
-        return even_steps(displacement_at_pressure(profile, body, loading.to_pressure, options), loading);
+    validate(loading, body.kernel);
+    if (loading.to_displacement)
+        return even_steps(*loading.to_displacement, loading);
+    if (loading.to_pressure)
+        return even_steps(displacement_at_pressure(profile, body, *loading.to_pressure, options), loading);
     return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
 }
 
@@ -105,9 +103,8 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
                        full_contact_stiffness(profile, body, options.threads));
 }
 
-ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& given,
+ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options, bool with_area) {
-    const Loading loading = completed(given, body.kernel);
     if (!loading.pressures.empty())
         refuse("pressures: load steps at given pressures have no gradient; use steps of equal displacement");
     if (with_area && body.yields())
@@ -124,8 +121,8 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
     // Derivatives of Delta_last. By pressure: 0 = w.dZ - sum(w) dZ_max + sum(w) dDelta at the last step. By
     // reach: +reach at the first highest node, -reach at the first lowest (periodic: -reach/N everywhere).
     Eigen::RowVectorXd d_last = Eigen::RowVectorXd::Zero(nodes);
-    if (!(loading.to_displacement > 0)) {
-        if (loading.to_pressure > 0) {
+    if (!loading.to_displacement) {
+        if (loading.to_pressure) {
             const ContactState& state = curve.states.back();
             for (std::size_t i = 0; i < state.nodes.size(); ++i)
                 d_last[state.nodes[i]] -= state.tangent[static_cast<Index>(i)] / state.tangent.sum();
@@ -184,23 +181,22 @@ std::string field_text(double value) {
     return digits;
 }
 
-Fields fields(const Model& given) {
-    const Model model = completed(given);
+Fields fields(const Model& model) {
     const Body& body = model.body;
     Fields all{{"nodes", std::to_string(model.grid.nodes)},
                {"length_mm", field_text(model.grid.length)},
                {"kernel", name_of(body.kernel)},
                {"effective_modulus_MPa", field_text(body.effective_modulus)},
                {"steps", std::to_string(model.loading.steps)},
-               {"reach", field_text(model.loading.reach)}};
+               {"reach", field_text(model.loading.reach.value())}};
     if (model.grid.is_2d()) {
         all.emplace_back("rows", std::to_string(model.grid.rows));
         all.emplace_back("width_mm", field_text(model.grid.width));
     }
     if (body.kernel == Kernel::free && !model.grid.is_2d())
-        all.emplace_back("datum_mm", field_text(body.datum));
+        all.emplace_back("datum_mm", field_text(body.datum.value()));
     if (body.kernel == Kernel::strip)
-        all.emplace_back("strip_width_mm", field_text(body.strip_width));
+        all.emplace_back("strip_width_mm", field_text(body.strip_width.value()));
     if (!body.layering.layers.empty()) {
         std::string layers;
         for (const Layer& layer : body.layering.layers)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
+#include "domain/errors.hpp"
 
 #include <utility>
 
@@ -11,19 +12,20 @@ namespace rough {
 /// `to_pressure`. Otherwise Delta_last is reach * range. With the heights Z the range is max Z - min Z. For
 /// the periodic kernel it is max Z - mean Z, at which contact is full.
 struct Loading {
-    int steps = 20;             ///< number of load steps n_t, >= 2
-    double reach = 0;           ///< in (0, 1], below 1 for the periodic kernel; 0: 1, periodic 0.95
-    double to_pressure = 0;     ///< mean pressure at the last load step, MPa; 0: not given
-    double to_displacement = 0; ///< displacement at the last load step, mm; 0: not given
+    int steps = 20; ///< number of load steps n_t, >= 2
+    /// In (0, 1], below 1 for the periodic kernel. Default: 1, periodic 0.95.
+    std::optional<double> reach = {};
+    std::optional<double> to_pressure = {};     ///< mean pressure at the last load step, MPa
+    std::optional<double> to_displacement = {}; ///< displacement at the last load step, mm
     /// Mean pressures of the load steps, MPa, > 0 and increasing. If they are given, they replace all members
     /// above.
     std::vector<double> pressures = {};
 };
 
-/// The load steps with the default value of `reach` if it is 0.
-Loading completed(Loading loading, Kernel kernel);
+/// Loading::reach or its default.
+double reach_of(const Loading& loading, Kernel kernel);
 
-/// Throws InputError if completed load steps are fewer than 2 or their reach is outside its range.
+/// Throws InputError if load steps are fewer than 2 or their reach is outside its range.
 void validate(const Loading& loading, Kernel kernel);
 
 /// The response of a profile to load steps. The unloaded state (0, 0) is not a row.
@@ -107,25 +109,27 @@ struct Model {
     double accuracy = 0;
 };
 
-/// The model with default values in place of zeros: the body's values for the grid's length, and the reach
-/// for the kernel. The grid becomes periodic if the kernel is periodic, and only then.
+/// The complete model: the body gets its defaults for the grid's length, and `reach` that of the kernel. The
+/// grid becomes periodic if the kernel is periodic, and only then. Every other function takes complete
+/// models.
 inline Model completed(Model model) {
     model.grid.periodic = model.body.kernel == Kernel::periodic;
     model.body = completed(model.body, model.grid.length);
-    model.loading = completed(model.loading, model.body.kernel);
+    model.loading.reach = reach_of(model.loading, model.body.kernel);
     return model;
 }
 
-/// Throws InputError if a completed model's body or load steps have no solution on its grid.
+/// Throws InputError if the model is not complete, or its body or load steps have no solution on its grid.
 inline void validate(const Model& model) {
+    if (model.grid.periodic != (model.body.kernel == Kernel::periodic))
+        refuse_value("kernel", name_of(model.body.kernel), " does not fit the grid; complete the model");
     validate(model.body, model.grid.nodes, model.grid.spacing());
     validate(model.loading, model.body.kernel);
 }
 
-/// The response of a profile under the model. Zeros of the body get their default values for the grid's
-/// length.
+/// The response of a profile under the model.
 inline Response respond(const Profile& profile, const Model& model) {
-    return respond(profile, completed(model.body, model.grid.length), model.loading, model.contact);
+    return respond(profile, model.body, model.loading, model.contact);
 }
 
 /// The model without approximations.
@@ -136,7 +140,6 @@ inline Model exactly(Model model) {
 
 /// The model on a grid with `refine` elements for each element of its grid.
 inline Model refined(Model model, Index refine) {
-    model = completed(model);
     model.grid = refined(model.grid, refine);
     return model;
 }
@@ -147,7 +150,7 @@ using Fields = std::vector<std::pair<std::string, std::string>>;
 /// A number with 17 digits, which reads back exactly.
 std::string field_text(double value);
 
-/// A completed model as fields. Solver and tolerance are omitted, because solvers agree to the tolerance of
+/// A model as fields. Solver and tolerance are omitted, because solvers agree to the tolerance of
 /// their certificate.
 Fields fields(const Model& model);
 

@@ -157,8 +157,8 @@ void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std:
 
 } // namespace
 
-StiffnessLimits stiffness_limits(const Model& given) {
-    const auto [grid, body, loading, contact, accuracy] = completed(given);
+StiffnessLimits stiffness_limits(const Model& model) {
+    const auto& [grid, body, loading, contact, accuracy] = model;
     const double spacing = grid.spacing();
     Profile flat{Eigen::VectorXd::Zero(grid.shape().nodes()), spacing, grid.rows, grid.row_spacing()};
     const double entry = influence_column(in_units(body, spacing, flat.row_spacing), grid.shape())[0];
@@ -207,7 +207,7 @@ std::string OutOfReach::verdict() const {
 
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure) {
-    if (!contact_sets_nest(model.body, completed(model).grid)) // stiffness may fall
+    if (!contact_sets_nest(model.body, model.grid)) // stiffness may fall
         return {};
     Load load{stiffness_limits(model), model.loading.steps, max_pressure.value_or(0)};
     for (const Target& target : targets)

@@ -84,11 +84,11 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
         return factor ? Factor(*factor / scales.nominal_area) : std::nullopt;
     };
     if (name == "conductance") {
-        if (!(scales.conductance_to_stiffness > 0))
+        if (!scales.conductance_to_stiffness)
             throw InputError(
                 file + ": has a conductance, C = 2 K_i/(E* resistivity); give a resistivity with it",
                 "resistivity");
-        return {"interface_stiffness_MPa_per_mm", scales.conductance_to_stiffness};
+        return {"interface_stiffness_MPa_per_mm", *scales.conductance_to_stiffness};
     }
     const auto cut =
         name.rfind('_', name.find("_per_") == std::string::npos ? name.size() : name.find("_per_") - 1);
@@ -107,12 +107,12 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
     if (what == "displacement")
         return scaled("displacement_mm", in_mm(unit), "nm, um, mm or m");
     if (what == "friction" || what == "shear") {
-        if (!(scales.shear_strength > 0))
+        if (!scales.shear_strength)
             throw InputError(file + ": column \"" + name +
                                  "\" needs the shear strength; give a shear-strength",
                              "shear-strength");
         const Factor force = what == "shear" ? in_mpa(unit) : over_area(in_newton(unit));
-        return scaled("contact_fraction", force ? Factor(*force / scales.shear_strength) : force,
+        return scaled("contact_fraction", force ? Factor(*force / *scales.shear_strength) : force,
                       what == "shear" ? "Pa, kPa, MPa or GPa" : "uN, mN, N or kN");
     }
     if (what == "area") {
@@ -391,16 +391,16 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
 }
 
 std::vector<Target> targets_like(const Profile& profile, const Model& model, const std::string& name,
-                                 const std::vector<Quantity>& quantities, Index points, double last,
-                                 Resolution resolution) {
+                                 const std::vector<Quantity>& quantities, Index points,
+                                 std::optional<double> last, Resolution resolution) {
     const Response response = respond(profile, model);
     const std::vector<Response> finer = finer_responses(profile, model, response, resolution);
     std::vector<Target> targets;
     for (const Quantity quantity : quantities) {
         const Curve curve = curve_of(quantity, response);
         // A solver finds a load within its tolerance of the requested one.
-        const bool reaches = last > 0 && last <= curve.to * (1 + 1e-9);
-        Target target = even_target(quantity, name, points, reaches ? last : curve.to,
+        const bool reaches = last && *last <= curve.to * (1 + 1e-9);
+        Target target = even_target(quantity, name, points, reaches ? *last : curve.to,
                                     [&](double x) { return curve.at(x); });
         // The line through the first two secants may fall below 0 before the first one; points there are
         // omitted.
@@ -430,7 +430,7 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
 }
 
 Target target_like(const Profile& profile, const Model& model, const std::string& name, Quantity quantity,
-                   Index points, double last, Resolution resolution) {
+                   Index points, std::optional<double> last, Resolution resolution) {
     return targets_like(profile, model, name, {quantity}, points, last, resolution).front();
 }
 

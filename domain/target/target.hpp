@@ -80,10 +80,10 @@ TargetTable read_target_table(const std::filesystem::path& file);
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
     double nominal_area = 0; ///< mm^2; 0 for a line: columns of loads or contact areas are refused
-    /// E* (rho_1 + rho_2)/2, with the resistivities rho of the bodies (Barber 2003); 0: not given.
-    double conductance_to_stiffness = 0;
-    /// Shear strength sigma, MPa: the friction is sigma times the contact area. 0: not given.
-    double shear_strength = 0;
+    /// E* (rho_1 + rho_2)/2, with the resistivities rho of the bodies (Barber 2003).
+    std::optional<double> conductance_to_stiffness = {};
+    /// Shear strength sigma, MPa: the friction is sigma times the contact area.
+    std::optional<double> shear_strength = {};
 };
 
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
@@ -158,16 +158,16 @@ Target even_target(Quantity quantity, const std::string& name, Index points, dou
                    const std::function<double(double)>& y);
 
 /// A profile's response as a target, with its recorded model, at evenly spaced points up to `last` (MPa or
-/// mm). If `last` is 0 or beyond the last load step, the last load step is used. Points at which the curve is
-/// continued to 0 or less are omitted. Unless `resolution` is `off`, the band spans the curves of the given
-/// heights and of heights interpolated linearly and by a spline. Throws InputError if an interface stiffness
-/// is infinite at full contact.
+/// mm). If `last` is not given or beyond the last load step, the last load step is used. Points at which the
+/// curve is continued to 0 or less are omitted. Unless `resolution` is `off`, the band spans the curves of
+/// the given heights and of heights interpolated linearly and by a spline. Throws InputError if an interface
+/// stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
-                   Quantity quantity = Quantity::stiffness, Index points = 20, double last = 0,
-                   Resolution resolution = Resolution::off);
+                   Quantity quantity = Quantity::stiffness, Index points = 20,
+                   std::optional<double> last = {}, Resolution resolution = Resolution::off);
 /// Targets of several quantities, as target_like; the response is computed once.
 std::vector<Target> targets_like(const Profile& profile, const Model& model, const std::string& name,
-                                 const std::vector<Quantity>& quantities, Index points, double last,
-                                 Resolution resolution);
+                                 const std::vector<Quantity>& quantities, Index points,
+                                 std::optional<double> last, Resolution resolution);
 
 } // namespace rough

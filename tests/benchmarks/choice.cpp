@@ -35,8 +35,7 @@ Measured measured(const Profile& profile, Kernel kernel, int steps, double reach
     constexpr double most_contact = 5000;
     Body body;
     body.kernel = kernel;
-    body.datum = body.strip_width = 0.84942;
-    body.strip_width /= 511;
+    body.datum = 0.84942, body.strip_width = 0.84942 / 511;
     const auto displacements = step_displacements(profile, body, {.steps = steps, .reach = reach});
     Measured m{static_cast<double>(profile.nodes()), static_cast<double>(steps), 0, 0, 0, 0};
     ContactCurve curve;

@@ -45,10 +45,9 @@ struct Reached {
 Reached in_line(const char* file, const Target& target, double seconds) {
     const ga::Stopwatch clock;
     const GenomeStore store = GenomeStore::open(file);
-    DesignSetup setup;
-    setup.model = store.setup().model;
-    setup.targets = {target};
-    setup.limits.shortest_wave = store.setup().law.shortest;
+    const DesignSetup setup{.model = store.setup().model,
+                            .targets = {target},
+                            .limits = {.shortest_wave = store.setup().law.shortest}};
     const auto genomes = stored_starts(store, setup, 8);
     const DesignProblem problem(setup);
     const DesignPipeline pipeline =

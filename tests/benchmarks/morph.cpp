@@ -48,9 +48,7 @@ std::vector<ChromosomeName> felt_most(const DesignSetup& setup, const Genome& ge
 } // namespace
 
 int main(int count, char** arguments) {
-    DesignSetup setup;
-    setup.model.grid.nodes = count > 1 ? std::atoi(arguments[1]) : 512;
-    setup.model = completed(setup.model);
+    DesignSetup setup{.model = completed({.grid = {count > 1 ? std::atoi(arguments[1]) : 512}})};
     const Genome wanted = surface(8 * setup.model.grid.spacing());
     setup.targets = {target_like(sample(wanted, setup.model.grid), setup.model, "wanted")};
     const auto control = felt_most(setup, wanted, 4);

@@ -15,12 +15,9 @@ struct Begun {
 
     static rough::DesignSetup setup() {
         const tests::Folder folder;
-        rough::DesignSetup setup;
-        setup.model.grid.nodes = 32;
-        setup.model.loading.steps = 3;
-        setup.targets = {rough::read_target(
-            folder.write("t.csv", "pressure_MPa,stiffness_MPa_per_mm\n4e-5,0.4\n8e-5,0.6\n1.6e-4,0.8\n"))};
-        return rough::completed(setup);
+        return {.model = rough::completed({.grid = {32}, .loading = {3}}),
+                .targets = {rough::read_target(folder.write(
+                    "t.csv", "pressure_MPa,stiffness_MPa_per_mm\n4e-5,0.4\n8e-5,0.6\n1.6e-4,0.8\n"))}};
     }
     Begun()
         : problem(setup()),

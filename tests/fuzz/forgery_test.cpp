@@ -262,9 +262,7 @@ TEST_CASE("a forged database is refused or harmless") {
             }
         }
         rough::GenomeStore store = rough::GenomeStore::open(file);
-        rough::DesignSetup setup;
-        setup.model = store.setup().model;
-        setup.targets = {target};
+        const rough::DesignSetup setup{.model = store.setup().model, .targets = {target}};
         rough::stored_answers(store, setup, 1, 1);
         rough::build(store, {.genomes = 9, .batch = 3, .threads = 1});
         for (const std::uint64_t index : store.curves(true).index) {

@@ -55,25 +55,41 @@ struct DesignRecord {
     Origin origin;
 };
 
-struct DesignRun : DesignRecord {
+/// What a design is to match, from a target or a scan.
+struct DesignRequest {
+    ga::Stopwatch clock = {};
+    rough::DesignSetup setup = {};          ///< with the targets, the model and the scan
+    std::vector<std::string> accounts = {}; ///< how scans were read, and notes
+    std::optional<Production> from = {};    ///< if it is given, it is morphed and nothing is searched
+};
+
+/// A design that the settings describe completely.
+struct DesignTask {
     rough::DesignSetup setup;    ///< solved throughout, for all results on the answer
     rough::DesignSetup searched; ///< the set-up with the accuracy that the search was allowed
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     rough::ToleranceOptions tolerance_options;
-    std::vector<std::string> accounts; ///< how scans were read, and notes
-    std::string warning;               ///< that the contact of a scan or map is not resolved; "" if it is
-    bool limits_given = false;         ///< whether a flag limits the shape
-    std::optional<Production> from;    ///< if it is given, it is morphed and nothing is searched
+    std::vector<std::string> accounts;
+    std::string warning; ///< that the contact of a scan or map is not resolved; "" if it is
+    bool limits_given;   ///< whether a flag limits the shape
+    std::optional<Production> from;
+};
 
+struct DesignAnswer {
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
-    rough::DesignResponse response;           ///< response of the answer
-    std::optional<Shares> unrequested_errors; ///< nothing if the time did not suffice
+    rough::DesignResponse response; ///< response of the answer
     std::vector<rough::Margin> margins;
+    std::optional<Shares> unrequested_errors; ///< nothing if the time did not suffice
+};
+
+struct AnswerChecks {
     std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
     std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
 };
+
+struct DesignRun : DesignRecord, DesignTask, DesignAnswer, AnswerChecks {};
 
 /// The parameters of a search for designs of any genome.
 template <class P>
@@ -153,24 +169,21 @@ std::vector<Setting> search_settings();
 /// All settings of the program's design: with target or scan, production and files.
 std::vector<Setting> design_settings();
 
-/// The run that the settings describe, after the exact tests of its targets. Throws rough::InputError.
-DesignRun design_from(const Settings& settings);
-/// The run for targets and a model that `take_targets` sets.
-DesignRun design_from(const Settings& settings,
-                      const std::function<void(const Settings&, DesignRun&)>& take_targets);
-
-/// Sets the targets and the model of a set-up from the response of a measured surface under the model.
-/// With a resolution, the targets have a band.
-void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
-                  const Settings& settings, rough::DesignSetup& setup,
-                  rough::Resolution resolution = rough::Resolution::off);
+/// The request of --target or --like. Throws rough::InputError.
+DesignRequest request_from(const Settings& settings);
+/// A design with the response of a measured surface as target. With a resolution, the targets have a band.
+rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model,
+                              const std::string& name, const Settings& settings,
+                              rough::Resolution resolution = rough::Resolution::off);
+/// The run of a request, after the exact tests of its targets. Throws rough::InputError.
+DesignRun design_from(const Settings& settings, DesignRequest request);
 
 /// Whether an answer has the required similarity, verified, within the limits, and no target is out of reach.
 bool is_found(const DesignRun& run);
 /// The summary of a run whose answer was found.
 Summary summary_of(const DesignRun& run);
-/// The quantities of a scan's response that were not requested, and how far the answer's are off at most.
-Shares unrequested_errors(const DesignRun& run);
+/// The quantities of a scan's response that were not requested, and how far the genome's are off at most.
+Shares unrequested_errors(const rough::DesignSetup& design, const rough::Genome& genome);
 
 /// Writes result.json, and tolerance.csv if the tolerance is known.
 void write_design_result(const DesignRun& run, const std::filesystem::path& folder);

@@ -67,42 +67,44 @@ std::optional<Production> production_from(const Settings& settings) {
     return from;
 }
 
-/// Sets targets and model by --target or --like.
-void take_targets(const Settings& settings, DesignRun& run) {
-    the_given(settings, {"target", "like"}, "design");
-    const bool is_like = settings.has("like");
-    rough::DesignSetup& setup = run.setup;
-    run.from = production_from(settings);
-    if (run.from)
-        setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
-    const bool area = asks_for_area(settings);
-    if (area && run.from)
-        rough::refuse("--from: given with a map; omit it, as it is for profiles only");
-    if (is_like && area) {
-        const AreaScene scene = area_from(settings, "like");
-        run.accounts = scene.notes;
-        like_surface(scene.map, scene.model, settings.text("like"), settings, setup,
-                     // The band of a map would take most of the time.
-                     settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
-    } else if (is_like) {
-        const Source scan = scan_from(settings.text("like"), settings, 0);
-        run.accounts.push_back(scan.account);
-        rough::Model model = model_from(settings, scan);
-        model.grid.nodes = scan.measured.nodes();
-        like_surface(scan.on(model.grid), model, scan.name, settings, setup, resolution_from(settings));
-    } else {
-        std::vector<std::string> of_a_scan = names_of(scan_settings());
-        of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
-        expect_none(settings, of_a_scan, "given with --target; give it with --like only");
-        setup.model =
-            run.from ? model_from(settings, open_genome(run.from->file)) : surface_model_from(settings);
-        setup.targets = goals_from(settings, setup.model);
-        if (area && setup.model.body.kernel == rough::Kernel::free)
-            run.accounts.emplace_back(no_datum_note);
-    }
-    for (const auto& note :
-         notes_on(settings, setup.model, is_like ? std::vector<rough::Target>() : setup.targets))
-        run.accounts.push_back(note);
+/// Throws rough::InputError on values that contradict each other.
+void expect_consistent(const Settings& settings, const rough::DesignSetup& setup) {
+    const rough::Grid& grid = setup.model.grid;
+    if (grid.is_2d() && settings.has("database"))
+        settings.refuse("database", "given with a map; omit it, as it is for profiles only");
+    for (const rough::Target& goal : setup.targets)
+        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
+            settings.refuse("max-pressure", settings.text("max-pressure"),
+                            " MPa is too low; give at least the last pressure of ", goal.name, ", ",
+                            readable(goal.last(), 6), " MPa");
+    const double shortest = std::min(grid.widest_spacing(), grid.length / 60);
+    if (const double length = setup.errors.noise_length;
+        settings.has("noise-length") && (length < shortest || length > grid.length))
+        settings.refuse("noise-length", settings.text("noise-length"),
+                        " is out of range; give a number from ", readable(shortest, 6), " to ",
+                        readable(grid.length, 6));
+    expect_in_order(settings.with({{"lambda-from", ga::number(setup.bounds.lambda_from)},
+                                   {"lambda-to", ga::number(setup.bounds.lambda_to)}}),
+                    {"hurst", "gamma", "lambda"});
+    placing(settings, "", [&] { validate(setup); });
+}
+
+rough::SearchOptions options_from(const Settings& settings, const rough::DesignSetup& setup) {
+    rough::SearchOptions options{.pipeline = pipeline_from(settings, rough::design_variants(),
+                                                           usual_variant(setup, settings.has("database")))};
+    if (setup.model.grid.is_2d())
+        options.alternatives = 1;
+    take(settings, fields_of(options));
+    return options;
+}
+
+/// The warning on a scan or map whose contact the model does not resolve; "" otherwise.
+std::string warning_on(const rough::DesignSetup& setup) {
+    if (!setup.like)
+        return "";
+    rough::Model model = setup.model;
+    model.contact.spots = true;
+    return resolution_warning(respond(*setup.like, model));
 }
 
 } // namespace
@@ -181,68 +183,65 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
     return names[settings.one_of("variant", names)];
 }
 
-void like_surface(const rough::Profile& surface, const rough::Model& model, const std::string& name,
-                  const Settings& settings, rough::DesignSetup& setup, rough::Resolution resolution) {
-    rough::Index nodes = 0;
+rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model,
+                              const std::string& name, const Settings& settings,
+                              rough::Resolution resolution) {
+    std::optional<rough::Index> nodes;
     if (!surface.is_2d())
         settings.take("nodes", nodes);
-    setup = like(setup, surface, model, name, rough::likeness_named(settings.text("quantity")),
-                 static_cast<rough::Index>(settings.number("points")), nodes, resolution);
+    std::optional<double> max_pressure;
+    settings.take("max-pressure", max_pressure);
+    return like(surface, model, name, rough::likeness_named(settings.text("quantity")),
+                settings.whole<rough::Index>("points"), nodes, resolution, max_pressure);
 }
 
-DesignRun design_from(const Settings& settings) { return design_from(settings, take_targets); }
-
-DesignRun design_from(const Settings& settings,
-                      const std::function<void(const Settings&, DesignRun&)>& take_targets) {
-    DesignRun run;
-    rough::DesignSetup& setup = run.setup;
-    take(settings, fields_of(setup));
-    take_targets(settings, run);
-    if (setup.like) {
-        rough::Model model = completed(setup.model);
-        model.contact.spots = true;
-        run.warning = resolution_warning(respond(*setup.like, model));
+DesignRequest request_from(const Settings& settings) {
+    the_given(settings, {"target", "like"}, "design");
+    const bool is_like = settings.has("like"), area = asks_for_area(settings);
+    DesignRequest request;
+    request.from = production_from(settings);
+    if (area && request.from)
+        rough::refuse("--from: given with a map; omit it, as it is for profiles only");
+    if (is_like && area) {
+        const AreaScene scene = area_from(settings, "like");
+        request.accounts = scene.notes;
+        request.setup =
+            setup_like(scene.map, scene.model, settings.text("like"), settings,
+                       // The band of a map would take most of the time.
+                       settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
+    } else if (is_like) {
+        const Source scan = scan_from(settings.text("like"), settings, 0);
+        request.accounts.push_back(scan.account);
+        rough::Model model = model_from(settings, scan);
+        model.grid.nodes = scan.measured.nodes();
+        request.setup =
+            setup_like(scan.on(model.grid), model, scan.name, settings, resolution_from(settings));
+    } else {
+        std::vector<std::string> of_a_scan = names_of(scan_settings());
+        of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});
+        expect_none(settings, of_a_scan, "given with --target; give it with --like only");
+        const rough::Model model = request.from ? model_from(settings, open_genome(request.from->file))
+                                                : surface_model_from(settings);
+        request.setup = {.model = model, .targets = goals_from(settings, model)};
+        if (area && model.body.kernel == rough::Kernel::free)
+            request.accounts.emplace_back(no_datum_note);
     }
-    const rough::Grid& grid = setup.model.grid;
-    if (grid.is_2d() && settings.has("database"))
-        settings.refuse("database", "given with a map; omit it, as it is for profiles only");
-    for (const rough::Target& goal : setup.targets)
-        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
-            settings.refuse("max-pressure", settings.text("max-pressure"),
-                            " MPa is too low; give at least the last pressure of ", goal.name, ", ",
-                            readable(goal.last(), 6), " MPa");
-    const double shortest = std::min(grid.widest_spacing(), grid.length / 60);
-    if (const double length = setup.errors.noise_length;
-        settings.has("noise-length") && (length < shortest || length > grid.length))
-        settings.refuse("noise-length", settings.text("noise-length"),
-                        " is out of range; give a number from ", readable(shortest, 6), " to ",
-                        readable(grid.length, 6));
-    setup.bounds = completed(setup.bounds, grid.length);
-    expect_in_order(settings.with({{"lambda-from", ga::number(setup.bounds.lambda_from)},
-                                   {"lambda-to", ga::number(setup.bounds.lambda_to)}}),
-                    {"hurst", "gamma", "lambda"});
-    setup = placing(settings, "", [&] { return completed(setup); });
-    run.limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
-                       settings.has("max-height") || settings.has("min-radius");
-    run.searched = setup;
-    settings.take("accuracy", run.searched.model.accuracy);
+    for (const auto& note : notes_on(settings, request.setup.model,
+                                     is_like ? std::vector<rough::Target>() : request.setup.targets))
+        request.accounts.push_back(note);
+    return request;
+}
 
-    rough::SearchOptions& options = run.options;
-    options.pipeline =
-        pipeline_from(settings, rough::design_variants(), usual_variant(setup, settings.has("database")));
-    if (grid.is_2d())
-        options.alternatives = 1;
-    take(settings, fields_of(options));
-    run.searched.required_similarity = setup.required_similarity;
-
-    settings.take("hardness", run.trust_options.hardness);
-    run.tolerance_options = {
-        .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
-    run.trust_options.seed = options.seed;
-    run.trust_options.threads = options.threads;
-    if (run.from)
-        run.trust_options.phase_draws = 0; // with other phases it is another surface
-
+DesignRun design_from(const Settings& settings, DesignRequest request) {
+    auto& [clock, setup, accounts, from] = request;
+    if (from) {
+        setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * from->largest_change};
+        setup.limits = {};
+    }
+    take(settings, fields_of(setup));
+    expect_consistent(settings, setup);
+    rough::SearchOptions options = options_from(settings, setup);
+    setup.model.contact.threads = ga::thread_count(options.threads);
     if (settings.has("database")) {
         const auto store = rough::GenomeStore::open(settings.text("database"));
         options.starts = rough::stored_starts(store, setup, 100, options.threads);
@@ -250,16 +249,35 @@ DesignRun design_from(const Settings& settings,
             rough::refuse(
                 settings.text("database"),
                 ": no stored curve reaches the end of the target; use a database with more genomes");
-        run.accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
-                               " stored curves screened, the search begins from the nearest " +
-                               std::to_string(options.starts.size()));
+        accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
+                           " stored curves screened, the search begins from the nearest " +
+                           std::to_string(options.starts.size()));
     }
-
-    run.unreachable = rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity
-                                                                                 : rough::exact_enough);
-    if (!run.unreachable.reasons.empty())
+    auto unreachable = rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity
+                                                                                  : rough::exact_enough);
+    if (!unreachable.reasons.empty())
         options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
-    return run;
+    rough::DesignSetup searched = setup;
+    settings.take("accuracy", searched.model.accuracy);
+    rough::TrustOptions trust{.seed = options.seed, .threads = options.threads};
+    settings.take("hardness", trust.hardness);
+    if (from)
+        trust.phase_draws = 0; // with other phases it is another surface
+    const rough::ToleranceOptions tolerance{
+        .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
+    return {{.clock = clock, .unreachable = std::move(unreachable)},
+            {.setup = setup,
+             .searched = std::move(searched),
+             .options = std::move(options),
+             .trust_options = trust,
+             .tolerance_options = tolerance,
+             .accounts = std::move(accounts),
+             .warning = warning_on(setup),
+             .limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
+                             settings.has("max-height") || settings.has("min-radius"),
+             .from = std::move(from)},
+            {},
+            {}};
 }
 
 } // namespace app

@@ -32,7 +32,7 @@ std::string in_unit(double length) {
 }
 
 /// Whether noise, tilt or a hardness was given, under which the answer must hold.
-bool has_conditions(const DesignRun& run) { return run.setup.errors.any() || run.trust_options.hardness > 0; }
+bool has_conditions(const DesignRun& run) { return run.setup.errors.any() || run.trust_options.hardness; }
 
 /// The similarity that the verdict is about, under all conditions; -infinity if one of them has no response.
 /// That of a surface in production is on the grid and in the load steps of its target.
@@ -59,7 +59,7 @@ std::string verdict_of(const DesignRun& run) {
     if (run.trust)
         conditions += line_of(run.setup.errors.noise > 0 ? ", under noise" : "",
                               run.setup.errors.tilt > 0 ? ", tilted" : "",
-                              run.trust_options.hardness > 0 ? ", under the hardness" : "");
+                              run.trust_options.hardness ? ", under the hardness" : "");
     if (!run.unreachable.reasons.empty())
         line = run.unreachable.reasons.front().verdict() + "; no profile has a similarity above " +
                readable(run.unreachable.bound, 4) + "; the best design found has " +
@@ -182,15 +182,16 @@ std::string machine(const DesignRun& run) {
 std::string yielding(const DesignRun& run) {
     if (!run.trust)
         return "not verified, because the time did not suffice";
-    const double hardness = run.trust_options.hardness, peak = run.trust->peak_pressure;
+    const std::optional<double> hardness = run.trust_options.hardness;
+    const double peak = run.trust->peak_pressure;
     const Unit unit = pressure_unit(peak);
     const std::string highest = "the highest node pressure is " + readable(unit.factor * peak) + " " +
                                 unit.name + " (" + percent(peak / run.setup.model.body.effective_modulus) +
                                 " of E*)";
-    if (hardness <= 0)
+    if (!hardness)
         return "assumed to be elastic; " + highest + "; give --hardness to verify this";
-    return peak <= hardness ? "elastic: " + highest + ", at most the hardness"
-                            : "yields: " + highest + ", above the hardness";
+    return peak <= *hardness ? "elastic: " + highest + ", at most the hardness"
+                             : "yields: " + highest + ", above the hardness";
 }
 
 /// A quantity with its limit, e.g. "shortest wave 0.0146 mm (limit 0.0133 mm)".
@@ -236,7 +237,7 @@ std::string carries_over(const DesignRun& run) {
         else if (quantity == Quantity::area_at_pressure)
             scope = "for every datum, but " + scope;
         else if (has_datum)
-            scope += " and the datum " + brief(model.body.datum, 5) + " mm" +
+            scope += " and the datum " + brief(*model.body.datum, 5) + " mm" +
                      (quantity == Quantity::stiffness
                           ? " (a target of interface_stiffness does not depend on the datum)"
                           : "");
@@ -314,12 +315,12 @@ std::string obstacles(const DesignRun& run) {
 
 } // namespace
 
-Shares unrequested_errors(const DesignRun& run) {
+Shares unrequested_errors(const rough::DesignSetup& design, const rough::Genome& genome) {
     Shares all;
-    const auto& requested = run.setup.targets;
-    if (!run.setup.like || !requested.front().against_pressure())
+    const auto& requested = design.targets;
+    if (!design.like || !requested.front().against_pressure())
         return all;
-    rough::DesignSetup setup = run.setup;
+    rough::DesignSetup setup = design;
     setup.targets.clear();
     for (const Quantity quantity :
          {Quantity::stiffness, Quantity::area_at_pressure, Quantity::interface_stiffness}) {
@@ -332,9 +333,9 @@ Shares unrequested_errors(const DesignRun& run) {
         setup.targets.push_back(std::move(target));
     }
     setup = rough::in_finer_steps(std::move(setup), 1); // sets the values of the scan's response
-    const std::vector<double> each = similarities(setup, respond(setup, run.found.best.genome, setup.model));
+    const std::vector<double> each = similarities(setup, respond(setup, genome, setup.model));
     for (std::size_t t = 0; t < each.size(); ++t)
-        if (setup.targets[t].y.maxCoeff() < nearly_rigid * run.setup.model.body.effective_modulus)
+        if (setup.targets[t].y.maxCoeff() < nearly_rigid * design.model.body.effective_modulus)
             all[in_words(setup.targets[t].quantity)] = 1 - each[t];
     return all;
 }

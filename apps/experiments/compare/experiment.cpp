@@ -96,11 +96,11 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
 std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
     if (!settings.has("compare.target"))
         return {};
-    rough::DesignSetup setup;
-    setup.model = model_from(settings, "model.");
-    setup.targets = {rough::read_target(settings.path("compare.target"))};
+    rough::DesignSetup setup{.model = model_from(settings, "model."),
+                             .targets = {rough::read_target(settings.path("compare.target"))}};
     settings.take("compare.max-pressure", setup.max_pressure);
-    return placing(settings, "compare.", [&] { return completed(setup); });
+    placing(settings, "compare.", [&] { validate(setup); });
+    return setup;
 }
 
 Contest contest_from(const Settings& settings, const Origin& origin) {

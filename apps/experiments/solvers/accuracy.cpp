@@ -86,11 +86,10 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
 
 Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
     const ga::Stopwatch clock;
-    rough::DesignSetup setup;
-    setup.model = model_from(settings, "model.");
+    rough::DesignSetup setup{.model = model_from(settings, "model."),
+                             .targets = {rough::read_target(target_files(settings, "targets.files").front())},
+                             .max_pressure = settings.number("targets.max-pressure")};
     settings.take("model.accuracy", setup.model.accuracy);
-    setup.targets = {rough::read_target(target_files(settings, "targets.files").front())};
-    setup.max_pressure = settings.number("targets.max-pressure");
     Findings found;
     Csv& savings = found.table("savings.csv", "surface,kernel,load,sample,accuracy,seconds,resolved_seconds,"
                                               "estimated_error,true_error,nodes,resolved_nodes,"

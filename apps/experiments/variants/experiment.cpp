@@ -74,16 +74,16 @@ std::vector<RaceTarget> targets_from(const Settings& settings) {
     std::vector<RaceTarget> targets;
     for (const std::string& nodes : grids)
         for (const std::filesystem::path& path : target_files(settings, "targets.files")) {
-            RaceTarget target;
-            target.setup.model = surface_model_from(
-                settings.with({{"model.nodes", nodes}}, model_settings("model.")), "model.");
+            RaceTarget target{
+                .setup = {.model = surface_model_from(
+                              settings.with({{"model.nodes", nodes}}, model_settings("model.")), "model."),
+                          .targets = {rough::read_target(path)}}};
             settings.take("model.accuracy", target.setup.model.accuracy);
             settings.take("database.ridges", target.setup.ridges);
-            target.setup.targets = {rough::read_target(path)};
             target.setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);
             settings.take("targets.max-pressure", target.setup.max_pressure);
             settings.take("targets.shortest-wave", target.setup.limits.shortest_wave);
-            target.setup = placing(settings, "targets.", [&] { return completed(target.setup); });
+            placing(settings, "targets.", [&] { validate(target.setup); });
             targets.push_back(std::move(target));
         }
     // Names of targets are those of folders and of rows.
@@ -126,7 +126,8 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     const rough::SearchResult found = rough::search(target.setup, options, {recorder(stages), watch});
     static_cast<VariantRun&>(run) = variant_run(name, found, std::move(stages), clock.seconds());
     run.seed = options.seed;
-    run.last_displacement = scored(found.setup, found.best.on_grid).responses.front().displacement.tail(1)[0];
+    run.last_displacement =
+        scored(target.setup, found.best.on_grid).responses.front().displacement.tail(1)[0];
     run.history.push_back(
         {static_cast<double>(found.counters.requested), run.seconds, std::max(best, run.similarity)});
     return run;

@@ -93,14 +93,13 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
     }
     const app::Settings settings = keywords.settings(app::search_settings(), unknown);
     keywords.expect_none_left();
-    const auto take_targets = [&](const app::Settings&, app::DesignRun& begun) {
-        if (surface)
-            return like_surface(*surface, model_of(*surface, settings.with({{"nodes", ""}})), "like",
-                                settings, begun.setup);
-        begun.setup.targets = targets;
-        begun.setup.model = surface_model_from(settings);
-    };
-    Design run{app::design_from(settings, take_targets), {}};
+    app::DesignRequest request;
+    if (surface)
+        request.setup =
+            setup_like(*surface, model_of(*surface, settings.with({{"nodes", ""}})), "like", settings);
+    else
+        request.setup = {.model = surface_model_from(settings), .targets = targets};
+    Design run{app::design_from(settings, std::move(request)), {}};
     if (starts)
         run.options.starts = *starts;
     Interruptible interrupt;
@@ -112,7 +111,6 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
     {
         const py::gil_scoped_release unlocked;
         run.found = search(run.searched, run.options, observers);
-        run.setup = rough::exactly(run.found.setup);
         static_cast<rough::Response&>(run.curve) = response_of(run.setup, run.found.best).responses.front();
     }
     callback.rethrow();
@@ -147,7 +145,8 @@ py::dict trust_of(const Design& design, double noise, double tilt, double hardne
     rough::DesignSetup setup = design.setup;
     setup.errors.noise = noise;
     setup.errors.tilt = tilt;
-    options.hardness = hardness;
+    if (hardness > 0)
+        options.hardness = hardness;
     options.seed = seed;
     options.threads = threads;
     rough::Trust trust;

@@ -29,7 +29,7 @@ std::string text_of(const py::handle& value, const std::string& between) {
 
 rough::Model with_load(rough::Model model, const app::Settings& settings) {
     settings.take("accuracy", model.accuracy);
-    model = completed(loaded(std::move(model), settings));
+    model = loaded(std::move(model), settings);
     validate(model);
     return model;
 }

@@ -23,12 +23,10 @@ TEST_CASE("a query lists the nearest genomes with similarities that can be recom
     double similarity = 0, worst = 0;
     const char* row = std::strstr(answer.out.c_str(), "\n   1 ");
     REQUIRE((row && std::sscanf(row, " 1 %*d %lf %lf", &similarity, &worst) == 2));
-    rough::DesignSetup setup;
-    setup.targets = {rough::read_target(target)};
-    setup.max_pressure = 1.6e-4;
+    const rough::DesignSetup setup{.targets = {rough::read_target(target)}, .max_pressure = 1.6e-4};
     const rough::Genome best = rough::read_genome(folder / "best.json");
-    CHECK(respond(best, completed(setup).model).pressure[19] == Approx(1.6e-4));
-    const rough::Verification again = rough::Verifier(completed(setup)).of(best);
+    CHECK(respond(best, setup.model).pressure[19] == Approx(1.6e-4));
+    const rough::Verification again = rough::Verifier(setup).of(best);
     CHECK(again.similarity == Approx(similarity).margin(1e-6));
     CHECK(again.worst() == Approx(worst).margin(1e-6));
     CHECK(rugosa("database query g.db --target " + target + " --out best.json", folder.path()).code == 2);

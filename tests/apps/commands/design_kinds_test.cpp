@@ -43,9 +43,9 @@ TEST_CASE("two targets give a front whose similarities follow from its genomes")
             "| cross uniform | mutate 0.1 | parents | pareto goal1 goal2 | best 12 } | front'");
     const json& front = result["variants"]["pipeline"]["front"];
     REQUIRE(front.size() > 1);
-    rough::DesignSetup setup;
-    setup.model.grid = {128, 0.84942, false};
-    setup.targets = {rough::read_target(folder / "K.csv"), rough::read_target(folder / "A.csv")};
+    const rough::DesignSetup setup{
+        .model = completed({.grid = {128}}),
+        .targets = {rough::read_target(folder / "K.csv"), rough::read_target(folder / "A.csv")}};
     double best = -HUGE_VAL;
     for (const json& one : front) {
         const rough::Genome genome = rough::genome_from_json(one["genome"], "genome");
@@ -142,12 +142,11 @@ TEST_CASE("the error in quantities that were not requested is on terminal, page 
     const json result = result_in(folder / "r"), summary = result["summary"];
     rough::ScanOptions options;
     const rough::Profile scan = rough::open_scan(folder / "scan.txt", options).measured;
-    rough::DesignSetup setup;
-    setup.like = scan;
-    setup.model.grid = {128, result["length_mm"], false};
-    setup.model.loading.steps = result["steps"];
-    setup.model = completed(setup.model);
-    setup.targets = {target_like(scan, setup.model, "area", rough::Quantity::area_at_pressure)};
+    const rough::Model model = completed({.grid = {128, result["length_mm"]}, .loading = {result["steps"]}});
+    const rough::DesignSetup setup{
+        .model = model,
+        .targets = {target_like(scan, model, "area", rough::Quantity::area_at_pressure)},
+        .like = scan};
     const rough::Genome genome = rough::genome_from_json(result["variants"]["pipeline"]["genome"], "genome");
     const double off = summary["unrequested_errors"]["contact area"];
     CHECK(off == Approx(1 - similarity(setup, genome)).epsilon(1e-6));

@@ -18,24 +18,25 @@ const std::string brief = " --pictures off" + pictured;
 
 /// The set-up of a design for the paper's drawn target, as its result.json tells it.
 rough::DesignSetup setup_of(const json& result) {
-    rough::DesignSetup setup;
-    rough::Grid& grid = setup.model.grid;
+    rough::Model model;
+    rough::Grid& grid = model.grid;
     if (result["nodes"].is_array()) {
         grid.nodes = result["nodes"][0], grid.rows = result["nodes"][1];
         grid.length = result["length_mm"][0], grid.width = result["length_mm"][1];
     } else {
         grid.nodes = result["nodes"], grid.length = result["length_mm"];
-        setup.model.contact.solver = rough::Solver::nested;
+        model.contact.solver = rough::Solver::nested;
     }
     if (result["kernel"] == "periodic")
-        setup.model.body.kernel = rough::Kernel::periodic;
+        model.body.kernel = rough::Kernel::periodic;
     if (!result["datum_mm"].is_null())
-        setup.model.body.datum = result["datum_mm"];
-    setup.model.loading.steps = result["steps"];
-    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
+        model.body.datum = result["datum_mm"].get<double>();
+    model.loading.steps = result["steps"];
+    rough::DesignSetup setup{.model = completed(model),
+                             .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")}};
     if (!result["max_pressure_MPa"].is_null())
         setup.max_pressure = result["max_pressure_MPa"].get<double>();
-    return completed(setup);
+    return setup;
 }
 
 } // namespace
@@ -163,18 +164,17 @@ TEST_CASE("a design from a database is better than its nearest curves") {
     done(folder, "database query g.db --best 1 --out best.json --target '" RUGOSA_SOURCE
                  "/experiments/targets/heldout.csv'");
     REQUIRE(rugosa("design --database g.db --seconds 1 --out quick" + target, folder.path()).code != 2);
-    rough::DesignSetup setup;
-    setup.model.grid.nodes = 128;
-    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv")};
+    const rough::DesignSetup setup{
+        .model = completed({.grid = {.nodes = 128}}),
+        .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv")}};
     const rough::Genome best = rough::read_genome(folder / "best.json");
     rough::DesignSetup in_its_steps = setup; // as the answer is reported, not in the database's 20
     in_its_steps.model.loading.steps = result["steps"];
-    CHECK(result["variants"]["in-line"]["similarity"].get<double>() >
-          similarity(completed(in_its_steps), best));
+    CHECK(result["variants"]["in-line"]["similarity"].get<double>() > similarity(in_its_steps, best));
     // The nearest stored curve, where even the shortest search begins.
     const rough::Genome nearest = stored_starts(rough::GenomeStore::open(folder / "g.db"), setup, 1).front();
     CHECK(result_in(folder / "quick")["variants"]["in-line"]["similarity_worst"].get<double>() >=
-          rough::Verifier(completed(setup)).of(nearest).worst() - 1e-9);
+          rough::Verifier(setup).of(nearest).worst() - 1e-9);
 }
 
 TEST_CASE("a design within an accuracy reports what it modelled and has exact similarities") {
@@ -264,12 +264,11 @@ TEST_CASE("the tolerance of a design follows from its genome") {
     const Ended ended = answered(
         rugosa(small + " --pictures off --seed 3 --noise-length 0.05 --reach-similarity 0.8", folder.path()));
     const json result = result_in(folder / "r"), variant = result["variants"]["pipeline"];
-    rough::DesignSetup setup;
-    setup.model.grid = {65, result["length_mm"], false};
-    setup.model.loading.steps = result["steps"];
-    setup.required_similarity = 0.8;
-    setup.targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
-    setup.errors.noise_length = 0.05;
+    const rough::DesignSetup setup{
+        .model = completed({.grid = {65, result["length_mm"]}, .loading = {result["steps"]}}),
+        .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
+        .required_similarity = 0.8,
+        .errors = {.noise_length = 0.05}};
     const rough::Tolerance expected =
         tolerance_of(setup, rough::genome_from_json(variant["genome"], "genome"), {.seed = 3});
     const json& tolerance = variant["tolerance"];

@@ -31,8 +31,8 @@ TEST_CASE(
 
         rough::Model model;
         model.grid = {result["nodes"], result["length_mm"], false};
-        model.body.datum = result["datum_mm"];
-        model.loading = {result["steps"], result["reach"]};
+        model.body.datum = result["datum_mm"].get<double>();
+        model.loading = {result["steps"], result["reach"].get<double>()};
         rough::Target target;
         target.x.resize(20), target.y.resize(20);
         for (rough::Index k = 0; k < 20; ++k) {

@@ -90,11 +90,11 @@ TEST_CASE("a flat punch is too soft by 0.17 delta/(a ln(2d/a))", "[contact]") {
         const Body body{.datum = 3};
         const Profile profile{Eigen::VectorXd::Constant(nodes, 5.0), 1.0 / static_cast<double>(nodes - 1)};
         const double a = profile.spacing * static_cast<double>(nodes) / 2, displacement = 0.01;
-        const exact::Contact expected = exact::punch(displacement, a, {1, body.datum});
+        const exact::Contact expected = exact::punch(displacement, a, {1, *body.datum});
         const LoadStep step = solve_contact(profile, body, {displacement}).steps.front();
         CHECK(step.contact_nodes == nodes);
         const double softness =
-            (1 - step.pressure / expected.load) * a * std::log(2 * body.datum / a) / profile.spacing;
+            (1 - step.pressure / expected.load) * a * std::log(2 * *body.datum / a) / profile.spacing;
         CHECK(softness == Approx(0.17).margin(0.015));
         CHECK(step.tangent_stiffness * displacement == Approx(step.pressure).epsilon(1e-6));
     }

@@ -151,7 +151,7 @@ TEST_CASE("another datum d2 adds (2 P L/(pi E*)) ln(d2/d) to the displacement of
             continue;
         const double length = profile_length(scene.profile, Kernel::free), d2 = 7 * length;
         const double compliance = 2 * length / (std::numbers::pi * scene.body.effective_modulus) *
-                                  std::log(d2 / completed(scene.body, length).datum);
+                                  std::log(d2 / *completed(scene.body, length).datum);
         ContactCurve expected = solved(scene);
         scene.body.datum = d2;
         for (std::size_t j = 0; j < expected.steps.size(); ++j) {

@@ -71,7 +71,7 @@ TEST_CASE("layers of the body's modulus leave the curve unchanged") {
     for (const Extent shape : {Extent{96, 1}, Extent{16, 24}}) {
         const Profile profile = waves(shape, 3);
         Body plain{Kernel::periodic, effective_modulus(3, 0.3)}, same = plain;
-        same.layering = {{{0.05, 3, 0.3}, {0.2, 0, 0}}, false, 0.3}; // the second has the base's modulus
+        same.layering = {{{0.05, 3, 0.3}, {0.2, 3, 0.3}}, false, 0.3};
         const auto steps = scenes::load_steps(profile, 5, 0.3);
         const ContactOptions direct{.solver = Solver::nested};
         scenes::check_same(solve_contact(profile, same, steps, direct),

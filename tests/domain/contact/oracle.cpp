@@ -89,8 +89,8 @@ Vector influence(const Profile& profile, const Body& given) {
                    ? cosine_sum(body, i, j, shape, static_cast<Real>(shape.columns) * dx,
                                 static_cast<Real>(shape.rows) * dy)
                : profile.is_2d()             ? love_cell(x, y, dx / 2, dy / 2)
-               : body.kernel == Kernel::free ? flamant(x, dx / 2, body.datum)
-                                             : love(x, dx / 2, static_cast<Real>(body.strip_width) / 2);
+               : body.kernel == Kernel::free ? flamant(x, dx / 2, *body.datum)
+                                             : love(x, dx / 2, static_cast<Real>(*body.strip_width) / 2);
     }
     return h;
 }

@@ -30,9 +30,9 @@ inline std::vector<Reference> reference_curves() {
         r.body.kernel = rough::kernel_named(scene["kernel"]);
         r.body.effective_modulus = scene["effective_modulus_MPa"];
         if (!scene["datum_mm"].is_null())
-            r.body.datum = scene["datum_mm"];
+            r.body.datum = scene["datum_mm"].get<double>();
         if (!scene["strip_width_mm"].is_null())
-            r.body.strip_width = scene["strip_width_mm"];
+            r.body.strip_width = scene["strip_width_mm"].get<double>();
         r.profile = sample(rough::genome_from_json(scene["genome"], "scene"),
                            {scene["nodes"], scene["length_mm"], r.body.kernel == rough::Kernel::periodic});
         r.displacement = scene["displacement_mm"].get<std::vector<double>>();

@@ -216,6 +216,7 @@ TEST_CASE("a database of another set-up is refused with the difference and stays
     DatabaseSetup datum = small_setup(), strip = datum, seed = datum;
     datum.model.body.datum = 2;
     strip.model.body.kernel = Kernel::strip;
+    strip.model = completed(strip.model);
     seed.law.seed = 2;
     CHECK_THROWS_WITH(GenomeStore::create(file, datum),
                       Catch::Contains("datum_mm is 0.8494") && Catch::Contains("not 2"));

@@ -123,11 +123,10 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
         setup.model = completed(setup.model);
         const GenomeStore store =
             built(folder / (std::to_string(static_cast<int>(kernel)) + ".db"), {.genomes = 40}, setup);
-        DesignSetup design;
-        design.model = {{64, 2.5, kernel == Kernel::periodic}, {kernel, 210}, {8}};
+        Model model{{64, 2.5}, {kernel, 210}, {8}};
         if (kernel == Kernel::strip)
-            design.model.body.strip_width = setup.model.body.strip_width * 2.5 / setup.model.grid.length;
-        design.model = completed(design.model);
+            model.body.strip_width = *setup.model.body.strip_width * 2.5 / setup.model.grid.length;
+        DesignSetup design{.model = completed(model)};
         const double times = 2.5 / setup.model.grid.length, scale = 210 / times;
         Genome genome = store.genome(7);
         for (Series& series : genome.series) {
@@ -151,7 +150,7 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
         if (kernel == Kernel::free) {
             design.targets[0].weight = 2;
             CHECK_THROWS_WITH(stored_answers(store, design, 1), Catch::Contains("weight 2 is out of range"));
-            design.model.body.datum *= 2;
+            *design.model.body.datum *= 2;
             CHECK_THROWS_WITH(stored_starts(store, design, 1), Catch::Contains("datum_mm"));
             design.model.loading.steps = 9;
             CHECK_THROWS_WITH(stored_starts(store, design, 1), Catch::Contains("steps is 8, not 9"));

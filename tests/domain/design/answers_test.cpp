@@ -50,7 +50,7 @@ TEST_CASE("the difference of profiles is 1 minus their correlation, mirrored or 
 
 TEST_CASE("alternatives differ, are as many as requested, and are verified on finer grids") {
     const DesignSetup setup = testing::like_itself(waves_of(0.3, 1));
-    const DesignSetup reported = as_reported(completed(setup));
+    const DesignSetup reported = as_reported(setup);
     // The second is nearly the first, the third its mirror image, the last one higher.
     SearchOptions options{.pipeline = "score | best 6",
                           .starts = {waves_of(0.3, 1), waves_of(0.301, 1), waves_of(-0.3, -1),

@@ -109,12 +109,9 @@ TEST_CASE("starts on a periodic body are near their target, with Eq. 11 and with
     const Target point{Quantity::stiffness, "", concave.x.tail(1), concave.y.tail(1)};
     for (const auto& [target, max_pressure] :
          {std::pair(rising, 0.0), {concave, 0.0}, {concave, 1.6e-4}, {point, 0.0}}) {
-        DesignSetup setup;
-        setup.model.body.kernel = Kernel::periodic;
-        setup.targets = {target};
+        DesignSetup setup{.model = completed({.body = {Kernel::periodic}}), .targets = {target}};
         if (max_pressure > 0)
             setup.max_pressure = max_pressure;
-        setup = completed(setup);
         int near = 0;
         for (std::uint64_t key = 0; key < 8; ++key)
             near += similarity(setup, shaped_start(setup, ga::Stream(key))) > 0.8;

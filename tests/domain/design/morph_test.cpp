@@ -18,11 +18,10 @@ Genome surface() {
 
 /// The response of `wanted` as target.
 DesignSetup like_another(const Genome& wanted, std::optional<double> max_pressure = {}) {
-    DesignSetup setup;
-    setup.model.grid = {128, two_mm};
-    setup.model = completed(setup.model);
-    setup.targets = {target_like(sample(wanted, setup.model.grid), setup.model, "wanted")};
-    setup.max_pressure = max_pressure;
+    const Model model = completed({.grid = {128, two_mm}});
+    DesignSetup setup{.model = model,
+                      .targets = {target_like(sample(wanted, model.grid), model, "wanted")},
+                      .max_pressure = max_pressure};
     if (max_pressure)
         setup.targets[0].x *= *max_pressure / setup.targets[0].last();
     return setup;

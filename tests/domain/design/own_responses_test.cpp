@@ -24,13 +24,12 @@ OwnResponse own_response(unsigned seed) {
     model.body.kernel = is_map ? (seed % 8 == 3 ? Kernel::free : Kernel::periodic) : Kernel(seed % 4);
     const bool periodic = model.body.kernel == Kernel::periodic;
     const double length = std::pow(10., uniform(random, -1, 1));
-    model.grid = {is_map ? 16 : periodic ? 64 : 65, length, periodic};
+    model.grid = {is_map ? 16 : periodic ? 64 : 65, length};
     if (is_map)
         model.grid.rows = 16, model.grid.width = length;
     model.body.effective_modulus = std::pow(10., uniform(random, 0, 5));
     model.loading.steps = 5 + static_cast<int>(random() % 16);
-    OwnResponse own{{.model = completed(model)}, {}, ""};
-    own.setup.limits.shortest_wave = length / 8;
+    OwnResponse own{{.model = completed(model), .limits = {.shortest_wave = length / 8}}, {}, ""};
     own.genome =
         rough::testing::random_genome(random, 1 + int(random() % 2), is_map ? 4 : 1, length, length / 8);
     if (periodic && !is_map)
@@ -41,7 +40,7 @@ OwnResponse own_response(unsigned seed) {
         std::array{Quantity::stiffness, Quantity::interface_stiffness, Quantity::area_at_pressure,
                    Quantity::area_at_displacement, Quantity::load_at_displacement}[random() % 5];
     model = own.setup.model;
-    double& last = against_pressure(quantity) ? model.loading.to_pressure : model.loading.to_displacement;
+    auto& last = against_pressure(quantity) ? model.loading.to_pressure : model.loading.to_displacement;
     last = uniform(random, 0.2, 0.8) * curve_of(quantity, respond(surface, model)).to;
     own.setup.targets = {target_like(surface, model, "its own", quantity, 10, last)};
     own.words = line_of("surface ", seed, ", kernel ", int(model.body.kernel), ", quantity ", int(quantity),

@@ -14,27 +14,23 @@ inline Genome two_waves(double first = 0.3, double second = 1, double scale = 0.
 
 /// The stiffness of the genome's profile on 65 nodes as target, up to a part of the pressure that it reaches.
 inline DesignSetup like_itself(const Genome& genome, double part = 1, Kernel kernel = Kernel::free) {
-    DesignSetup setup;
-    setup.model.grid = {65, two_mm};
-    setup.model.body.kernel = kernel;
-    setup.model = completed(setup.model);
-    const Profile profile = sample(genome, setup.model.grid);
-    const double last = secant_stiffness(respond(profile, setup.model)).to;
-    setup.targets = {target_like(profile, setup.model, "itself", Quantity::stiffness, 10, part * last)};
-    return setup;
+    const Model model = completed({.grid = {65, two_mm}, .body = {kernel}});
+    const Profile profile = sample(genome, model.grid);
+    const double last = secant_stiffness(respond(profile, model)).to;
+    return {.model = model,
+            .targets = {target_like(profile, model, "itself", Quantity::stiffness, 10, part * last)}};
 }
 
 /// The drawn target on a line with these nodes, or on a map with these along either side.
-inline DesignSetup drawn(Index nodes, bool area = false) {
-    DesignSetup setup;
-    setup.model.grid.nodes = nodes;
+inline DesignSetup drawn(Index nodes, bool area = false, Kernel kernel = Kernel::free) {
+    Model model{.grid = {nodes}, .body = {kernel}};
     if (area) {
-        setup.model.grid.rows = nodes;
-        setup.model.grid.width = setup.model.grid.length;
+        model.grid.rows = nodes;
+        model.grid.width = model.grid.length;
     }
-    setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
-    setup.max_pressure = p_max;
-    return completed(setup);
+    return {.model = completed(model),
+            .targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
+            .max_pressure = p_max};
 }
 
 } // namespace rough::testing

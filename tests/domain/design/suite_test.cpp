@@ -71,8 +71,7 @@ std::vector<Wanted> targets() {
 TEST_CASE("17 of 20 targets are not out of reach, and at least 16 are met", "[long]") {
     int attainable = 0, met = 0;
     for (const suite::Wanted& wanted : suite::targets()) {
-        DesignSetup setup;
-        setup.targets = {wanted.target};
+        const DesignSetup setup{.targets = {wanted.target}};
         INFO(wanted.target.name);
         CHECK(out_of_reach(setup.targets, setup.model).empty() == wanted.attainable);
         if (!wanted.attainable)

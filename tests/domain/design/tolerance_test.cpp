@@ -24,21 +24,21 @@ Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size
                Index rows = 1) {
     ga::Stream random(ga::fold(seed, "case"));
     const auto phase = [&] { return random.uniform(0, 2 * std::numbers::pi); };
-    Case one;
-    one.genome = {
+    const Genome genome{
         random.uniform(0.001, 0.02),
         {{1, random.uniform(0.6, 1), 1.5, two_mm, {{1, {phase()}}, {2, {phase()}}, {3, {phase()}}}}}};
-    one.setup.model.grid = {nodes, two_mm, false, 0, rows, rows > 1 ? two_mm : 0};
-    one.setup.model.body.kernel = Kernel(seed % 3);
-    one.setup.model = completed(one.setup.model);
-    const Profile profile = sample(one.genome, one.setup.model.grid);
-    Model loaded = one.setup.model; // as a design is loaded
+    const Model model = completed(
+        {.grid = {nodes, two_mm, false, 0, rows, rows > 1 ? two_mm : 0}, .body = {Kernel(seed % 3)}});
+    const Profile profile = sample(genome, model.grid);
+    Model loaded = model; // as a design is loaded
     loaded.loading.to_pressure = random.uniform(0.3, 0.8) * secant_stiffness(respond(profile, loaded)).to;
-    one.setup.targets = {
-        target_like(profile, loaded, "itself",
-                    std::array{Quantity::stiffness, Quantity::interface_stiffness,
-                               Quantity::area_at_pressure}[seed / (quantities - 1) % quantities],
-                    10, loaded.loading.to_pressure)};
+    Case one{
+        {.model = model,
+         .targets = {target_like(profile, loaded, "itself",
+                                 std::array{Quantity::stiffness, Quantity::interface_stiffness,
+                                            Quantity::area_at_pressure}[seed / (quantities - 1) % quantities],
+                                 10, loaded.loading.to_pressure)}},
+        genome};
     one.genome.scale *= 1 + error;
     return one;
 }
@@ -234,7 +234,7 @@ TEST_CASE("similarity under noise and tilt agrees with the tolerance") {
     const ToleranceLevel level = tolerance_of(one.setup, one.genome).levels[1];
     for (const double factor : {0.98, 1.02})
         for (const MakingErrors& errors :
-             {MakingErrors{factor * level.noise_rms, 0, 0}, MakingErrors{0, 0, factor * level.tilt}}) {
+             {MakingErrors{factor * level.noise_rms, two_mm / 60, 0}, {0, 0, factor * level.tilt}}) {
             one.setup.errors = errors;
             CHECK((similarity_when_made(one.setup, one.genome) >= 0.95) == (factor < 1));
         }

@@ -58,7 +58,7 @@ TEST_CASE("each check is the similarity under the change that it names") {
     CHECK(answer(trust.checks, "4 times the load steps") == under(steps));
     // The datum changes K by more than a tenth; a target moved with it is met as before.
     Model far = setup.model;
-    far.body.datum *= 4;
+    *far.body.datum *= 4;
     CHECK(under(far) < 0.9);
     CHECK(answer(trust.checks, "4 times the datum, the target moved with it") > 0.98);
     REQUIRE(trust.kernels.size() == 2);
@@ -227,7 +227,7 @@ TEST_CASE("an error budget is how far the curve moves under each change") {
     const auto budget = error_budget(setup, answer);
     REQUIRE(budget.size() == 6);
     Model datum = setup.model, steps = setup.model;
-    datum.body.datum *= 4;
+    *datum.body.datum *= 4;
     steps.loading.steps = 80;
     const Model changed[] = {datum, with_kernel(setup.model, Kernel::periodic), refined(setup.model, 4),
                              steps};

@@ -11,7 +11,7 @@ namespace {
 
 using testing::p_max;
 
-Model paper_model(Index nodes = 512) { return {{nodes, 0.84942, false}, {}, {}, {}}; }
+Model paper_model(Index nodes = 512) { return completed({.grid = {nodes}}); }
 
 DesignSetup setup_of(const char* target, Index nodes = 512) {
     return paper_setup(paper_model(nodes),

@@ -7,11 +7,10 @@ using rough::testing::fitted_genome;
 namespace {
 
 DesignSetup area_setup(Kernel kernel, Index columns = 18, Index rows = 16) {
-    DesignSetup setup;
-    setup.model = {{.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8}, {kernel}, {8}};
-    setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
-    setup.limits.shortest_wave = 0.25;
-    return completed(setup);
+    return {.model =
+                completed({{.nodes = columns, .length = 0.84942, .rows = rows, .width = 0.8}, {kernel}, {8}}),
+            .targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
+            .limits = {.shortest_wave = 0.25}};
 }
 
 /// A chromosome of two crossed ridges: Z = -G [cos(k x + 0.4) + cos(k y + 1)] and a constant.

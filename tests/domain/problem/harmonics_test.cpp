@@ -8,12 +8,7 @@ namespace {
 
 using testing::paper_length;
 
-DesignSetup periodic_setup() {
-    DesignSetup setup = rough::testing::drawn_setup(128);
-    setup.model.body.kernel = Kernel::periodic;
-    setup.model.loading.reach = 0;
-    return completed(setup);
-}
+DesignSetup periodic_setup() { return rough::testing::drawn_setup(128, false, Kernel::periodic); }
 
 /// The height at L minus that at 0, over the range.
 double jump(const Genome& genome) {

@@ -8,8 +8,8 @@
 namespace rough::testing {
 
 /// A design for the paper's target on a grid of `nodes`, with amplitude free or by Eq. 11.
-inline DesignSetup drawn_setup(Index nodes, bool eq_11 = false) {
-    DesignSetup setup = drawn(nodes);
+inline DesignSetup drawn_setup(Index nodes, bool eq_11 = false, Kernel kernel = Kernel::free) {
+    DesignSetup setup = drawn(nodes, false, kernel);
     if (!eq_11)
         setup.max_pressure.reset();
     return setup;

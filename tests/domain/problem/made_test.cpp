@@ -7,10 +7,12 @@ using rough::testing::fitness;
 
 namespace {
 
-DesignSetup setup_with(bool eq_11, const MakingErrors& errors = {}) {
+constexpr double noise_length = 0.84942 / 60;
+
+DesignSetup setup_with(bool eq_11, const MakingErrors& errors = {.noise_length = noise_length}) {
     DesignSetup setup = rough::testing::drawn_setup(96, eq_11);
     setup.errors = errors;
-    return completed(setup);
+    return setup;
 }
 
 Genome random_start(const DesignSetup& setup) {
@@ -22,7 +24,7 @@ Genome random_start(const DesignSetup& setup) {
 
 TEST_CASE("derivatives of misfits under noise and tilt agree with differences") {
     for (const bool eq_11 : {false, true}) {
-        const DesignSetup setup = setup_with(eq_11, {2e-6, 0, 1e-5});
+        const DesignSetup setup = setup_with(eq_11, {2e-6, noise_length, 1e-5});
         const DesignProblem problem(setup);
         const Genome start = random_start(setup),
                      genome = problem.final_genome(start, problem.evaluate(start));
@@ -55,8 +57,8 @@ TEST_CASE("the objective made is the similarity without errors, and tends to it 
         const Genome genome = random_start(plain);
         const double similarity = fitness(DesignProblem(plain), genome, "similarity");
         CHECK(fitness(DesignProblem(plain), genome, "made") == similarity);
-        const DesignProblem nearly(setup_with(eq_11, {1e-13, 0, 1e-13})),
-            far(setup_with(eq_11, {2e-6, 0, 0}));
+        const DesignProblem nearly(setup_with(eq_11, {1e-13, noise_length, 1e-13})),
+            far(setup_with(eq_11, {2e-6, noise_length, 0}));
         CHECK(fitness(nearly, genome, "made") == Approx(similarity).margin(1e-5));
         CHECK(fitness(far, genome, "made") < similarity - 1e-3);
     }

@@ -59,10 +59,7 @@ TEST_CASE("derivatives agree for a periodic profile in full contact before the t
     std::mt19937_64 random(37);
     for (const Quantity quantity : {Quantity::load_at_displacement, Quantity::stiffness,
                                     Quantity::area_at_displacement, Quantity::area_at_pressure}) {
-        DesignSetup setup = drawn_setup(128);
-        setup.model.body.kernel = Kernel::periodic;
-        setup.model.grid.periodic = true;
-        setup.model.loading.reach = 0;
+        DesignSetup setup = drawn_setup(128, false, Kernel::periodic);
         const Genome genome =
             testing::random_genome(random, 2, 1, setup.model.grid.length, setup.limits.shortest_wave);
         const double full = displacement_range(sample(genome, setup.model.grid), Kernel::periodic);
@@ -179,12 +176,10 @@ TEST_CASE("the amplitude that fits the curve of a genome is the genome's") {
 }
 
 TEST_CASE("a design of twice the length and four times the modulus is the same, twice as large") {
-    DesignSetup small;
-    small.model.grid = {64, 0.7};
-    small.targets = {straight(Quantity::stiffness, 6, 2e-5, 1e-4, 0.4, 0.9)};
-    DesignSetup large = small;
-    large.model.grid.length *= 2;
-    large.model.body.effective_modulus *= 4;
+    const DesignSetup small{.model = completed({.grid = {64, 0.7}}),
+                            .targets = {straight(Quantity::stiffness, 6, 2e-5, 1e-4, 0.4, 0.9)}};
+    DesignSetup large{.model = completed({.grid = {64, 1.4}, .body = {.effective_modulus = 4}}),
+                      .targets = small.targets};
     large.targets[0].x *= 4;
     large.targets[0].y *= 2;
     const SearchOptions options{.pipeline = "shape 4 | score", .alternatives = 1};
@@ -192,7 +187,7 @@ TEST_CASE("a design of twice the length and four times the modulus is the same, 
     CHECK(other.similarity == Approx(one.similarity).epsilon(1e-9));
     CHECK(other.lowest() == Approx(one.lowest()).epsilon(1e-9));
     CHECK(shortest_wave(other.genome) == Approx(2 * shortest_wave(one.genome)));
-    CHECK(completed(large).bounds.lambda_from == 0.25 * large.model.grid.length);
+    CHECK(large.bounds.lambda_from == 0.25 * large.model.grid.length);
 }
 
 TEST_CASE("no wave of a start on a free line is longer than twice the length") {

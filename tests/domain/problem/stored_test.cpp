@@ -46,6 +46,13 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     auto& [nodes, length, periodic, from, rows, width] = grid;
     auto& [kernel, modulus, datum, strip_width, hardness, layering] = body;
     auto& [steps, reach, to_pressure, to_displacement, pressures] = loading;
+    const auto may_affect = [&](auto& number) {
+        const auto before = std::exchange(number, number.value_or(0) + 1);
+        CHECK(description(other) != description(setup));
+        number = before;
+    };
+    may_affect(datum), may_affect(strip_width), may_affect(reach), may_affect(to_pressure),
+        may_affect(to_displacement);
     auto& [solver, tolerance, states, memory_limit, threads, stop, spots] = contact;
     auto& [H_from, H_to, gamma_from, gamma_to, lambda_from, lambda_to] = bounds;
     auto& [relative, absolute] = *phases;
@@ -57,11 +64,10 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
         number = before;
     };
     const auto each_affects = [&](auto&... numbers) { (affects(numbers), ...); };
-    each_affects(accuracy, length, from, width, modulus, datum, strip_width, hardness, reach, to_pressure,
-                 to_displacement, tolerance, memory_limit, H_from, H_to, gamma_from, gamma_to, lambda_from,
-                 lambda_to, relative, absolute, shortest_wave, slope, height, radius, noise, noise_length,
-                 tilt, similarity, *max_pressure, *threshold, targets[0].weight, like->spacing, nodes, rows,
-                 steps, ridges, layering.poissons_ratio);
+    each_affects(accuracy, length, from, width, modulus, hardness, tolerance, memory_limit, H_from, H_to,
+                 gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope,
+                 height, radius, noise, noise_length, tilt, similarity, *max_pressure, *threshold,
+                 targets[0].weight, like->spacing, nodes, rows, steps, ridges, layering.poissons_ratio);
     other.model.body.kernel = Kernel::periodic;
     CHECK(description(other) != description(setup));
 }

@@ -61,7 +61,7 @@ TEST_CASE("interface stiffness does not depend on the datum, tangents and secant
         std::vector<double> moved;
         for (Index j = 0; j < one.steps(); ++j) // equal contact sets
             moved.push_back(one.displacement[j] - one.pressure[j] * datum_sensitivity(1, paper_length, 1) *
-                                                      std::log(far.datum / near.datum));
+                                                      std::log(*far.datum / *near.datum));
         const Response other = pressed(profile, far, moved, solver);
         REQUIRE(one.contact_fraction == other.contact_fraction);
         const auto compare = [&](const Eigen::ArrayXd& a, const Eigen::ArrayXd& b, const Eigen::ArrayXd& K) {

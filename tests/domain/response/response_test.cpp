@@ -68,7 +68,7 @@ TEST_CASE("load steps reach given pressures, and steps at pressures have no grad
             model.loading.to_pressure = 100 * highest;
             CHECK_THROWS_WITH(respond(genome, model), Catch::Contains("full contact"));
         }
-        model.loading.to_pressure = 0;
+        model.loading.to_pressure.reset();
         model.loading.pressures = {0.01 * highest, 0.3 * highest, 0.35 * highest};
         model.contact.solver = Solver::nested;
         CHECK(respond(genome, model).pressure.isApprox(highest * Eigen::Vector3d(0.01, 0.3, 0.35), 1e-11));

@@ -56,9 +56,10 @@ TEST_CASE("a profile meets its response as a target, in few load steps as well")
 }
 
 TEST_CASE("a design like a profile has more nodes if its contact fractions need them") {
-    const auto nodes_of = [&](Index nodes, std::vector<Quantity> quantities, Index points, Index given = 0) {
+    const auto nodes_of = [&](Index nodes, std::vector<Quantity> quantities, Index points,
+                              std::optional<Index> given = {}) {
         const Profile profile = waves(nodes);
-        const DesignSetup setup = like({}, profile, model_of(profile), "p", quantities, points, given);
+        const DesignSetup setup = like(profile, model_of(profile), "p", quantities, points, given);
         CHECK(setup.targets.size() == quantities.size());
         return std::pair(setup.model.grid.nodes, setup.targets.back().y[0]);
     };
