@@ -1,6 +1,5 @@
 #include "apps/prompt/units.hpp"
 #include "domain/database/screen.hpp"
-#include "domain/design/tolerance.hpp"
 #include "domain/profile/solid.hpp"
 #include "tests/apps/results.hpp"
 
@@ -257,36 +256,6 @@ TEST_CASE("a design out of time resumes to the same result, but not with another
     check_refused(rugosa(words + " --resume", folder.path()), "--out");
     REQUIRE(rugosa(words + " --out cut --resume", folder.path()).code != 2);
     CHECK(timeless(result_in(folder / "cut")) == timeless(result_in(folder / "whole")));
-}
-
-TEST_CASE("the tolerance of a design follows from its genome") {
-    const Folder folder;
-    const Ended ended = answered(
-        rugosa(small + " --pictures off --seed 3 --noise-length 0.05 --reach-similarity 0.8", folder.path()));
-    const json result = result_in(folder / "r"), variant = result["variants"]["pipeline"];
-    const rough::DesignSetup setup{
-        .model = completed({.grid = {65, result["length_mm"]}, .loading = {result["steps"]}}),
-        .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
-        .required_similarity = 0.8,
-        .errors = {.noise_length = 0.05}};
-    const rough::Tolerance expected =
-        tolerance_of(setup, rough::genome_from_json(variant["genome"], "genome"), {.seed = 3});
-    const json& tolerance = variant["tolerance"];
-    CHECK(tolerance["noise_length_mm"] == 0.05);
-    CHECK(tolerance["share"] == 0.95);
-    CHECK(tolerance["draws"] == 1000);
-    REQUIRE(tolerance["levels"].size() == 4);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const json& level = tolerance["levels"][i];
-        CHECK(level["similarity"] == expected.levels[i].similarity);
-        CHECK(level["noise_rms_mm"] == expected.levels[i].noise_rms);
-        CHECK(level["tilt_mm"] == expected.levels[i].tilt);
-        CHECK(level["scale"] == expected.levels[i].scale);
-    }
-    CHECK(tolerance["levels"][3]["noise_rms_mm"] > 0);
-    CHECK_THAT(ended.out, Catch::Contains("Tolerance: similarity stays at least 0.") &&
-                              Catch::Contains("correlation length of 50.0 µm"));
-    CHECK(rough::read_whole(folder / "r/tolerance.csv").starts_with("noise_rms_mm,quantile,median,draws\n"));
 }
 
 TEST_CASE("a design without limits reports that it is not known whether it can be made") {
