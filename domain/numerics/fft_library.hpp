@@ -2,21 +2,18 @@
 
 #include "domain/numerics/fourier.hpp"
 
-#ifdef RUGOSA_KISSFFT
-#include <kissfft/kissfft.hh>
-#else
 #include <fftw3.h>
-#endif
+
 #include <map>
 #include <mutex>
 
 namespace rough {
 
-/// The library of Fourier transforms in one precision: FFTW, or kissfft with -DRUGOSA_FFT=kissfft. Transforms
-/// are unnormalised. Plans transform `count` arrays of one shape, and back, and are never freed. An array of
-/// one row has one dimension. Complex arrays begin `apart` numbers after each other and are transformed in
-/// place. Real arrays follow each other without gaps. Their transforms have rows of columns/2 + 1 numbers and
-/// begin `apart` numbers after each other. Planning is not thread-safe; executing is.
+/// FFTW in one precision. Transforms are unnormalised. Plans transform `count` arrays of one shape, and back,
+/// and are never freed. An array of one row has one dimension. Complex arrays begin `apart` numbers after
+/// each other and are transformed in place. Real arrays follow each other without gaps. Their transforms have
+/// rows of columns/2 + 1 numbers and begin `apart` numbers after each other. Planning is not thread-safe;
+/// executing is.
 template <typename Real>
 struct FftLibrary;
 
@@ -26,8 +23,6 @@ struct PlanPair {
     typename FftLibrary<Real>::Plan forward;  ///< from numbers to waves
     typename FftLibrary<Real>::Plan backward; ///< from waves to numbers
 };
-
-#ifndef RUGOSA_KISSFFT
 
 #define RUGOSA_FFTW(Real, prefix)                                                                            \
     template <>                                                                                              \
@@ -71,67 +66,6 @@ RUGOSA_FFTW(double, fftw);
 RUGOSA_FFTW(float, fftwf);
 /// @endcond
 #undef RUGOSA_FFTW
-
-#else
-
-template <typename Real>
-struct FftLibrary {
-    using Complex = std::complex<Real>;
-    struct Transform {
-        std::size_t rows, columns, count, apart;
-        kissfft<Real> along_row, along_column;
-
-        Transform(Extent shape, Index number, Index gap, bool inverse)
-            : rows(static_cast<std::size_t>(shape.rows)), columns(static_cast<std::size_t>(shape.columns)),
-              count(static_cast<std::size_t>(number)), apart(static_cast<std::size_t>(gap)),
-              along_row(columns, inverse), along_column(rows, inverse) {}
-        /// Transforms rows of `width` numbers along the columns.
-        void columns_of(Complex* numbers, std::size_t width) const {
-            std::vector<Complex> column(rows);
-            for (std::size_t i = 0; i < width && rows > 1; ++i) {
-                along_column.transform(numbers + i, column.data(), 0, 1, width);
-                for (std::size_t j = 0; j < rows; ++j)
-                    numbers[j * width + i] = column[j];
-            }
-        }
-    };
-    using Plan = const Transform*;
-
-    static PlanPair<Real> plans(bool, Extent shape, Index count, Index apart) {
-        return {new Transform(shape, count, apart, false), new Transform(shape, count, apart, true)};
-    }
-    /// Transforms real or complex numbers.
-    template <class Number>
-    static void execute(Plan plan, Number* in, Complex* out) {
-        const bool of_real = std::is_same_v<Number, Real>;
-        const std::size_t n = plan->columns, width = of_real ? n / 2 + 1 : n;
-        std::vector<Complex> row(n), transformed(n);
-        for (std::size_t k = 0; k < plan->count; ++k, out += plan->apart) {
-            for (std::size_t j = 0; j < plan->rows; ++j) {
-                std::copy_n(in + j * n, n, row.begin());
-                plan->along_row.transform(row.data(), transformed.data());
-                std::copy_n(transformed.begin(), width, out + j * width);
-            }
-            plan->columns_of(out, width);
-            in += of_real ? n * plan->rows : plan->apart;
-        }
-    }
-    static void execute(Plan plan, Complex* in, Real* out) {
-        const std::size_t n = plan->columns, half = n / 2 + 1;
-        std::vector<Complex> row(n), transformed(n);
-        for (std::size_t k = 0; k < plan->count; ++k, in += plan->apart) {
-            plan->columns_of(in, half);
-            for (std::size_t j = 0; j < plan->rows; ++j, out += n) {
-                for (std::size_t i = 0; i < n; ++i)
-                    row[i] = i < half ? in[j * half + i] : std::conj(in[j * half + n - i]);
-                plan->along_row.transform(row.data(), transformed.data());
-                std::ranges::transform(transformed, out, [](const Complex& number) { return number.real(); });
-            }
-        }
-    }
-};
-
-#endif
 
 inline std::mutex planner; ///< planning is not thread-safe; executing a plan on new arrays is
 
