@@ -1,9 +1,8 @@
 #pragma once
 
 #include "domain/text/atomic_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -2,8 +2,7 @@
 
 #include "domain/mwm/response.hpp"
 #include "domain/response/curve.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 namespace rough::testing {
 

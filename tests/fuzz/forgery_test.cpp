@@ -6,10 +6,9 @@
 #include "domain/database/screen.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/VariadicBind.h>

@@ -1,8 +1,7 @@
 #include "domain/text/atomic_file.hpp"
 #include "ga/base/random.hpp"
+#include "tests/catch.hpp"
 #include "tests/fuzz/reader.hpp"
-
-#include <catch2/catch.hpp>
 
 namespace fs = std::filesystem;
 

@@ -1,10 +1,10 @@
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
 
 #include <boost/random/bernoulli_distribution.hpp>
 #include <boost/random/geometric_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

@@ -1,6 +1,5 @@
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

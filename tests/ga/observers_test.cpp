@@ -1,10 +1,9 @@
 #include "ga/observers/coco.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <sstream>
 

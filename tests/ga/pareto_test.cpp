@@ -1,7 +1,6 @@
 #include "ga/observers/front.hpp"
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

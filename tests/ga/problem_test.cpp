@@ -1,7 +1,6 @@
 #include "ga/problem/comparison.hpp"
 #include "ga/problem/fingerprint.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <bit>
 

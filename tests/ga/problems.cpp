@@ -1,8 +1,7 @@
 #include "tests/ga/problems.hpp"
 
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

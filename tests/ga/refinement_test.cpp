@@ -1,7 +1,7 @@
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
 
 #include <Eigen/QR>
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

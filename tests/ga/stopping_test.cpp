@@ -1,7 +1,6 @@
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

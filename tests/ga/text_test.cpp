@@ -1,7 +1,6 @@
 #include "ga/text/listing.hpp"
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

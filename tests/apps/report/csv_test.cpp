@@ -1,6 +1,5 @@
 #include "apps/report/csv.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <cmath>
 

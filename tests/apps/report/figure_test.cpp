@@ -2,9 +2,8 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/environment.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <chrono>
 #include <fstream>

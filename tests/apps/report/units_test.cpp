@@ -1,6 +1,5 @@
 #include "apps/prompt/units.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <cmath>
 

@@ -2,9 +2,8 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/response.hpp"
 #include "domain/theory/theory.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using testing::random_genome;

@@ -4,8 +4,7 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/fourier.hpp"
 #include "domain/text/words.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <iomanip>
 #include <iostream>

@@ -2,10 +2,9 @@
 #include "domain/mwm/response.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/theory/theory.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/accuracy/scans.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <iomanip>
 #include <iostream>

@@ -1,7 +1,6 @@
 #include "domain/asperities/caps.hpp"
 #include "ga/base/random.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <numbers>
 

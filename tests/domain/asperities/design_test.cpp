@@ -1,8 +1,7 @@
 #include "domain/asperities/design.hpp"
 #include "domain/errors.hpp"
 #include "domain/problem/response.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace rough;
 

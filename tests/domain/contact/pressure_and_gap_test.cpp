@@ -1,8 +1,7 @@
 #include "domain/contact/interface.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

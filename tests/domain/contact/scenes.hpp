@@ -2,8 +2,8 @@
 
 #include "domain/contact/solve.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "tests/catch.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <fstream>

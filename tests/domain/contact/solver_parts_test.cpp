@@ -1,6 +1,5 @@
 #include "domain/contact/solvers/extension.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <random>
 

@@ -1,10 +1,9 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/response.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 

@@ -1,9 +1,8 @@
 #include "domain/database/screen.hpp"
 #include "domain/errors.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/database/small_setup.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::built;

@@ -1,9 +1,8 @@
 #include "domain/design/inverse.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/problem/response.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

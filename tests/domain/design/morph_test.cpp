@@ -1,8 +1,7 @@
 #include "domain/design/morph.hpp"
 #include "domain/errors.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <numbers>
 

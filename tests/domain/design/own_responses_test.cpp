@@ -1,9 +1,8 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/errors.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using rough::testing::uniform;

@@ -1,8 +1,7 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/test_surfaces.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <numbers>
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "domain/problem/setup.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 /// Genomes and set-ups of the tests of designs.
 namespace rough::testing {

@@ -1,9 +1,9 @@
 #include "domain/design/tolerance.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <Eigen/Cholesky>
-#include <catch2/catch.hpp>
 
 #include <numbers>
 

@@ -1,6 +1,5 @@
 #include "domain/mwm/sobol.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <fstream>
 #include <numbers>

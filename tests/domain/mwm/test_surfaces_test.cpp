@@ -1,7 +1,6 @@
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <numbers>
 

@@ -1,8 +1,7 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/contact/solvers/influence.hpp"
 #include "domain/numerics/fourier.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace rough;
 

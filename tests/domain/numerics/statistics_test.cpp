@@ -1,7 +1,6 @@
 #include "domain/numerics/statistics.hpp"
 #include "ga/base/random.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace rough;
 using Values = std::vector<double>;

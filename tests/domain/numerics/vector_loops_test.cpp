@@ -1,9 +1,9 @@
 #include "domain/numerics/aligned.hpp"
 #include "domain/numerics/team.hpp"
 #include "domain/numerics/vector_loops.hpp"
+#include "tests/catch.hpp"
 
 #include <Eigen/Cholesky>
-#include <catch2/catch.hpp>
 
 #include <limits>
 

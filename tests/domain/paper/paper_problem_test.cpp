@@ -1,8 +1,7 @@
 #include "domain/mwm/sobol.hpp"
 #include "domain/paper/variants.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using testing::random_genome;

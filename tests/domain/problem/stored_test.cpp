@@ -1,6 +1,5 @@
 #include "domain/problem/stored.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace rough;
 using nlohmann::json;

@@ -2,9 +2,8 @@
 #include "domain/profile/preparation.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/contact/maps.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 using maps::map_of;

@@ -1,8 +1,8 @@
 #include "domain/profile/preparation.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

@@ -1,7 +1,6 @@
 #include "domain/errors.hpp"
 #include "domain/profile/solid.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 #include <cstring>
 #include <map>

@@ -1,7 +1,6 @@
 #include "domain/profile/preparation.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/accuracy/scans.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

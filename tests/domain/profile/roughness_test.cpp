@@ -1,7 +1,6 @@
 #include "domain/profile/roughness.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

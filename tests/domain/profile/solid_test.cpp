@@ -1,11 +1,11 @@
 #include "domain/profile/solid.hpp"
 #include "domain/text/zip.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/contact/maps.hpp"
 #include "tests/domain/random_genome.hpp"
 #include "tests/folder.hpp"
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 
 #include <cstring>
 #include <map>

@@ -1,8 +1,7 @@
 #include "domain/errors.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "domain/errors.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 namespace rough::testing {
 

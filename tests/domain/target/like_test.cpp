@@ -1,7 +1,6 @@
 #include "domain/errors.hpp"
 #include "domain/problem/setup.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace rough;
 

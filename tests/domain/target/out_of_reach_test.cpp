@@ -1,8 +1,7 @@
 #include "domain/contact/kernel.hpp"
 #include "domain/target/out_of_reach.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

@@ -1,8 +1,7 @@
 #include "domain/errors.hpp"
 #include "domain/target/target.hpp"
 #include "domain/text/words.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace rough;
 

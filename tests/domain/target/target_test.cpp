@@ -1,8 +1,7 @@
 #include "domain/errors.hpp"
 #include "domain/target/target.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

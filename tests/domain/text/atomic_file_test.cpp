@@ -1,8 +1,7 @@
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <sys/stat.h>
 #include <thread>

@@ -1,8 +1,8 @@
 #include "domain/errors.hpp"
 #include "domain/text/json.hpp"
 #include "domain/text/words.hpp"
+#include "tests/catch.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 using namespace rough;

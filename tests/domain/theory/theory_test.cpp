@@ -2,12 +2,12 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/theory/theory.hpp"
+#include "tests/catch.hpp"
 #include "tests/domain/contact/maps.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
-#include <catch2/catch.hpp>
 
 using namespace rough;
 

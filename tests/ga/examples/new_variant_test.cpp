@@ -4,8 +4,7 @@
 #include "ga/pipeline/ask_tell.hpp"
 #include "ga/text/parser.hpp"
 #include "ga/text/vocabulary.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 namespace {
 

@@ -1,8 +1,7 @@
 // A new evaluator: worker processes that take genomes through pipes, each the next when it is free.
 
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <poll.h>
 #include <sys/wait.h>

@@ -1,8 +1,7 @@
 // Real vectors: Rastrigin's function with one objective, ZDT1 with two.
 
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
-
-#include <catch2/catch.hpp>
 
 using namespace ga;
 

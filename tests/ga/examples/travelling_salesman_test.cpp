@@ -2,9 +2,8 @@
 
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/ga.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <numbers>
 

@@ -1,7 +1,6 @@
 #include "apps/commands/optimise/children.hpp"
+#include "tests/catch.hpp"
 #include "tests/folder.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <csignal>
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 #include "apps/experiments/compare/problems/problems.hpp"
+#include "tests/catch.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <catch2/catch.hpp>
 
 #include <numbers>
 

@@ -1,6 +1,5 @@
 #include "apps/experiments/compare/contest.hpp"
-
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace app;
 
