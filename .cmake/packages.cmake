@@ -20,9 +20,10 @@ if(HELP2MAN)
 endif()
 
 # What Debian's policy asks of each package.
+cmake_host_system_information(RESULT release QUERY DISTRIB_VERSION_CODENAME)
 set(maintainer "The maintainers of rugosa <maintainers@rugosa.example>")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
-file(WRITE ${PROJECT_BINARY_DIR}/changelog "rugosa (${PROJECT_VERSION}) bookworm; urgency=medium
+file(WRITE ${PROJECT_BINARY_DIR}/changelog "rugosa (${PROJECT_VERSION}) ${release}; urgency=medium
 
   * See NEWS.gz.
 
@@ -79,7 +80,9 @@ if(RUGOSA_PYTHON)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rugosa)
     set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+    math(EXPR next "${Python_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+        "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
     set(CPACK_COMPONENT_PYTHON_DESCRIPTION "rough surfaces with a given contact behaviour (Python)
 The Python module of rugosa: contact of measured and designed surfaces,
 design for a target curve, and the genetic-algorithm engine with fitness
