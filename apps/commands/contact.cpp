@@ -169,7 +169,7 @@ nlohmann::json resolution_json(const Pressed& pressed) {
 /// line that answered for the map are as wide as the map.
 Eigen::VectorXd spots_of(const Pressed& pressed) {
     const rough::Extent shape = pressed_surface(pressed).shape();
-    const auto sizes = rough::contact_spots(pressed.result.last_contact, shape, pressed.model.grid.periodic);
+    const auto sizes = rough::group_sizes(pressed.result.last_contact, shape, pressed.model.grid.periodic);
     Eigen::VectorXd nodes(static_cast<Index>(sizes.size()));
     std::copy(sizes.begin(), sizes.end(), nodes.begin());
     return nodes * static_cast<double>(pressed.surface.nodes() / shape.nodes());

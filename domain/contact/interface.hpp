@@ -1,32 +1,12 @@
 #pragma once
 
 #include "domain/contact/solve.hpp"
+#include "domain/numerics/connected.hpp"
 
 namespace rough {
 
-/// Calls visit(node) for each neighbour of a node along x, then, if there are several rows, along y. If
-/// `periodic`, opposite ends of the grid are neighbours.
-template <class Visit>
-void each_neighbour(Index node, Extent shape, bool periodic, Visit visit) {
-    const auto beside = [&](Index at, Index count) {
-        return periodic ? (at + count) % count : at < count ? at : -1;
-    };
-    const Index i = node % shape.columns, j = node / shape.columns;
-    for (const Index by : {-1, 1})
-        if (const Index column = beside(i + by, shape.columns); column >= 0)
-            visit(j * shape.columns + column);
-    for (const Index by : {-1, 1})
-        if (const Index row = beside(j + by, shape.rows); row >= 0 && shape.rows > 1)
-            visit(row * shape.columns + i);
-}
-
-/// The sizes of the contact spots in nodes, the largest first. A spot is a group of touching nodes that are
-/// connected along x or y, on a line a run of touching nodes. `contact` has the indices of the nodes that
-/// touch, in any order. If `periodic`, opposite ends of the grid are neighbours.
-std::vector<Index> contact_spots(const std::vector<int>& contact, Extent shape, bool periodic);
-
 /// Usual width w of the contact spots in nodes; 0 without contact. Half of the touching nodes are in spots of
-/// at most w nodes on a line, or of at most w^2 nodes on a map.
+/// at most w nodes on a line, or of at most w^2 nodes on a map. A spot is a group as in group_sizes().
 Index spot_width(const std::vector<int>& contact, Extent shape, bool periodic);
 
 /// Pressure and gap between a surface and the body at one load step, along a profile or at a map's nodes.

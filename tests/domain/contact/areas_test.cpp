@@ -246,10 +246,10 @@ TEST_CASE("contact spots join across a periodic edge", "[contact][areas]") {
     // . . . .
     // . x . x
     const std::vector<int> contact{0, 2, 3, 9, 11};
-    CHECK(contact_spots(contact, {4, 3}, false) == std::vector<Index>{2, 1, 1, 1});
-    CHECK(contact_spots(contact, {4, 3}, true) == std::vector<Index>{4, 1});
-    CHECK(contact_spots({0, 1, 2, 5}, {6}, true) == std::vector<Index>{4});
-    CHECK(contact_spots({}, {4, 3}, true).empty());
+    CHECK(group_sizes(contact, {4, 3}, false) == std::vector<Index>{2, 1, 1, 1});
+    CHECK(group_sizes(contact, {4, 3}, true) == std::vector<Index>{4, 1});
+    CHECK(group_sizes(std::vector{0, 1, 2, 5}, {6}, true) == std::vector<Index>{4});
+    CHECK(group_sizes(std::vector<int>{}, {4, 3}, true).empty());
 }
 
 TEST_CASE("products per load step hardly grow with the nodes of a map", "[contact][areas]") {

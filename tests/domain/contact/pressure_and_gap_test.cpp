@@ -48,7 +48,7 @@ TEST_CASE("pressure and gap of a map exclude each other", "[areas]") {
         CHECK(at.gap.minCoeff() > -1e-5 * delta);
         if (kernel == Kernel::periodic)
             CHECK(at.gap.mean() == Approx(map.heights.maxCoeff() - map.heights.mean() - delta));
-        const auto spots = contact_spots(curve.states[0].nodes, {40, 40}, kernel == Kernel::periodic);
+        const auto spots = group_sizes(curve.states[0].nodes, {40, 40}, kernel == Kernel::periodic);
         CHECK(at.spots == static_cast<Index>(spots.size()));
         CHECK(at.widest == Approx(static_cast<double>(spots[0]) * map.spacing * map.row_spacing));
     }
