@@ -386,7 +386,7 @@ bool asks_for_area(const Settings& settings, const std::string& prefix) {
 rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
     const bool periodic = is_periodic(settings);
     const auto length = [&](double spacing, rough::Index n) {
-        return spacing * static_cast<double>(periodic ? n : n - 1);
+        return spacing * static_cast<double>(periodic || surface.is_2d() ? n : n - 1);
     };
     const auto [columns, rows] = surface.shape();
     rough::Grid grid{columns, length(surface.spacing, columns)};

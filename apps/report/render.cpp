@@ -297,6 +297,16 @@ json sections_of(const std::string& body) {
     return sections;
 }
 
+/// Whether a result is that of a free map whose nodes stand on its edges, as in versions before 0.3.
+bool has_nodes_on_edges(const json& result) {
+    const auto text = [&](const char* key) {
+        const auto found = result.find(key);
+        return found != result.end() && found->is_string() ? found->get<std::string>() : "";
+    };
+    return result.contains("nodes") && result["nodes"].is_array() && text("kernel") == "free" &&
+           (text("version").starts_with("0.1.") || text("version").starts_with("0.2."));
+}
+
 } // namespace
 
 std::string render(const PageSource& source, const Rendering& rendering) {
@@ -310,6 +320,7 @@ std::string render(const PageSource& source, const Rendering& rendering) {
                                        ? kind
                                        : body.substr(title + 4, body.find("</h1>", title) - title - 4)},
                          {"sections", sections},
+                         {"nodes_on_edges", has_nodes_on_edges(source.values)},
                          {"has_sections", !sections.empty()},
                          {"head", body.substr(0, first)},
                          {"body", body.substr(first)}};

@@ -13,27 +13,40 @@ namespace {
 
 using Heights = Eigen::ArrayXXd;
 
-constexpr Index finer_times = 4; ///< elements for each element of a measured surface
+/// Elements for each element of a measured surface. On cells it is odd, so that nodes stay nodes.
+Index finer_times(const Profile& scan, bool periodic) { return scan.is_2d() && !periodic ? 5 : 4; }
 /// Margin of a band as a share of its largest relative width at the row and its neighbours. Counted nodes
 /// scatter, so the curves of the band may agree by chance.
 constexpr double margin_share = 0.25;
 
 /// Every column of the heights with `times` elements for each of its elements.
-Heights finer_columns(const Heights& heights, Index times, Interpolation by, bool periodic) {
-    const Index nodes = heights.rows(), open = times * (nodes - 1) + 1;
-    Heights fine(periodic ? times * nodes : open, heights.cols());
+Heights finer_columns(const Heights& heights, Index times, Interpolation by, bool periodic, bool cells) {
+    const Index nodes = heights.rows(), open = times * (nodes - 1) + 1, edge = cells ? times / 2 : 0;
+    Heights fine(periodic ? times * nodes : open + 2 * edge, heights.cols());
     for (Index column = 0; column < heights.cols(); ++column) {
         const auto z = heights.col(column);
-        auto at = fine.col(column);
-        for (Index i = 0; i < fine.rows(); ++i) {
+        auto all = fine.col(column);
+        const auto continue_straight = [&](double before, double after) { // over the outer half cells
+            for (Index i = 1; i <= edge; ++i) {
+                all[edge - i] = z[0] - before * static_cast<double>(i) / static_cast<double>(times);
+                all[edge + open - 1 + i] =
+                    z[nodes - 1] + after * static_cast<double>(i) / static_cast<double>(times);
+            }
+        };
+        auto at = all.segment(edge, fine.rows() - 2 * edge);
+        for (Index i = 0; i < at.size(); ++i) {
             const double share = static_cast<double>(i % times) / static_cast<double>(times);
             at[i] = z[i / times] + share * (z[(i / times + 1) % nodes] - z[i / times]);
         }
-        if (by == Interpolation::linear || nodes < 3)
+        if (by == Interpolation::linear || nodes < 3) {
+            continue_straight(nodes > 1 ? z[1] - z[0] : 0, nodes > 1 ? z[nodes - 1] - z[nodes - 2] : 0);
             continue;
-        const boost::math::interpolators::cardinal_cubic_b_spline<double> spline(
-            z.data(), z.data() + nodes, 0., 1., 2 * z[1] - 1.5 * z[0] - 0.5 * z[2],
-            1.5 * z[nodes - 1] - 2 * z[nodes - 2] + 0.5 * z[nodes - 3]);
+        }
+        const double first = 2 * z[1] - 1.5 * z[0] - 0.5 * z[2],
+                     last = 1.5 * z[nodes - 1] - 2 * z[nodes - 2] + 0.5 * z[nodes - 3];
+        continue_straight(first, last);
+        const boost::math::interpolators::cardinal_cubic_b_spline<double> spline(z.data(), z.data() + nodes,
+                                                                                 0., 1., first, last);
         for (Index i = 0; i < open; ++i)
             if (i % times != 0)
                 at[i] = spline(static_cast<double>(i) / static_cast<double>(times));
@@ -41,9 +54,10 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
     return fine;
 }
 
-bool is_omitted(const Profile& scan, Resolution resolution) {
-    const bool is_too_large = scan.is_2d() ? finer_times * finer_times * scan.nodes() > 2'000'000
-                                           : finer_times * scan.nodes() > 10'000'000;
+bool is_omitted(const Profile& scan, bool periodic, Resolution resolution) {
+    const Index times = finer_times(scan, periodic);
+    const bool is_too_large =
+        scan.is_2d() ? times * times * scan.nodes() > 2'000'000 : times * scan.nodes() > 10'000'000;
     return resolution == Resolution::off || (resolution == Resolution::automatic && is_too_large);
 }
 
@@ -72,10 +86,13 @@ Eigen::VectorXd at_measured_pressures(const Response& finer, const Eigen::Vector
 
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic) {
     const auto [columns, rows] = surface.shape();
-    Heights fine =
-        finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by, periodic);
+    const bool cells = surface.is_2d() && !periodic;
+    if (cells && times % 2 == 0)
+        refuse("finer: ", times, " elements for each cell of a map; use an odd number");
+    Heights fine = finer_columns(Eigen::Map<const Heights>(surface.heights.data(), columns, rows), times, by,
+                                 periodic, cells);
     if (surface.is_2d())
-        fine = finer_columns(fine.transpose(), times, by, periodic).transpose().eval();
+        fine = finer_columns(fine.transpose(), times, by, periodic, cells).transpose().eval();
     const double share = 1 / static_cast<double>(times);
     return {fine.reshaped(), surface.spacing * share, fine.cols(), surface.row_spacing * share};
 }
@@ -88,14 +105,15 @@ const std::vector<std::string>& resolution_names() {
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution) {
     std::vector<Response> responses;
-    if (is_omitted(scan, resolution))
-        return responses;
     const Body& body = model.body;
+    const bool periodic = body.kernel == Kernel::periodic;
+    if (is_omitted(scan, periodic, resolution))
+        return responses;
     ContactOptions options = model.contact;
     options.solver = Solver::automatic;
     options.tolerance = std::max(options.tolerance, tolerance);
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
-        const Profile surface = finer(scan, finer_times, by, body.kernel == Kernel::periodic);
+        const Profile surface = finer(scan, finer_times(scan, periodic), by, periodic);
         std::vector<double> displacements;
         for (const double displacement : measured.displacement)
             displacements.push_back(displacement + top(surface, body) - top(scan, body));
@@ -109,7 +127,8 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
 
 ResolutionBand resolution_band(const Profile& scan, const Model& model, const Response& measured,
                                Resolution resolution) {
-    if (is_omitted(scan, resolution))
+    const bool periodic = model.body.kernel == Kernel::periodic;
+    if (is_omitted(scan, periodic, resolution))
         return {.omitted =
                     resolution == Resolution::off ? "" : "too many nodes; --resolution on computes it"};
     const Index rows = measured.steps();
@@ -129,7 +148,8 @@ ResolutionBand resolution_band(const Profile& scan, const Model& model, const Re
     }
     for (Eigen::MatrixXd* values :
          {&fraction, &stiffness}) // the spline's curve at spacing 0 (Richardson 1911)
-        values->col(3) = values->col(2) + (values->col(2) - values->col(0)) / (finer_times - 1);
+        values->col(3) = values->col(2) + (values->col(2) - values->col(0)) /
+                                              static_cast<double>(finer_times(scan, periodic) - 1);
     const auto margin = [&](const Eigen::MatrixXd& values) -> Eigen::ArrayXd {
         const Eigen::ArrayXd width =
             (values.rowwise().maxCoeff() - values.rowwise().minCoeff()).cwiseQuotient(values.col(0));

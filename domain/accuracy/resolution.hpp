@@ -12,11 +12,13 @@ enum class Interpolation {
     spline, ///< cubic spline, on a map along x and then along y
 };
 
-/// The surface on a finer grid. Along each axis, `times` (>= 1) elements replace one element. An axis of N
-/// nodes gets times (N-1) + 1 nodes, or times N nodes if the surface is `periodic`. The nodes of the
-/// surface keep their heights. Splines end with the slope of the parabola through the last three nodes.
-/// Across the ends of a periodic surface heights are linear, so that splines do not oscillate at a jump
-/// there. Along an axis of two nodes a spline is linear.
+/// The surface on a finer grid. Along each axis, `times` (>= 1) elements replace one element. A line of N
+/// nodes gets times (N-1) + 1 nodes. A surface that is `periodic` and a map get times N nodes along each
+/// axis. The nodes of the surface keep their heights. On a map that is not periodic, `times` must therefore
+/// be odd, and heights continue straight over the outer half cells. Throws InputError otherwise. Splines end
+/// with the slope of the parabola through the last three nodes. Across the ends of a periodic surface heights
+/// are linear, so that splines do not oscillate at a jump there. Along an axis of two nodes a spline is
+/// linear.
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic = false);
 
 /// Whether contact is also computed on interpolated heights of a measured surface. `automatic` does so unless
@@ -29,9 +31,10 @@ const std::vector<std::string>& resolution_names();
 /// node spacing.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Two responses of a scan or map whose heights are interpolated on a grid 4 times finer. The first is for
-/// linear interpolation, the second for a spline. Empty if `resolution` omits them. The displacements are
-/// those of the measured response, so that the pressures are nearly equal, too. Throws as solve_contact().
+/// Two responses of a scan or map whose heights are interpolated on a grid 4 times finer, 5 times on the
+/// cells of a free map. The first is for linear interpolation, the second for a spline. Empty if `resolution`
+/// omits them. The displacements are those of the measured response, so that the pressures are nearly equal,
+/// too. Throws as solve_contact().
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 

@@ -94,7 +94,8 @@ double flamant_entry(double r, double datum) {
 
 double profile_length(const Profile& profile, Kernel kernel) {
     const Index columns = profile.shape().columns;
-    return profile.spacing * static_cast<double>(kernel == Kernel::periodic ? columns : columns - 1);
+    return profile.spacing *
+           static_cast<double>(profile.is_2d() || kernel == Kernel::periodic ? columns : columns - 1);
 }
 
 double largest_displacement(const Profile& profile, const Body& body) {

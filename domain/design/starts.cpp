@@ -40,9 +40,9 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
     std::vector<double> distance;
     for (Index i = 0; i < grid.shape().nodes(); ++i) { // on a line in units of its length
         const double column = static_cast<double>(i % grid.nodes), row = static_cast<double>(i / grid.nodes),
-                     x = area ? grid.spacing() * column
+                     x = area ? grid.first_x() + grid.spacing() * column
                               : column / static_cast<double>(grid.nodes - (grid.periodic ? 0 : 1)),
-                     y = area ? grid.row_spacing() * row : 0;
+                     y = grid.first_y() + grid.row_spacing() * row;
         double nearest = HUGE_VAL;
         for (const Peak& peak : peaks)
             nearest = std::min(

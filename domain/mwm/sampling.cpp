@@ -99,10 +99,10 @@ struct Axis {
 };
 
 Axis x_axis(const std::vector<PlaneWave>& all, const Grid& grid) {
-    return {all, &PlaneWave::k_x, grid.nodes, grid.spacing(), grid.from};
+    return {all, &PlaneWave::k_x, grid.nodes, grid.spacing(), grid.first_x()};
 }
 Axis y_axis(const std::vector<PlaneWave>& all, const Grid& grid) {
-    return {all, &PlaneWave::k_y, grid.rows, grid.row_spacing(), 0};
+    return {all, &PlaneWave::k_y, grid.rows, grid.row_spacing(), grid.first_y()};
 }
 
 /// The waves' sum plus `offset` (mm).
@@ -162,10 +162,12 @@ Eigen::MatrixXd pulled_back_area(const Eigen::MatrixXd& height_gradient, const G
                                  const Grid& grid) {
     const auto all = plane_waves(genome, grid);
     const Axis x = x_axis(all, grid), y = y_axis(all, grid);
-    const Eigen::VectorXd at_x = Eigen::VectorXd::LinSpaced(
-        grid.nodes, grid.from, grid.from + grid.spacing() * static_cast<double>(grid.nodes - 1));
-    const Eigen::VectorXd at_y =
-        Eigen::VectorXd::LinSpaced(grid.rows, 0, grid.row_spacing() * static_cast<double>(grid.rows - 1));
+    const auto nodes_at = [](double first, double spacing, Index count) {
+        return Eigen::VectorXd::LinSpaced(count, first, first + spacing * static_cast<double>(count - 1))
+            .eval();
+    };
+    const Eigen::VectorXd at_x = nodes_at(grid.first_x(), grid.spacing(), grid.nodes),
+                          at_y = nodes_at(grid.first_y(), grid.row_spacing(), grid.rows);
     Eigen::MatrixXd result =
         Eigen::MatrixXd::Zero(height_gradient.rows(), static_cast<Index>(genes(genome).size()));
     for (Index row = 0; row < height_gradient.rows(); ++row) {

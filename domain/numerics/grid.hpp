@@ -16,24 +16,29 @@ struct Extent {
     bool operator==(const Extent&) const = default; ///< whether both numbers are equal
 };
 
-/// The nodes at which a surface is sampled. A line has nodes at x_i = from + i * spacing(), i = 0..nodes-1. A
-/// map has `rows` such lines at y_j = j * row_spacing().
+/// The nodes at which a surface is sampled: x_i = first_x() + i * spacing(), i = 0..nodes-1. A map has `rows`
+/// such lines at y_j = first_y() + j * row_spacing(). The nodes of a line that is not periodic stand at its
+/// ends, as in the paper. The nodes of a map that is not periodic stand in the middle of N_x x N_y cells,
+/// which together are L_x x L_y. Nodes on the edges of a map would make the body larger than its length.
 struct Grid {
     Index nodes = 512;       ///< number of nodes N >= 2; for a map, N_x
     double length = 0.84942; ///< length L, mm; for a map, L_x
-    bool periodic = false;   ///< whether the spacing is L/N instead of L/(N-1)
-    double from = 0;         ///< x of the first node, mm
+    bool periodic = false;   ///< whether the surface repeats beyond its length
+    double from = 0;         ///< x at which the surface begins, mm
     Index rows = 1;          ///< number of rows N_y
     double width = 0;        ///< width L_y, mm; 0: a line
+    double from_y = 0;       ///< y at which a map begins, mm
 
     bool is_2d() const { return width > 0; }       ///< whether it is the grid of a map
     Extent shape() const { return {nodes, rows}; } ///< N_x and N_y
-    /// Node spacing delta along x, mm.
-    double spacing() const { return length / static_cast<double>(periodic ? nodes : nodes - 1); }
-    /// Node spacing delta_y along y, mm; 0 for a line. A single row is as wide as the map.
-    double row_spacing() const {
-        return width / static_cast<double>(periodic || rows == 1 ? rows : rows - 1);
-    }
+    /// Whether the nodes stand in the middle of cells.
+    bool has_cells() const { return is_2d() && !periodic; }
+    /// Node spacing delta along x, mm: L/N, or L/(N-1) for a line that is not periodic.
+    double spacing() const { return length / static_cast<double>(is_2d() || periodic ? nodes : nodes - 1); }
+    /// Node spacing delta_y along y, mm: L_y/N_y; 0 for a line.
+    double row_spacing() const { return width / static_cast<double>(rows); }
+    double first_x() const { return from + (has_cells() ? spacing() / 2 : 0); } ///< x of the first node, mm
+    double first_y() const { return from_y + (has_cells() ? row_spacing() / 2 : 0); }      ///< y of the first row, mm
     /// Area of the patches of all nodes, mm^2; 0 for a line.
     double nominal_area() const {
         return spacing() * row_spacing() * static_cast<double>(nodes) * static_cast<double>(rows);
@@ -42,11 +47,11 @@ struct Grid {
     double widest_spacing() const { return spacing() > row_spacing() ? spacing() : row_spacing(); }
 };
 
-/// The grid with `refine` elements for each one of this grid, along x and y.
+/// The grid with `refine` elements for each one of this grid, along x and y. The cells of a map are split.
 inline Grid refined(Grid grid, Index refine) {
-    grid.nodes = grid.periodic ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
+    grid.nodes = grid.is_2d() || grid.periodic ? grid.nodes * refine : (grid.nodes - 1) * refine + 1;
     if (grid.is_2d())
-        grid.rows = grid.periodic || grid.rows == 1 ? grid.rows * refine : (grid.rows - 1) * refine + 1;
+        grid.rows *= refine;
     return grid;
 }
 

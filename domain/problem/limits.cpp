@@ -46,8 +46,18 @@ double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
     return bound;
 }
 
-/// The grid on which extremes are searched; a coarser one for maps, which have the square of the nodes.
-Grid search_grid(const Grid& grid) { return refined(grid, grid.is_2d() ? 4 : 8); }
+/// The grid on which extremes are searched; a coarser one for maps, which have the square of the nodes. Its outer
+/// nodes stand on the edges, where slopes and heights may be largest.
+Grid search_grid(const Grid& grid) {
+    Grid fine = refined(grid, grid.is_2d() ? 4 : 8);
+    if (fine.has_cells()) { // one cell more, half of it beyond each edge
+        const double dx = fine.spacing(), dy = fine.row_spacing();
+        fine.nodes += 1, fine.rows += 1;
+        fine.length += dx, fine.width += dy;
+        fine.from -= dx / 2, fine.from_y -= dy / 2;
+    }
+    return fine;
+}
 
 struct Extremes {
     double min, max;      ///< values at the nodes
@@ -74,9 +84,9 @@ Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int ord
                           xy = area && order > 1 ? field(1) : x;
     Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, fine.widest_spacing())};
     const auto consider = [&](Index node, double value, double angle) {
-        const Place at{fine.from + fine.spacing() * static_cast<double>(node % fine.nodes),
-                       fine.row_spacing() * static_cast<double>(node / fine.nodes), std::cos(angle),
-                       std::sin(angle)};
+        const Place at{fine.first_x() + fine.spacing() * static_cast<double>(node % fine.nodes),
+                       fine.first_y() + fine.row_spacing() * static_cast<double>(node / fine.nodes),
+                       std::cos(angle), std::sin(angle)};
         if (value > result.max)
             result.max = value, result.at_max = at;
         if (value < result.min)

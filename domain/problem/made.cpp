@@ -111,7 +111,7 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
     constexpr double cut = 12; // value of q l beyond which amplitudes are below 2e-8 of the largest
     const double period = grid.periodic ? 1 : 2, pi = std::numbers::pi;
     const auto elements = [&](Index nodes) {
-        return grid.periodic ? nodes : 2 * std::max<Index>(1, nodes - 1);
+        return grid.periodic ? nodes : 2 * std::max<Index>(1, grid.has_cells() ? nodes : nodes - 1);
     };
     const Extent shape{elements(grid.nodes), grid.is_2d() ? elements(grid.rows) : 1};
     const double dq = 2 * pi * length / (period * grid.length), // step of q l
@@ -129,8 +129,10 @@ Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed
                 continue;
             const double amplitude = std::exp(-ql * ql / 8), a = random.normal(), b = random.normal();
             power += amplitude * amplitude;
+            const double angle = dq / length * static_cast<double>(i) * grid.first_x() +
+                                 dq_y / length * static_cast<double>(j) * grid.first_y();
             waves(folded(i, shape.columns), folded(j, shape.rows)) +=
-                std::complex(amplitude * a, amplitude * b);
+                std::polar(amplitude, angle) * std::complex(a, b);
         }
     const Eigen::ArrayXXd heights = inverse_complex_transform(waves).real();
     return heights.topLeftCorner(grid.nodes, grid.rows).reshaped() / std::sqrt(power);

@@ -23,24 +23,57 @@ constexpr double min_levels = 256, levels = 16777216;
 /// The width of the solid in the second direction, mm.
 double width_of(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, rows] = surface.shape();
-    return surface.is_2d()        ? surface.row_spacing * static_cast<double>(rows - 1)
+    return surface.is_2d()        ? surface.row_spacing * static_cast<double>(rows)
            : extrusion.width != 0 ? extrusion.width
                                   : surface.spacing * static_cast<double>(columns - 1) / 4;
+}
+
+/// Where the heights of a solid stand along one axis.
+struct SolidAxis {
+    std::vector<double> at;  ///< positions, mm
+    std::vector<Index> node; ///< nodes with these heights
+    double length() const { return at.back(); }
+};
+
+/// The axis of a map: its nodes, and its edges with the heights of the nodes nearest to them.
+SolidAxis map_axis(Index nodes, double spacing, bool periodic) {
+    SolidAxis axis;
+    const double first = periodic ? 0 : spacing / 2;
+    if (!periodic)
+        axis = {{0}, {0}};
+    for (Index i = 0; i < nodes; ++i) {
+        axis.at.push_back(first + spacing * static_cast<double>(i));
+        axis.node.push_back(i);
+    }
+    axis.at.push_back(spacing * static_cast<double>(nodes));
+    axis.node.push_back(periodic ? 0 : nodes - 1);
+    return axis;
+}
+
+SolidAxis line_axis(Index nodes, double spacing) {
+    SolidAxis axis = map_axis(nodes, spacing, true);
+    axis.at.pop_back();
+    axis.node.pop_back();
+    return axis;
 }
 
 } // namespace
 
 Mesh solid(const Profile& surface, const Extrusion& extrusion) {
-    const auto [columns, map_rows] = surface.shape();
+    const auto [nodes, map_rows] = surface.shape();
     const bool is_2d = surface.is_2d();
-    const Index rows = is_2d ? map_rows : 2; // the ends of a profile's ridges
-    if (is_2d && (extrusion.width != 0 || columns < 2 || rows < 2))
-        refuse("solid: a map of ", columns, " x ", rows, " heights",
+    if (is_2d && (extrusion.width != 0 || nodes < 2 || map_rows < 2))
+        refuse("solid: a map of ", nodes, " x ", map_rows, " heights",
                extrusion.width != 0 ? " and a width" : "",
                "; give 2 x 2 or more without a width: maps are as wide as they are");
     const double lowest = surface.heights.minCoeff(), range = surface.heights.maxCoeff() - lowest;
-    const double length = surface.spacing * static_cast<double>(columns - 1);
     const double width = width_of(surface, extrusion);
+    const SolidAxis along_x = is_2d ? map_axis(nodes, surface.spacing, extrusion.periodic)
+                                    : line_axis(nodes, surface.spacing),
+                    along_y = is_2d ? map_axis(map_rows, surface.row_spacing, extrusion.periodic)
+                                    : SolidAxis{{0, width}, {0, 0}}; // the ends of a profile's ridges
+    const auto columns = static_cast<Index>(along_x.at.size()), rows = static_cast<Index>(along_y.at.size());
+    const double length = along_x.length();
     const double thickest = range * levels / min_levels;
     const double base =
         extrusion.base != 0 ? extrusion.base : std::max(range, std::min(length / 10, thickest / 4));
@@ -65,10 +98,10 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto high = [&](Index i, Index j) { return low(i, j) + 1; };
     for (Index i = 0; i < columns; ++i)
         for (Index j = 0; j < rows; ++j) {
-            const double height = surface.heights[is_2d ? j * columns + i : i];
-            const auto x = static_cast<float>(m * surface.spacing * static_cast<double>(i)),
-                       y = static_cast<float>(m * width * static_cast<double>(j) /
-                                              static_cast<double>(rows - 1)),
+            const auto column = static_cast<std::size_t>(i), row = static_cast<std::size_t>(j);
+            const double height = surface.heights[along_y.node[row] * nodes + along_x.node[column]];
+            const auto x = static_cast<float>(m * along_x.at[column]),
+                       y = static_cast<float>(m * along_y.at[row]),
                        top = static_cast<float>(m * (base + height - lowest));
             if ((j > 0 && !(y > mesh.vertices.back().y())) ||
                 (j == 0 && i > 0 && !(x > mesh.vertices.back().x())))

@@ -16,6 +16,8 @@ struct Extrusion {
                       ///< of the length, or less so that single precision resolves the heights
     double magnify = 1;  ///< factor on all lengths, > 0
     double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
+    bool periodic =
+        false; ///< whether a map repeats beyond its length, so that it ends at the height it begins
 };
 
 /// A closed surface of triangles.
@@ -26,7 +28,9 @@ struct Mesh {
 
 /// The solid under a profile that is extended in the second direction, or under a map. x is along the
 /// profile, y in the second direction, z up from the flat underside; mm. It is closed, with facets oriented
-/// outwards. N_x x N_y heights (a profile has two rows) give 2 N_x N_y vertices and 4 (N_x N_y - 1) facets.
+/// outwards. C columns of R heights each give 2 C R vertices and 4 (C R - 1) facets. A profile has two rows.
+/// A map of N_x x N_y nodes reaches over its cells to L_x x L_y: it has (N_x + 2) x (N_y + 2) heights, the
+/// outer ones at the edges, or (N_x + 1) x (N_y + 1) if it is periodic.
 ///
 /// Throws InputError on lengths that are not above 0, on a width for a map, and on lengths, nodes or
 /// heights beyond single precision.

@@ -238,10 +238,12 @@ void write_design_tables(const DesignRun& run, const std::filesystem::path& fold
                             rough::genome_file_text(run.found.best.genome, run.setup.model.grid.length));
     if (run.setup.model.grid.is_2d())
         try { // a design is of use, even if its tile cannot be printed
-            const rough::Profile tile = sample(run.found.best.genome, run.setup.model.grid);
-            write_solids(tile, {}, folder, "surface");
-            write_height_image(tile, {}, folder, "surface");
-            say(print_note(tile, {}));
+            const rough::Grid& grid = run.setup.model.grid;
+            const rough::Profile tile = sample(run.found.best.genome, grid);
+            const rough::Extrusion extrusion{.periodic = grid.periodic};
+            write_solids(tile, extrusion, folder, "surface");
+            write_height_image(tile, extrusion, folder, "surface");
+            say(print_note(tile, extrusion));
         } catch (const rough::InputError& error) {
             say(std::string("note: no solid of the surface is written: ") + error.what());
         }

@@ -16,7 +16,8 @@ using namespace rough;
 namespace {
 
 using Heights = Eigen::ArrayXXd;
-constexpr Index finest = 8; ///< elements of a surface's heights for each element of its measurement
+/// Elements of a surface's heights for each element of its measurement; odd on the cells of a free map.
+Index finest(bool is_map, bool periodic) { return is_map && !periodic ? 9 : 8; }
 
 /// Surfaces as workshops make them. The feed of an aligned one is a whole number of nodes; ridges run along
 /// y.
@@ -32,10 +33,10 @@ Heights shaped(const Heights& z, const std::function<double(double, double)>& am
 }
 
 /// A surface of 1 mm on a line or square map, periodic, without waves under 8 of the `nodes`' spacings.
-Heights made(const std::string& kind, Index nodes, bool is_map, unsigned seed) {
+Heights made(const std::string& kind, Index nodes, bool is_map, bool periodic, unsigned seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    const Index n = finest * nodes, rows = is_map ? n : 1;
+    const Index n = finest(is_map, periodic) * nodes, rows = is_map ? n : 1;
     const auto white = [&](const auto& amplitude) { // normal heights of rms 1 with this spectrum
         Heights z = shaped(Heights::NullaryExpr(n, rows, [&] { return normal(random); }), amplitude);
         return Heights(z / std::sqrt(z.square().mean()));
@@ -89,13 +90,14 @@ Heights made(const std::string& kind, Index nodes, bool is_map, unsigned seed) {
     return z * (2e-3 / (z.maxCoeff() - z.minCoeff()));
 }
 
-/// Every `step`-th node of a surface. One that is not periodic ends at its measurement's last node.
+/// Every `step`-th node of a surface. A line that is not periodic ends at its measurement's last node.
 Profile measured_at(const Heights& z, Index step, bool periodic) {
-    const Index n = periodic ? z.rows() / step : (z.rows() - finest) / step + 1;
-    const bool is_map = z.cols() > 1;
+    const bool is_map = z.cols() > 1, cells = is_map && !periodic;
+    const Index n = is_map || periodic ? z.rows() / step : (z.rows() - finest(false, false)) / step + 1;
+    const Index first = cells ? step / 2 : 0;
     const double spacing = double(step) / double(z.rows());
-    return {z(Eigen::seqN(0, n, step), Eigen::seqN(0, is_map ? n : 1, step)).reshaped(), spacing,
-            is_map ? n : 1, is_map ? spacing : 0};
+    return {z(Eigen::seqN(first, n, step), Eigen::seqN(is_map ? first : 0, is_map ? n : 1, step)).reshaped(),
+            spacing, is_map ? n : 1, is_map ? spacing : 0};
 }
 
 /// Load steps whose truth a band contains.
@@ -105,13 +107,13 @@ struct Held {
 
 /// The band of a surface's measurement against the surface itself, at equal pressures. Prints the last step.
 Held held_by(const std::string& kind, Index nodes, bool is_map, bool periodic, unsigned seed, bool prints) {
-    const Heights z = made(kind, nodes, is_map, seed);
-    const double length = double(periodic ? nodes : nodes - 1) / double(nodes);
+    const Heights z = made(kind, nodes, is_map, periodic, seed);
+    const double length = double(is_map || periodic ? nodes : nodes - 1) / double(nodes);
     Model model{{nodes, length, periodic}, {periodic ? Kernel::periodic : Kernel::free}, {8, 0.4}};
     if (is_map)
         model.grid.rows = nodes, model.grid.width = length;
     model = completed(model);
-    const Profile scan = measured_at(z, finest, periodic);
+    const Profile scan = measured_at(z, finest(is_map, periodic), periodic);
     const Response measured = respond(scan, model);
     const ResolutionBand band = resolution_band(scan, model, measured);
     REQUIRE(band.is_computed());
@@ -176,11 +178,13 @@ Profile parabola(Index nodes) {
 TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
     for (const bool periodic : {false, true})
         for (const bool is_2d : {false, true}) {
-            const Heights surface = made("fractured", 40, is_2d, 3);
-            const Profile coarse = measured_at(surface, finest, periodic),
-                          truth = measured_at(surface, finest / 4, periodic);
-            const Profile linear = finer(coarse, 4, Interpolation::linear, periodic),
-                          spline = finer(coarse, 4, Interpolation::spline, periodic);
+            const Heights surface = made("fractured", 40, is_2d, periodic, 3);
+            const bool cells = is_2d && !periodic;
+            const Index times = cells ? 3 : 4, all = finest(is_2d, periodic);
+            const Profile coarse = measured_at(surface, all, periodic),
+                          truth = measured_at(surface, all / times, periodic);
+            const Profile linear = finer(coarse, times, Interpolation::linear, periodic),
+                          spline = finer(coarse, times, Interpolation::spline, periodic);
             REQUIRE(linear.nodes() == truth.nodes());
             CHECK(spline.spacing == Approx(truth.spacing));
             CHECK(spline.shape().rows == truth.shape().rows);
@@ -189,7 +193,9 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
             const auto [columns, rows] = coarse.shape();
             for (const Profile* fine : {&linear, &spline})
                 for (Index i = 0; i < coarse.nodes(); ++i) {
-                    const Index at = 4 * (i / columns) * fine->shape().columns + 4 * (i % columns);
+                    const Index first = cells ? times / 2 : 0,
+                                at = (first + times * (i / columns)) * fine->shape().columns + first +
+                                     times * (i % columns);
                     CHECK(fine->heights[at] == coarse.heights[i]);
                 }
         }
@@ -203,6 +209,14 @@ TEST_CASE("finer heights keep the nodes and are exact for straight lines") {
         const Profile parabola{x.cwiseAbs2(), 0.1};
         CHECK((finer(parabola, 4, Interpolation::spline).heights - at.cwiseAbs2()).norm() < 1e-12);
     }
+    // A plane stays a plane over all of its cells.
+    const Profile plane{Eigen::VectorXd::LinSpaced(4, 0, 3).replicate(3, 1), 1, 3, 1};
+    for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
+        const Profile fine = finer(plane, 3, by);
+        CHECK((fine.heights - Eigen::VectorXd::LinSpaced(12, -1. / 3, 10. / 3).replicate(9, 1)).norm() <
+              1e-12);
+    }
+    CHECK_THROWS_WITH(finer(plane, 4, Interpolation::linear), Catch::Contains("odd"));
     // Splines do not oscillate at a jump at the ends of a periodic surface.
     CHECK(finer(slope, 4, Interpolation::spline, true).heights.maxCoeff() == Approx(5));
 }

@@ -85,19 +85,37 @@ TEST_CASE("a profile's solid is closed, and its volume is the profile's area tim
     }
 }
 
-TEST_CASE("a map's solid is closed and as large as its prism", "[areal]") {
+TEST_CASE("a map's solid is closed and as large as its prism over all cells", "[areal]") {
     const Profile map =
         maps::map_of({7, 5}, 0.1, 0.2, [](double x, double y) { return std::sin(9 * x) * std::cos(4 * y); });
-    const Facets mesh = parsed(binary_stl(map, {.base = 0.5, .magnify = 2}));
-    CHECK(mesh.facets.size() == 4 * (35 - 1));
-    double volume = 0; // each cell is cut into two triangles along its rising diagonal
     const double low = map.heights.minCoeff();
-    for (Index j = 0; j < 4; ++j)
-        for (Index i = 0; i < 6; ++i) {
-            const auto z = [&](Index x, Index y) { return map.heights[y * 7 + x] - low + 0.5; };
-            volume += 0.1 * 0.2 * ((z(i, j) + z(i + 1, j + 1)) / 3 + (z(i + 1, j) + z(i, j + 1)) / 6);
-        }
-    CHECK(closed_volume(mesh) == Approx(8 * volume).epsilon(1e-5));
+    for (const bool periodic : {false, true}) {
+        const Extrusion extrusion{.base = 0.5, .magnify = 2, .periodic = periodic};
+        const auto node = [&](Index i, Index n) { // outer corners have the heights of nodes
+            return periodic ? i % n : std::clamp<Index>(i - 1, 0, n - 1);
+        };
+        const auto at = [&](Index i, Index n, double spacing) {
+            return spacing * (periodic ? double(i) : std::clamp(double(i) - 0.5, 0., double(n)));
+        };
+        const Index columns = periodic ? 8 : 9, rows = periodic ? 6 : 7;
+        double volume = 0; // each cell is cut into two triangles along its rising diagonal
+        for (Index j = 0; j < rows - 1; ++j)
+            for (Index i = 0; i < columns - 1; ++i) {
+                const auto z = [&](Index x, Index y) {
+                    return map.heights[node(y, 5) * 7 + node(x, 7)] - low + 0.5;
+                };
+                volume += (at(i + 1, 7, 0.1) - at(i, 7, 0.1)) * (at(j + 1, 5, 0.2) - at(j, 5, 0.2)) *
+                          ((z(i, j) + z(i + 1, j + 1)) / 3 + (z(i + 1, j) + z(i, j + 1)) / 6);
+            }
+        const Facets mesh = parsed(binary_stl(map, extrusion));
+        CHECK(mesh.facets.size() == std::size_t(4 * (columns * rows - 1)));
+        CHECK(closed_volume(mesh) == Approx(8 * volume).epsilon(1e-5));
+        Eigen::Array3f high = Eigen::Array3f::Zero();
+        for (const Eigen::Vector3f& vertex : solid(map, extrusion).vertices)
+            high = high.max(vertex.array());
+        CHECK(high[0] == Approx(2 * 0.7));
+        CHECK(high[1] == Approx(2 * 1));
+    }
     CHECK_THROWS_WITH(solid(map, {.width = 1}), Catch::Contains("as wide as they are"));
 }
 
