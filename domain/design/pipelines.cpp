@@ -31,7 +31,7 @@ using Designs = ga::Population<Genome>;
 std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& context) {
     std::vector<double> all;
     const auto any = [](const auto&) { return true; };
-    context.visit(designs, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
+    context.visit(designs, {}, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
         const auto* outcome = std::get_if<DesignOutcome>(&evaluation);
         all.push_back(outcome ? outcome->excess : HUGE_VAL);
         design.fitness = ga::fitness_of(context.problem(), evaluation, context.problem().objectives().front(),

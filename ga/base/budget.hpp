@@ -10,19 +10,23 @@ namespace ga {
 
 /// Limits of a run. If one is reached, the run stops and returns what it has found so far.
 struct Budget {
-    /// Maximum number of requested evaluations, including those answered from memory. It is never exceeded.
+    /// Maximum price of requested evaluations and derivatives, including those answered from memory, in
+    /// evaluations of level 0. If a problem has one level, this is their number. It is never exceeded.
     long evaluations = std::numeric_limits<long>::max();
     double seconds = std::numeric_limits<double>::infinity(); ///< wall time, s, checked between evaluations
     const std::atomic<bool>* stop = nullptr;                  ///< true stops the run; may be null
 };
 
-/// The expenses of a run so far. Only `evaluations` and `remembered` depend on the size of the memory.
+/// The expenses of a run so far. Only `evaluations`, `remembered` and `price` depend on the size of the
+/// memory.
 struct Counters {
-    long requested = 0;   ///< requested evaluations, including those answered from memory
+    long requested = 0;   ///< requested evaluations and derivatives, including those answered from memory
     long evaluations = 0; ///< calls of the problem's evaluate
     long remembered = 0;  ///< requests answered without a call
     long gradients = 0;   ///< calls of the problem's sensitivity
     long failures = 0;    ///< individuals marked as failed
+    double requested_price = 0; ///< price of `requested`, in evaluations of level 0
+    double price = 0;           ///< price of `evaluations` and `gradients`, in evaluations of level 0
 };
 
 /// Reports whether the time is over or a stop was requested.

@@ -10,7 +10,7 @@ template <Problem P, class G = typename P::Genome>
 bool idle(const BlockProgress<G>& now, Numbers& numbers, Numbers& improvement, bool paying,
           Context<P>& context) {
     constexpr double stop_mode = 10000; // generations
-    const auto requested = static_cast<double>(context.counters().requested);
+    const double requested = context.counters().requested_price;
     double &last_requested = numbers[2], &last_progress = numbers[3];
     if (improves(now, improvement) || (paying && requested > last_requested))
         last_progress = static_cast<double>(now.generation);
@@ -29,8 +29,8 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
     auto& numbers = frame->numbers; // the block's, those of `improves`, then each rule's
     if (!frame.resumed()) {
         numbers.resize(2 + rules.size());
-        const auto requested = static_cast<double>(context.counters().requested);
-        // evaluations and seconds at the start, evaluations at the last look, generation of the last progress
+        const double requested = context.counters().requested_price;
+        // price of evaluations and seconds at the start, price at the last look, generation of the last progress
         numbers[0] = {requested, context.seconds(), requested, 0};
     }
     expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 4 &&
@@ -42,7 +42,7 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
     }
     const auto ended = [&] {
         const BlockProgress<G> now{frame->next,
-                                   context.counters().requested - static_cast<long>(numbers[0][0]),
+                                   context.counters().requested_price - numbers[0][0],
                                    context.seconds() - numbers[0][1], frame->population};
         bool end = false;
         for (std::size_t i = 0; i < rules.size(); ++i)

@@ -95,10 +95,11 @@ inline void to_json(json& j, const Permutation& permutation) { j = permutation.o
 inline void from_json(const json& j, Permutation& permutation) { read_part(j, permutation.order); }
 
 inline void to_json(json& j, const Counters& c) {
-    j = {c.requested, c.evaluations, c.remembered, c.gradients, c.failures};
+    j = {c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price, c.price};
 }
 inline void from_json(const json& j, Counters& c) {
-    read_parts(j, c.requested, c.evaluations, c.remembered, c.gradients, c.failures);
+    read_parts(j, c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price,
+               c.price);
 }
 
 template <class G>
@@ -112,9 +113,12 @@ void to_json(json& j, const Individual<G>& individual) {
     else if (fitness.known())
         scored = {fitness.objective(),  fitness.value(),     fitness.violation(),
                   fitness.violations(), fitness.minimises(), fitness.replicates()};
-    j = {individual.genome, individual.identity,
-         std::vector<Identity>(individual.parents.begin(), individual.parents.end()), std::move(scored),
-         individual.origin ? json(*individual.origin) : json()};
+    j = {individual.genome,
+         individual.identity,
+         std::vector<Identity>(individual.parents.begin(), individual.parents.end()),
+         std::move(scored),
+         individual.origin ? json(*individual.origin) : json(),
+         fitness.levels()};
 }
 template <class G>
 void from_json(const json& j, Individual<G>& individual) {
@@ -139,6 +143,9 @@ void from_json(const json& j, Individual<G>& individual) {
             individual.fitness =
                 individual.fitness.constrained(scored.at(3), scored.at(2).get<double>()).averaged(replicates);
     }
+    std::uint8_t levels = 0;
+    read_part(j.at(5), levels);
+    individual.fitness.set_levels(levels);
     individual.origin.reset();
     if (!j.at(4).is_null()) {
         G origin;
@@ -229,7 +236,8 @@ bool can_be_kept(const P& problem, const T& value) {
         return each(value.population, value.kept);
     } else if constexpr (std::same_as<T, Counters>) {
         const auto counts = [](auto... numbers) { return ((numbers >= 0 && numbers <= 1L << 53) && ...); };
-        return counts(value.requested, value.evaluations, value.remembered, value.gradients, value.failures);
+        return counts(value.requested, value.evaluations, value.remembered, value.gradients, value.failures,
+                      value.requested_price, value.price);
     } else if constexpr (std::same_as<T, Snapshot<G>>) {
         return each(value.frames, value.counters) && (!value.best || each(*value.best)) &&
                finite({value.seconds}) && value.seconds >= 0;

@@ -39,7 +39,7 @@ class Log {
                  {std::to_string(of.individuals), cell(of.best), cell(of.median), number(of.diversity),
                   std::to_string(counters.requested), std::to_string(counters.evaluations),
                   std::to_string(counters.gradients), std::to_string(counters.failures),
-                  number(event.seconds)})
+                  number(counters.price), number(event.seconds)})
                 row += "," + text;
             append(row + "\n");
         };
@@ -71,7 +71,7 @@ class Log {
             stream_.open(part_, position > 0 ? std::ios::app : std::ios::trunc);
             if (position == 0)
                 put("path,generation,individuals,best,median,diversity,requested,evaluations,gradients,"
-                    "failures,seconds\n");
+                    "failures,price,seconds\n");
         }
         put(text);
         stream_.flush();

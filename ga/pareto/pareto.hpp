@@ -104,26 +104,36 @@ struct Pareto : Operator {
             with_first |= which == 0;
         }
         const Name name(text_of(*this)), first = context.objective_name(0);
-        const auto all = [](const auto&) { return true; };
-        context.visit(population, all, [&](auto& individual, const auto& evaluation) {
-            Point point;
-            std::vector<double> violations;
-            for (const auto* objective : read) {
-                const Fitness one = fitness_of(context.problem(), evaluation, *objective, name);
-                if (one.has_failed()) {
-                    individual.fitness = one;
-                    return;
-                }
-                point.push_back(one.merit());
-                violations = one.violations();
-            }
-            if (with_first) {
-                individual.fitness =
-                    fitness_of(context.problem(), evaluation, context.problem().objectives()[0], first);
-                context.offer(individual);
-            }
-            individual.fitness = Fitness(name, std::move(point)).constrained(std::move(violations));
-        });
+        std::vector<Level> levels;
+        for (const auto* objective : read)
+            if (std::ranges::count(levels, objective->level) == 0)
+                levels.push_back(objective->level);
+        // The objectives of one level are read together; those of the last level complete the fitness.
+        std::vector<Point> points(population.size(), Point(read.size()));
+        for (const Level level : levels)
+            context.visit(
+                population, level, [](const auto& individual) { return !individual.fitness.has_failed(); },
+                [&](auto& individual, const auto& evaluation) {
+                    Point& point = points[static_cast<std::size_t>(&individual - population.data())];
+                    Fitness last;
+                    for (std::size_t k = 0; k < read.size(); ++k) {
+                        if (read[k]->level != level)
+                            continue;
+                        last = fitness_of(context.problem(), evaluation, *read[k], name);
+                        if (last.has_failed()) {
+                            individual.fitness = last;
+                            return;
+                        }
+                        point[k] = last.merit();
+                    }
+                    if (with_first && context.problem().objectives()[0].level == level) {
+                        individual.fitness = fitness_of(context.problem(), evaluation,
+                                                        context.problem().objectives()[0], first);
+                        context.offer(individual);
+                    }
+                    if (level == levels.back())
+                        individual.fitness = Fitness(name, point).constrained(last.violations());
+                });
         return population;
     }
 };

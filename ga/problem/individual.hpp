@@ -117,6 +117,10 @@ class Fitness {
         static const std::vector<double> none;
         return detail_ ? detail_->violations : none;
     }
+    /// Sets the levels of evaluation whose outcomes were requested for the individual, one bit each.
+    void set_levels(std::uint8_t levels) { levels_ = levels; }
+    /// The levels of evaluation whose outcomes were requested for the individual, one bit each.
+    std::uint8_t levels() const { return levels_; }
     bool minimises() const { return minimise_; }           ///< whether a lower value is better
     std::size_t replicates() const { return replicates_; } ///< number of replicates in the mean, 1 or more
 
@@ -170,6 +174,7 @@ class Fitness {
     Name policy_;
     std::shared_ptr<const Detail> detail_;
     std::uint32_t replicates_ = 1;
+    std::uint8_t levels_ = 0;
     bool minimise_ = false;
 };
 

@@ -39,13 +39,24 @@ struct Permutation {
     }
 };
 
-/// A function of an evaluation's outcome. It must be pure; NaN, infinity or an exception marks the individual
-/// as failed.
+/// Number of a level of evaluation, for example of a coarse or a fine model; 0 unless a problem has several.
+enum class Level : std::uint8_t {};
+
+/// A level of evaluation: its name, and what it costs in evaluations of level 0.
+struct LevelPrice {
+    std::string name;      ///< name of the level in logs and results
+    double evaluation = 1; ///< price of one evaluation, above 0
+    double gradient = 1;   ///< price of one derivative of an objective of this level, above 0
+};
+
+/// A function of an evaluation's outcome. It must be pure and only read the outcome: the engine evaluates
+/// what its level misses. NaN, infinity or an exception marks the individual as failed.
 template <class Outcome>
 struct Objective {
     std::string name;                              ///< name of the objective in pipelines
     std::function<double(const Outcome&)> fitness; ///< function that returns the value for an outcome
     bool minimise = false;                         ///< whether lower is better
+    Level level = {};                              ///< level of evaluation whose outcome it reads
 };
 
 /// The interface of ga to a domain: a type of genome, the expensive call `evaluate`, and objectives of the
@@ -58,6 +69,28 @@ concept Problem = requires(const P& problem, const typename P::Genome& genome) {
     { problem.evaluate(genome) } -> std::same_as<typename P::Outcome>;
     { problem.objectives() } -> std::same_as<const std::vector<Objective<typename P::Outcome>>&>;
 };
+
+/// Optional: several levels of evaluation. `levels` lists their prices; `evaluate(genome)` is level 0.
+/// Outcomes of different levels are stored separately.
+template <class P>
+concept Levelled = Problem<P> && requires(const P& problem, const typename P::Genome& genome, Level level) {
+    { problem.evaluate(genome, level) } -> std::same_as<typename P::Outcome>;
+    { problem.levels() } -> std::same_as<const std::vector<LevelPrice>&>;
+};
+
+/// The bit of a level in a set of at most eight levels.
+constexpr std::uint8_t bit_of(Level level) {
+    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(level));
+}
+
+/// The price of a level; 1 for each call of a problem that states none.
+template <Problem P>
+LevelPrice price_of(const P& problem, Level level) {
+    if constexpr (Levelled<P>)
+        return problem.levels().at(static_cast<std::size_t>(level));
+    else
+        return {};
+}
 
 /// Optional: an evaluation with noise, for `average`. Each replicate is a pure function of its number;
 /// `evaluate(genome)` is replicate 0.
@@ -285,6 +318,7 @@ constexpr bool members_fit() {
     GA_MEMBER_FITS(bounds, Bounded)
     GA_MEMBER_FITS(sample, Sampled)
     GA_MEMBER_FITS(violation, Constrained)
+    GA_MEMBER_FITS(levels, Levelled)
     GA_MEMBER_FITS(bytes, Weighed)
     GA_MEMBER_FITS(mutate, MutatesItself)
     GA_MEMBER_FITS(cross_uniform, CrossesUniformly)

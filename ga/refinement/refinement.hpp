@@ -18,10 +18,10 @@ class Search {
   public:
     using Genome = typename P::Genome; ///< genome of the problem
 
-    /// Prepares a search. `moving` are the genes that move, `limit` is the maximum number of requests. The
+    /// Prepares a search. `moving` are the genes that move, `limit` is the maximum price of requests. The
     /// problem, the queue, the watch and the individual must outlive the search.
     Search(const P& problem, EvaluationQueue<P>& queue, const Watch& watch,
-           const Individual<Genome>& individual, std::vector<Variable> moving, long limit)
+           const Individual<Genome>& individual, std::vector<Variable> moving, double limit)
         : problem_(problem), queue_(queue), watch_(watch), individual_(individual),
           moving_(std::move(moving)), limit_(limit), genes_(genes_of(problem, individual.genome)) {
         for (const Variable& variable : moving_) {
@@ -51,7 +51,7 @@ class Search {
             land.upper[i] = variable.upper;
             land.start[i] = std::clamp(genes_[variable.gene], variable.lower, variable.upper);
         }
-        land.exhausted = [this] { return stopped_ || asked_ >= limit_ || watch_.expired(); };
+        land.exhausted = [this] { return stopped_ || is_spent() || watch_.expired(); };
         land.fitness = [this](const Eigen::VectorXd& x) {
             const Fitness found = fitness(x);
             return found.known() && found.feasible() ? found.merit() : -HUGE_VAL;
@@ -84,11 +84,16 @@ class Search {
     }
     const auto& objective() const { return problem_.objectives()[objective_]; }
 
-    /// Makes a request. It stays unanswered if the run has to stop or the limit is reached.
-    void ask(EvaluationRequest<P>& request) {
-        if (stopped_ || asked_ >= limit_)
+    /// Whether the limit does not allow every kind of request any more.
+    bool is_spent() const {
+        const LevelPrice price = price_of(problem_, objective().level);
+        return spent_ + std::max(price.evaluation, price.gradient) > limit_;
+    }
+    /// Makes a request of this price. It stays unanswered if the run has to stop or the limit is reached.
+    void ask(EvaluationRequest<P>& request, double price) {
+        if (stopped_ || spent_ + price > limit_)
             return;
-        ++asked_;
+        spent_ += price;
         try {
             queue_.serve(request);
         } catch (const Stopped&) {
@@ -103,7 +108,7 @@ class Search {
         Fitness found;
         violations_.resize(0);
         EvaluationRequest<P> request;
-        request.outcomes.push_back({&genome});
+        request.outcomes.push_back({&genome, true, 0, objective().level});
         request.use = [&] {
             const auto* answer = request.outcomes.front().answer;
             if (!answer || std::holds_alternative<Pending>(*answer))
@@ -115,15 +120,16 @@ class Search {
                     violations_ = as_vector(each);
                 }
         };
-        ask(request);
+        ask(request, price_of(problem_, objective().level).evaluation);
         return found;
     }
     /// The slope at a point; unknown parts are empty.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
-        Slope<P> slope{at(x), individual_.fitness.objective_name(), of_residuals, {}, {}, {}};
+        Slope<P> slope{at(x), individual_.fitness.objective_name(), objective().level, of_residuals, {}, {},
+                       {}};
         EvaluationRequest<P> request;
         request.slopes.push_back(&slope);
-        ask(request);
+        ask(request, price_of(problem_, objective().level).gradient);
         return slope;
     }
     Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
@@ -149,7 +155,7 @@ class Search {
     const Watch& watch_;
     const Individual<Genome>& individual_;
     std::vector<Variable> moving_;
-    long limit_, asked_ = 0;
+    double limit_, spent_ = 0; ///< prices
     std::vector<double> genes_;
     std::vector<Eigen::Index> places_; ///< indices of the genes that move
     std::size_t objective_ = 0;
@@ -191,12 +197,15 @@ struct Refine : Operator {
                 jobs.push_back(&individual);
         // One evaluation is reserved for each result. The rest of the budget is divided before any search.
         const auto count = static_cast<long>(jobs.size());
-        if (context.ledger().spent(count)) {
+        const std::size_t which =
+            jobs.empty() ? 0 : context.objective_index(jobs.front()->fitness.objective());
+        const double price =
+            price_of(context.problem(), context.problem().objectives()[which].level).evaluation;
+        const double left = std::floor(context.ledger().left_after(static_cast<double>(count) * price));
+        if (left <= 0) {
             context.state.stopped_population = population;
             throw Stopped{"evaluation budget spent"};
         }
-        const long left =
-            std::max(0L, context.ledger().budget().evaluations - context.counters().requested - count);
         std::vector<std::optional<G>> found(jobs.size());
         Rounds<P>::run(jobs.size(), context.queue(), [&](std::size_t i, EvaluationQueue<P>& queue) {
             const auto& individual = *jobs[i];
@@ -208,7 +217,9 @@ struct Refine : Operator {
                 moving = variables.of(original);
             std::erase_if(moving,
                           [](const Variable& variable) { return !(variable.lower < variable.upper); });
-            const long limit = left / count + (static_cast<long>(i) < left % count ? 1 : 0);
+            const double share = std::floor(left / static_cast<double>(count)),
+                         rest = left - share * static_cast<double>(count);
+            const double limit = share + (static_cast<double>(i) < rest ? 1 : 0);
             found[i] =
                 Search<P>(context.problem(), queue, context.watch(), individual, std::move(moving), limit)
                     .by(method, context.stream(i)());

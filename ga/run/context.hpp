@@ -108,22 +108,24 @@ class Context {
         const auto& objective = problem().objectives()[which];
         const Name name = names_[which];
         visit(
-            population, [&](const auto& individual) { return !individual.fitness.known(name); },
+            population, objective.level,
+            [&](const auto& individual) { return !individual.fitness.known(name); },
             [&](auto& individual, const Evaluation<Outcome>& evaluation) {
                 individual.fitness = fitness_of(problem(), evaluation, objective, name);
             },
             stop_mode);
     }
-    /// Evaluates every individual for which wanted(individual) is true, unless its outcome is known. Then
-    /// calls assign(individual, evaluation), which sets the fitness.
+    /// Evaluates every individual for which wanted(individual) is true at a level, unless its outcome is
+    /// known. Then calls assign(individual, evaluation), which sets the fitness.
     template <class Wanted, class Assign>
-    void visit(Population<Genome>& population, Wanted wanted, Assign assign,
+    void visit(Population<Genome>& population, Level level, Wanted wanted, Assign assign,
                StopMode stop_mode = StopMode::at_once) {
         request_.outcomes.clear();
         requested_.clear();
         for (auto& individual : population)
             if (wanted(std::as_const(individual))) {
-                request_.outcomes.push_back({&individual.genome, !individual.fitness.known()});
+                request_.outcomes.push_back(
+                    {&individual.genome, !(individual.fitness.levels() & bit_of(level)), 0, level});
                 requested_.push_back(&individual);
             }
         request_.stop_mode = stop_mode;
@@ -133,7 +135,9 @@ class Context {
                 if (!answer || std::holds_alternative<Pending>(*answer))
                     continue;
                 auto& individual = *requested_[i];
+                const auto levels = static_cast<std::uint8_t>(individual.fitness.levels() | bit_of(level));
                 assign(individual, *answer);
+                individual.fitness.set_levels(levels);
                 ledger_.note(individual.fitness);
                 if (individual.fitness.has_failed())
                     ++counters().failures;
@@ -151,6 +155,7 @@ class Context {
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
+        const Level level = problem().objectives()[which].level;
         request_.outcomes.clear();
         requested_.clear();
         std::vector<std::size_t> firsts;
@@ -162,7 +167,8 @@ class Context {
             firsts.push_back(request_.outcomes.size());
             requested_.push_back(&individual);
             for (std::size_t r = 0; r < std::min(had + n, std::max(n, limit)); ++r)
-                request_.outcomes.push_back({&individual.genome, r > 0 ? r >= had : !known.known(), r});
+                request_.outcomes.push_back(
+                    {&individual.genome, r > 0 ? r >= had : !(known.levels() & bit_of(level)), r, level});
         }
         firsts.push_back(request_.outcomes.size());
         request_.stop_mode = StopMode::at_once;
@@ -172,7 +178,9 @@ class Context {
                 const auto mean = mean_of(firsts[i], firsts[i + 1] - firsts[i], which);
                 if (!mean)
                     continue;
+                const std::uint8_t levels = requested_[i]->fitness.levels();
                 requested_[i]->fitness = *mean;
+                requested_[i]->fitness.set_levels(static_cast<std::uint8_t>(levels | bit_of(level)));
                 ledger_.note(*mean);
                 counters().failures += mean->has_failed() ? 1 : 0;
                 if (best && best->identity == requested_[i]->identity && mean->known(names_[0]))

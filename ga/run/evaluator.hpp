@@ -26,6 +26,7 @@ struct EvaluationCall {
     const typename P::Genome* genome;        ///< genome to evaluate
     Evaluation<typename P::Outcome>* answer; ///< place for the result; unchanged if the run must end first
     std::uint64_t replicate = 0;             ///< number of the replicate of a noisy evaluation
+    Level level = {};                        ///< level of the evaluation
 };
 
 /// One request for a derivative: of residuals (for a problem with `sensitivity`) or of the fitness (with
@@ -34,6 +35,7 @@ template <Problem P>
 struct Slope {
     typename P::Genome genome;                      ///< genome at which the derivative is computed
     Name objective;                                 ///< name of the objective
+    Level level = {};                               ///< level of evaluation that the objective reads
     bool of_residuals = true;                       ///< true: of the residuals; false: of the fitness
     std::shared_ptr<const Sensitivity> sensitivity; ///< residuals and their derivatives
     std::vector<double> gradient;                   ///< derivative of the fitness, one per gene
@@ -44,8 +46,11 @@ struct Slope {
 /// evaluation by throwing Stopped.
 template <Problem P>
 Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome,
-                                          std::uint64_t replicate = 0) {
+                                          std::uint64_t replicate = 0, Level level = {}) {
     try {
+        if constexpr (Levelled<P>)
+            if (level != Level{})
+                return problem.evaluate(genome, level);
         if constexpr (Noisy<P>)
             if (replicate > 0)
                 return problem.evaluate(genome, replicate);
@@ -108,7 +113,7 @@ class OnThreads : public Evaluator<P> {
     void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
         parallel_for(calls.size(), threads_, [&](std::size_t i) {
             if (!watch.expired())
-                *calls[i].answer = evaluated(problem, *calls[i].genome, calls[i].replicate);
+                *calls[i].answer = evaluated(problem, *calls[i].genome, calls[i].replicate, calls[i].level);
         });
     }
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {

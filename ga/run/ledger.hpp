@@ -145,6 +145,7 @@ struct EvaluationRequest {
         const Genome* genome;        ///< genome to evaluate; must outlive the answer
         bool counts = true;          ///< whether the request counts against the budget
         std::uint64_t replicate = 0; ///< number of the replicate of a noisy evaluation
+        Level level = {};            ///< level of the evaluation
         Fingerprint print = {};      ///< fingerprint of the genome, set by the queue
         /// The answer, set by the queue; null or pending if the run had to end.
         const Evaluation<Outcome>* answer = nullptr;
@@ -206,8 +207,11 @@ class Ledger : public EvaluationQueue<P> {
             answer(*request, cut_short);
     }
 
-    /// Whether the budget allows at most this number of further evaluations.
-    bool spent(long evaluations) const { return budget_.evaluations - counters.requested <= evaluations; }
+    /// What is left of the budget after this further price, in evaluations of level 0; 0 or less if nothing
+    /// is.
+    double left_after(double price) const {
+        return static_cast<double>(budget_.evaluations) - counters.requested_price - price;
+    }
 
     const P& problem() const { return problem_; }          ///< the problem to evaluate
     Evaluator<P>& evaluator() const { return evaluator_; } ///< makes the calls
@@ -257,19 +261,26 @@ class Ledger : public EvaluationQueue<P> {
     /// Counts the requests, and adds a call for each unknown answer.
     void look_up(EvaluationRequest<P>& request) {
         std::size_t within = 0;
-        const auto pay = [&] {
-            request.spent |= counters.requested >= budget_.evaluations;
-            counters.requested += request.spent ? 0 : 1;
+        const auto pay = [&](double price) {
+            request.spent |= left_after(price) < 0;
+            if (!request.spent) {
+                ++counters.requested;
+                counters.requested_price += price;
+            }
             return !request.spent;
         };
         request.spent = false;
         for (auto& wanted : request.outcomes) {
-            if (wanted.counts && !pay())
+            if (wanted.counts && !pay(price_of(problem_, wanted.level).evaluation))
                 break;
             wanted.print = identify(problem_, *wanted.genome);
             if (wanted.replicate > 0)
                 wanted.print = {fold(wanted.print.high, wanted.replicate),
                                 fold(wanted.print.low, wanted.replicate)};
+            if (wanted.level != Level{}) {
+                const auto level = ~static_cast<std::uint64_t>(wanted.level); // no number of a replicate
+                wanted.print = {fold(wanted.print.high, level), fold(wanted.print.low, level)};
+            }
             memory.young.prefetch(wanted.print);
             ++within;
         }
@@ -280,15 +291,17 @@ class Ledger : public EvaluationQueue<P> {
             auto* const pending = std::get_if<Pending>(&place);
             if (!pending || pending->queued) {
                 ++counters.remembered;
-            } else if (!take_prepaid(wanted.print, place)) {
+            } else if (!take_prepaid(wanted.print, place, wanted.level)) {
                 pending->queued = true;
-                calls_.push_back({wanted.genome, &place, wanted.replicate});
+                calls_.push_back({wanted.genome, &place, wanted.replicate, wanted.level});
             }
         }
         for (Slope<P>* slope : request.slopes) {
-            if (!pay())
+            const double price = price_of(problem_, slope->level).gradient;
+            if (!pay(price))
                 break;
             ++counters.gradients;
+            counters.price += price;
             slopes_.push_back(slope);
         }
     }
@@ -312,7 +325,7 @@ class Ledger : public EvaluationQueue<P> {
                 *pending = Pending{};
                 interrupted = true;
             } else {
-                count(*call.answer);
+                count(*call.answer, call.level);
             }
         return interrupted;
     }
@@ -337,16 +350,17 @@ class Ledger : public EvaluationQueue<P> {
         }
     }
 
-    bool take_prepaid(const Fingerprint& print, Evaluation<Outcome>& place) {
+    bool take_prepaid(const Fingerprint& print, Evaluation<Outcome>& place, Level level) {
         Evaluation<Outcome>* paid = prepaid_.size() > 0 ? prepaid_.find(print) : nullptr;
         if (!paid || std::holds_alternative<Pending>(*paid))
             return false;
         place = std::exchange(*paid, Pending{});
-        count(place);
+        count(place, level);
         return true;
     }
-    void count(const Evaluation<Outcome>& evaluation) {
+    void count(const Evaluation<Outcome>& evaluation, Level level) {
         ++counters.evaluations;
+        counters.price += price_of(problem_, level).evaluation;
         const Outcome* outcome = std::get_if<Outcome>(&evaluation);
         heaviest_ = std::max(heaviest_, outcome ? weight(*outcome) : std::get<Reason>(evaluation)->size());
     }

@@ -10,7 +10,7 @@ namespace ga {
 template <class G>
 struct BlockProgress {
     std::size_t generation;          ///< number of completed generations
-    long requested;                  ///< evaluations requested since the block began
+    double price;                    ///< price of evaluations requested since the block began
     double seconds;                  ///< time since the block began, in all processes of the run, s
     const Population<G>& population; ///< population before the generation
 };
@@ -119,7 +119,8 @@ struct AfterGenerations : StoppingRule {
     }
 };
 
-/// Ends after n requested evaluations since the block began, including those answered from memory.
+/// Ends when the price of evaluations requested since the block began reaches n evaluations of level 0. If the
+/// problem has one level, it ends after n evaluations. Those answered from memory count.
 struct AfterEvaluations : StoppingRule {
     long n = 1; ///< number of evaluations, >= 1
 
@@ -128,7 +129,7 @@ struct AfterEvaluations : StoppingRule {
 
     template <class G>
     bool operator()(const BlockProgress<G>& now, Numbers&) const {
-        return now.requested >= n;
+        return now.price >= static_cast<double>(n);
     }
 };
 
