@@ -24,7 +24,9 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
         if (problem.shares_memory() || calls.size() < 2)
             return OnThreads::outcomes(problem, calls, watch);
         cluster::Job job = designs(problem, calls.size());
-        job.task = [&](std::size_t i) { return json::array({*calls[i].genome}); };
+        job.task = [&](std::size_t i) {
+            return json::array({*calls[i].genome, static_cast<int>(calls[i].level)});
+        };
         job.take = [&](std::size_t i, const json& j) {
             if (j.is_string())
                 *calls[i].answer = ga::reason(j.get<std::string>());
@@ -70,7 +72,7 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
 cluster::Work designs_under(const json& setup) {
     const auto problem = std::make_shared<const DesignProblem>(setup.get<rough::DesignSetup>());
     return [problem](const json& task) -> json {
-        if (task.size() > 1) {
+        if (task.at(1).is_string()) {
             ga::Slope<DesignProblem> slope;
             slope.genome = task[0].get<rough::Genome>();
             slope.objective = ga::Name(task[1].get<std::string>());
@@ -80,7 +82,10 @@ cluster::Work designs_under(const json& setup) {
             const auto& [residuals, jacobian] = *slope.sensitivity;
             return {residuals, Eigen::VectorXd(jacobian.reshaped())};
         }
-        const auto found = ga::evaluated(*problem, task.at(0).get<rough::Genome>());
+        const int level = task.at(1).get<int>();
+        cluster::expect_message(level >= 0 && level < std::ssize(problem->levels()));
+        const auto found =
+            ga::evaluated(*problem, task.at(0).get<rough::Genome>(), 0, static_cast<ga::Level>(level));
         const auto* outcome = std::get_if<rough::DesignOutcome>(&found);
         return outcome ? json(*outcome) : json(*std::get<ga::Reason>(found));
     };

@@ -83,7 +83,8 @@ VariantRun variant_run(const std::string& name, const rough::SearchResult& found
             .similarity_worst = found.best.worst(),
             .seconds = seconds,
             .curves = found.counters.evaluations,
-            .gradients = found.counters.gradients};
+            .gradients = found.counters.gradients,
+            .price = found.counters.price};
 }
 
 json model_json(const rough::Model& model) {

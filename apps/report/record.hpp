@@ -32,7 +32,7 @@ struct Candidate {
 struct StageRecord {
     std::string path; ///< e.g. "sog/refine.2"
     std::vector<Candidate> candidates;
-    long spent = 0; ///< contact curves and gradients of the run so far
+    double spent = 0; ///< price of the run so far, in contact curves on its grid in its load steps
 };
 
 /// The run of one variant.
@@ -42,11 +42,12 @@ struct VariantRun {
     std::vector<StageRecord> stages; ///< in order; the stage before the first "refine" is GCMMA (0)
     std::vector<std::string> notes;  ///< the engine's remarks, e.g. that a threshold took its "at least"
     Answered answer;
-    double similarity = 0;         ///< similarity of the answer on the run's grid
-    double similarity_refined = 0; ///< similarity at 4(N-1)+1 nodes, with Eq. 11 applied again
-    double similarity_worst = 0;   ///< lowest of these and of four times the load steps on either grid
-    double seconds = 0;            ///< wall time
-    long curves = 0, gradients = 0;
+    double similarity = 0;          ///< similarity of the answer on the run's grid
+    double similarity_refined = 0;  ///< similarity at 4(N-1)+1 nodes, with Eq. 11 applied again
+    double similarity_worst = 0;    ///< lowest of these and of four times the load steps on either grid
+    double seconds = 0;             ///< wall time
+    long curves = 0, gradients = 0; ///< evaluations and derivatives at all levels
+    double price = 0;               ///< what they cost, in contact curves on the run's grid in its load steps
 };
 
 /// Number of candidates up to which every generation is kept. Then the record of a stage replaces its last
@@ -58,7 +59,7 @@ template <class G = rough::Genome>
 ga::Observer<G> recorder(std::vector<StageRecord>& stages) {
     return [&stages, counted = std::size_t{0},
             candidates = std::size_t{0}](const ga::Event<G>& event) mutable {
-        StageRecord record{event.path, {}, event.counters.evaluations + event.counters.gradients};
+        StageRecord record{event.path, {}, event.counters.price};
         for (const auto& individual : event.population) {
             const bool scored = individual.fitness.known() && individual.fitness.objective() == "similarity";
             record.candidates.push_back(
@@ -87,7 +88,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent)
 ///@}
 /// The similarities and the cost of a run, as in result.json.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRun, similarity, similarity_refined, similarity_worst, seconds,
-                                   curves, gradients)
+                                   curves, gradients, price)
 /// The keys of origin_json() that a run knows.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Origin, kind, command, seed, threads, inputs)
 

@@ -202,7 +202,7 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
     result.before = similarity(problem.setup(), genome);
     const DesignOutcome outcome = problem.evaluate(search.at(x));
     result.genome = folded(outcome.genome);
-    result.after = outcome.similarity();
+    result.after = outcome.similarity;
     for (std::size_t t = 0; t < outcome.misfits.size(); ++t)
         for (Index k = 0; k < outcome.misfits[t].size(); ++k)
             if (std::abs(outcome.misfits[t][k]) > allowed)

@@ -27,16 +27,24 @@ std::optional<Genome> without_shortest(const Genome& genome) {
 
 using Designs = ga::Population<Genome>;
 
+/// Evaluates designs at a level and passes each outcome, or null after a failure, to `read`.
+template <class Read>
+void read_outcomes(Designs& designs, ga::Level level, ga::Context<DesignProblem>& context, Read read) {
+    const auto any = [](const auto&) { return true; };
+    context.visit(designs, level, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
+        read(std::get_if<DesignOutcome>(&evaluation));
+        const std::size_t objective = level == level::verified ? context.objective_index("verified") : 0;
+        design.fitness =
+            ga::fitness_of(context.problem(), evaluation, context.problem().objectives()[objective],
+                           context.objective_name(objective));
+    });
+}
+
 /// How far each design exceeds the limits; infinity without a response.
 std::vector<double> excesses(Designs& designs, ga::Context<DesignProblem>& context) {
     std::vector<double> all;
-    const auto any = [](const auto&) { return true; };
-    context.visit(designs, {}, any, [&](auto& design, const ga::Evaluation<DesignOutcome>& evaluation) {
-        const auto* outcome = std::get_if<DesignOutcome>(&evaluation);
-        all.push_back(outcome ? outcome->excess : HUGE_VAL);
-        design.fitness = ga::fitness_of(context.problem(), evaluation, context.problem().objectives().front(),
-                                        context.objective_name(0));
-    });
+    read_outcomes(designs, level::search, context,
+                  [&](const DesignOutcome* outcome) { all.push_back(outcome ? outcome->excess : HUGE_VAL); });
     return all;
 }
 
@@ -74,21 +82,25 @@ DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& bod
                     break;
                 setup.model.grid = grid;
             }
-            return run_derived(stages, DesignProblem(setup), std::move(designs), context);
+            return run_derived(stages,
+                               DesignProblem(setup, nullptr, context.threads(), context.problem().unit()),
+                               std::move(designs), context);
         });
 }
 
 /// The set-up with targets corrected by the change of a verified answer's curve on finer grids and in finer
 /// load steps. An answer that meets them on the search grid is equally far above and below the given targets
 /// in all verifications.
-DesignSetup corrected_targets(DesignSetup setup, const Verification& verified) {
-    const auto& [on_grid, refined, more_steps, both] = verified.misfits;
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+DesignSetup corrected_targets(DesignSetup setup, const DesignOutcome& verified) {
+    const std::size_t targets = setup.targets.size();
+    for (std::size_t t = 0; t < targets; ++t) {
         Target& target = setup.targets[t];
         for (Index k = 0; k < target.points(); ++k) {
-            const auto [lowest, highest] =
-                std::minmax({on_grid[t][k], refined[t][k], more_steps[t][k], both[t][k]});
-            const double factor = 1 + (on_grid[t][k] - 0.5 * (lowest + highest)) / target.weight;
+            std::array<double, 4> misfits;
+            for (std::size_t solution = 0; solution < misfits.size(); ++solution)
+                misfits[solution] = verified.misfits[solution * targets + t][k];
+            const auto [lowest, highest] = std::ranges::minmax(misfits);
+            const double factor = 1 + (misfits[0] - 0.5 * (lowest + highest)) / target.weight;
             target.y[k] *= factor;
             if (target.has_band())
                 target.lower[k] *= factor, target.upper[k] *= factor;
@@ -102,10 +114,17 @@ DesignPipeline corrected(const ga::Arguments&, const DesignPipeline& body) {
     return ga::derived_stage<DesignProblem>(
         "corrected", body,
         [](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
-            const Verification verified = context.problem().verifier().remembered(designs.front().genome);
-            if (std::isnan(verified.worst()))
-                throw ga::Stopped{"stop requested"};
-            const DesignProblem corrected_problem(corrected_targets(context.problem().setup(), verified));
+            Designs first{designs.front()};
+            std::optional<DesignOutcome> verified;
+            read_outcomes(first, level::verified, context, [&](const DesignOutcome* outcome) {
+                if (outcome)
+                    verified = *outcome;
+            });
+            if (!verified)
+                return designs;
+            const DesignProblem& problem = context.problem();
+            const DesignProblem corrected_problem(corrected_targets(problem.setup(), *verified), nullptr,
+                                                  context.threads(), problem.unit());
             Designs all = run_derived(stages, corrected_problem, {designs.front()}, context);
             for (auto& design : all)
                 context.make_child(design, ga::Parents(designs.front().identity));

@@ -46,8 +46,8 @@ double between_nodes(const std::vector<PlaneWave>& waves, int order, double h) {
     return bound;
 }
 
-/// The grid on which extremes are searched; a coarser one for maps, which have the square of the nodes. Its outer
-/// nodes stand on the edges, where slopes and heights may be largest.
+/// The grid on which extremes are searched; a coarser one for maps, which have the square of the nodes. Its
+/// outer nodes stand on the edges, where slopes and heights may be largest.
 Grid search_grid(const Grid& grid) {
     Grid fine = refined(grid, grid.is_2d() ? 4 : 8);
     if (fine.has_cells()) { // one cell more, half of it beyond each edge

@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/problem/drawn_start.hpp"
+#include "domain/problem/prices.hpp"
 
 #include <numbers>
 
@@ -119,14 +120,14 @@ ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(co
 
 } // namespace
 
-double DesignOutcome::similarity() const { return min_similarity(misfits); }
-
-DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads)
-    : setup_(std::make_shared<DesignSetup>(std::move(setup))), memory_(std::move(memory)),
-      descriptors_(surface_descriptors(setup_->model.grid)) {
+DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads,
+                             const std::optional<Model>& unit)
+    : setup_(std::make_shared<DesignSetup>(std::move(setup))), unit_(unit.value_or(setup_->model)),
+      memory_(std::move(memory)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
     verifier_ = std::make_shared<Verifier>(as_reported(*setup_), threads);
     errors_ = std::make_shared<CommonErrors>(*setup_);
+    levels_ = level_prices(setup_->model, unit_, errors_->noise.size() + errors_->tilts.size());
     // A genome over the limits is ranked below every genome within them, by its excess.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -137,36 +138,55 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
             return limited(points.empty() ? 1 : rough::similarity(misfits(points)), outcome);
         };
     };
-    objectives_ = {
-        {"similarity", [=](const Outcome& outcome) { return limited(outcome.similarity(), outcome); }},
-        {"verified",
-         [=, verifier = verifier_](const Outcome& outcome) {
-             const double worst = verifier->remembered(outcome.genome).worst();
-             if (std::isnan(worst))
-                 throw ga::Stopped{"stop requested"};
-             return limited(std::min(outcome.similarity(), worst), outcome);
-         }},
-        {"more_steps",
-         [=, verifier = verifier_](const Outcome& outcome) {
-             const Genome shape = at_scale_one(outcome.genome, verifier->setup());
-             const double finer = unless_stopped(verifier->setup().model.contact,
-                                                 [&] { return rough::similarity(verifier->finer(), shape); });
-             return limited(std::min(outcome.similarity(), finer), outcome);
-         }},
-        {"made",
-         [=, setup = setup_, errors = errors_](const Outcome& outcome) {
-             const double made = errors->similarity({exactly(*setup), outcome.genome});
-             return limited(std::min(outcome.similarity(), made), outcome);
-         }},
-        {"low", part(false)},
-        {"high", part(true)}};
+    const auto lowest = [limited](const Outcome& outcome) { return limited(outcome.similarity, outcome); };
+    objectives_ = {{"similarity", lowest},
+                   {"verified", lowest, false, level::verified},
+                   {"more_steps", lowest, false, level::more_steps},
+                   {"made", lowest, false, level::made},
+                   {"low", part(false)},
+                   {"high", part(true)}};
     for (std::size_t t = 0; t < setup_->targets.size(); ++t)
         objectives_.push_back({target_objective(t), [=](const Outcome& outcome) {
                                    return limited(rough::similarity(outcome.misfits[t]), outcome);
                                }});
 }
 
-DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
+DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) const {
+    Outcome outcome;
+    if (level == level::verified) {
+        const Verification found = verifier_->of(genome);
+        if (std::isnan(found.worst()))
+            throw ga::Stopped{"stop requested"};
+        outcome.scale = eq_11(verifier_->setup(), found.on_grid.front());
+        for (const auto& solution : found.misfits)
+            outcome.misfits.insert(outcome.misfits.end(), solution.begin(), solution.end());
+        outcome.similarity = found.worst();
+    } else if (level == level::more_steps) {
+        const DesignSetup& reported = verifier_->setup();
+        auto all = unless_stopped(reported.model.contact, [&] {
+            const DesignSetup& finer = verifier_->finer();
+            return pressed(finer, at_scale_one(genome, finer), finer.model);
+        });
+        std::vector<Response> own;
+        for (const Response& response : all)
+            own.push_back(every(verified_refinement, response));
+        const DesignResponse response = scored(reported, std::move(own));
+        outcome.scale = response.scale;
+        outcome.misfits = misfits_of(verifier_->finer(), scored(verifier_->finer(), std::move(all)));
+        outcome.similarity = std::min(min_similarity(outcome.misfits), rough::similarity(reported, response));
+    } else {
+        const DesignResponse response = scored(*setup_, responses_of(genome));
+        outcome = {response.scale, misfits_of(*setup_, response)};
+        outcome.similarity = min_similarity(outcome.misfits);
+    }
+    const Genome final = final_genome(genome, outcome);
+    if (level == level::made)
+        outcome.similarity = std::min(outcome.similarity, errors_->similarity({exactly(*setup_), final}));
+    outcome.excess = excess(final, setup_->model.grid, setup_->limits);
+    return outcome;
+}
+
+std::vector<Response> DesignProblem::responses_of(const Genome& genome) const {
     auto responses = memory_ ? memory_->find(key(genome)) : std::nullopt;
     if (!responses) {
         responses =
@@ -174,11 +194,7 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome) const {
         if (memory_)
             memory_->keep(key(genome), *responses);
     }
-    const DesignResponse response = scored(*setup_, std::move(*responses));
-    Outcome outcome{response.scale, misfits_of(*setup_, response), 0, genome};
-    outcome.genome = final_genome(genome, outcome);
-    outcome.excess = excess(outcome.genome, setup_->model.grid, setup_->limits);
-    return outcome;
+    return *responses;
 }
 
 bool DesignProblem::valid(const Genome& genome) const {
@@ -191,10 +207,13 @@ bool DesignProblem::valid(const Genome& genome) const {
 }
 
 bool DesignProblem::valid_outcome(const Outcome& outcome) const {
-    Genome genome = outcome.genome;
-    genome.scale = 1; // an outcome of an impossible scale has failed
-    return valid(genome) &&
-           std::ranges::equal(outcome.misfits, setup_->targets, {}, &Eigen::VectorXd::size, &Target::points);
+    const std::size_t targets = setup_->targets.size(), found = outcome.misfits.size();
+    if (!(outcome.scale > 0) || !std::isfinite(outcome.scale) || (found != targets && found != 4 * targets))
+        return false;
+    for (std::size_t t = 0; t < found; ++t)
+        if (outcome.misfits[t].size() != setup_->targets[t % targets].points())
+            return false;
+    return true;
 }
 
 std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }

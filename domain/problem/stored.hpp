@@ -27,8 +27,8 @@ struct nlohmann::adl_serializer<Eigen::VectorXd> {
 
 namespace rough {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOutcome, scale, misfits, excess, genome)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Grid, nodes, length, periodic, from, rows, width)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignOutcome, scale, misfits, excess, similarity)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Grid, nodes, length, periodic, from, rows, width, from_y)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layer, thickness, modulus, poissons_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Layering, layers, rigid_base, poissons_ratio)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Body, kernel, effective_modulus, datum, strip_width, hardness, layering)

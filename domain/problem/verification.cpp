@@ -145,15 +145,6 @@ void Verifier::verify(const Genome& genome, Verification& result) const {
                                  1, 3);
 }
 
-Verification Verifier::remembered(const Genome& genome) const {
-    if (auto before = known(genome))
-        return *before;
-    Verification found = of(genome);
-    if (!std::isnan(found.worst()))
-        known_.keep(key_of(setup_, genome), found);
-    return found;
-}
-
 Verification Verifier::of(const Genome& genome) const {
     const ga::Stopwatch clock;
     Verification result;
@@ -172,6 +163,8 @@ Verification Verifier::of(const Genome& genome) const {
     result.more_steps = likeness(2);
     result.both = likeness(3) - result.reading_error;
     result.seconds = clock.seconds();
+    if (!std::isnan(result.worst()))
+        known_.keep(key_of(setup_, genome), result);
     return result;
 }
 

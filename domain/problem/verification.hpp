@@ -40,9 +40,7 @@ class Verifier {
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.
     Verification of(const Genome& genome) const;
-    /// The result of of(). The last 32 complete verifications are stored.
-    Verification remembered(const Genome& genome) const;
-    /// A genome's stored verification, or nothing.
+    /// A genome's verification among the last 32 complete ones, or nothing.
     std::optional<Verification> known(const Genome& genome) const {
         return known_.find(key_of(setup_, genome));
     }

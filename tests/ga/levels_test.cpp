@@ -3,6 +3,7 @@
 #include "ga/refinement/levenberg_marquardt.hpp"
 #include "ga/refinement/refinement.hpp"
 #include "ga/selection/selection.hpp"
+#include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
 
 #include <atomic>

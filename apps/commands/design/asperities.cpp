@@ -143,6 +143,7 @@ json answer_json(const CapRun& run) {
                 {"search_seconds", run.found.seconds},
                 {"curves", run.found.counters.evaluations},
                 {"gradients", run.found.counters.gradients},
+                {"price", run.found.counters.price},
                 {"verification",
                  {{"loads", json::array()},
                   {"area_error", verified.area_error},

@@ -309,6 +309,7 @@ class Paper {
         run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
         run.curves = result.counters.evaluations;
         run.gradients = result.counters.gradients;
+        run.price = result.counters.price;
         return true;
     }
 

@@ -97,13 +97,10 @@ TEST_CASE("a stopped evaluation of a map is reported as stopped, not as a failed
     std::mt19937_64 random(76);
     DesignSetup setup = area_setup(Kernel::periodic);
     const Genome genome = fitted_genome(random, setup, 3);
-    const DesignOutcome outcome = DesignProblem(setup).evaluate(genome);
     setup.model.contact.stop = [] { return true; };
     const DesignProblem problem(setup);
-    CHECK_THROWS_AS(problem.evaluate(genome), ga::Stopped);
-    for (const auto& objective : problem.objectives())
-        if (objective.name == "verified" || objective.name == "more_steps")
-            CHECK_THROWS_AS(objective.fitness(outcome), ga::Stopped);
+    for (const ga::Level level : {level::search, level::more_steps, level::verified, level::made})
+        CHECK_THROWS_AS(problem.evaluate(genome, level), ga::Stopped);
 }
 
 TEST_CASE("margins of two crossed waves are the slope, height and radius of both", "[areas]") {
@@ -153,4 +150,21 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     setup.limits = {setup.limits.shortest_wave, 0.8 * has[1].value, 0.7 * has[2].value, 1.2 * has[3].value};
     CHECK(DesignProblem(setup).evaluate(genome).excess > 0.5);
     check_jacobian(setup, genome, "similarity");
+}
+
+TEST_CASE("levels cost what their grids and steps do, and a coarser problem less in the same unit") {
+    for (const bool is_map : {false, true}) {
+        DesignSetup setup = is_map ? area_setup(Kernel::free) : rough::testing::drawn_setup(128);
+        const DesignProblem problem(setup);
+        const auto& prices = problem.levels();
+        REQUIRE(prices.size() == 4);
+        CHECK(prices[0].evaluation == 1);
+        CHECK(prices[1].evaluation > 1.5);                      // four times the steps
+        CHECK(prices[2].evaluation > 4 * prices[1].evaluation); // and a finer grid
+        CHECK(prices[3].evaluation == 1);                       // no errors
+        DesignSetup coarse = setup;
+        coarse.model.grid.nodes /= 2;
+        CHECK(DesignProblem(coarse, nullptr, 1, setup.model).levels()[0].evaluation < 0.9);
+        CHECK(DesignProblem(coarse).levels()[0].evaluation == 1);
+    }
 }

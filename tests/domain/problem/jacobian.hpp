@@ -25,7 +25,7 @@ inline Genome fitted_genome(std::mt19937_64& random, const DesignSetup& setup, s
 inline double fitness(const DesignProblem& problem, const Genome& genome, const std::string& name) {
     for (const auto& objective : problem.objectives())
         if (objective.name == name)
-            return objective.fitness(problem.evaluate(genome));
+            return objective.fitness(problem.evaluate(genome, objective.level));
     FAIL("no objective " << name);
     return 0;
 }

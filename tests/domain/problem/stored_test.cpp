@@ -42,7 +42,7 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, similarity, ridges,
            errors] = other;
     auto& [grid, body, loading, contact, accuracy] = model;
-    auto& [nodes, length, periodic, from, rows, width] = grid;
+    auto& [nodes, length, periodic, from, rows, width, from_y] = grid;
     auto& [kernel, modulus, datum, strip_width, hardness, layering] = body;
     auto& [steps, reach, to_pressure, to_displacement, pressures] = loading;
     const auto may_affect = [&](auto& number) {
@@ -63,8 +63,8 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
         number = before;
     };
     const auto each_affects = [&](auto&... numbers) { (affects(numbers), ...); };
-    each_affects(accuracy, length, from, width, modulus, hardness, tolerance, memory_limit, H_from, H_to,
-                 gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope,
+    each_affects(accuracy, length, from, width, from_y, modulus, hardness, tolerance, memory_limit, H_from,
+                 H_to, gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope,
                  height, radius, noise, noise_length, tilt, similarity, *max_pressure, *threshold,
                  targets[0].weight, like->spacing, nodes, rows, steps, ridges, layering.poissons_ratio);
     other.model.body.kernel = Kernel::periodic;

@@ -1,0 +1,58 @@
+#include "domain/problem/prices.hpp"
+
+#include "domain/problem/verification.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace rough {
+
+namespace {
+
+/// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor, and
+/// the exponent with which it grows with the number of load steps (benchmark_prices, tests/benchmarks).
+struct CurveTimes {
+    double nodes;                ///< number of nodes of the first entry
+    double factor;               ///< factor of nodes from one entry to the next
+    std::array<double, 8> times; ///< ms
+    double exponent;             ///< of the number of load steps
+};
+constexpr CurveTimes of_lines{128, 2, {0.092, 0.21, 0.48, 1.02, 3.0, 12, 50, 165}, 0.75};
+constexpr CurveTimes of_maps{256, 4, {1.1, 3.1, 60, 180, 760, 3300, 14000, 60000}, 0.6};
+
+/// Price of a derivative of a curve in such curves.
+constexpr double gradient_price = 1.4;
+
+/// The time of a model's curve, ms. Between entries and beyond them it is a power of the number of nodes.
+double curve_time(const Model& model) {
+    const CurveTimes& of = model.grid.is_2d() ? of_maps : of_lines;
+    const double place =
+        std::log(static_cast<double>(model.grid.shape().nodes()) / of.nodes) / std::log(of.factor);
+    const auto left = static_cast<std::size_t>(
+        std::clamp(std::floor(place), 0.0, static_cast<double>(of.times.size() - 2)));
+    const double share = place - static_cast<double>(left);
+    const double steps = model.loading.pressures.empty()
+                             ? model.loading.steps
+                             : static_cast<double>(model.loading.pressures.size());
+    return of.times[left] * std::pow(of.times[left + 1] / of.times[left], share) *
+           std::pow(steps / 20, of.exponent);
+}
+
+} // namespace
+
+double relative_price(const Model& model, const Model& unit) { return curve_time(model) / curve_time(unit); }
+
+std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws) {
+    Model finer = model;
+    finer.loading.steps *= verified_refinement;
+    const double search = relative_price(model, unit), more_steps = relative_price(finer, unit),
+                 verified = more_steps + relative_price(refined(finer, verified_refinement), unit),
+                 made = search * static_cast<double>(1 + draws);
+    std::vector<ga::LevelPrice> prices;
+    for (const auto& [name, price] :
+         {std::pair("search", search), {"more_steps", more_steps}, {"verified", verified}, {"made", made}})
+        prices.push_back({name, price, gradient_price * price});
+    return prices;
+}
+
+} // namespace rough

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "domain/response/response.hpp"
+#include "ga/problem/problem.hpp"
+
+namespace rough {
+
+/// The time of one contact curve relative to that of another model, by a table that was measured once
+/// (tests/benchmarks/README.md). It depends on the numbers of nodes and of load steps, and on whether the
+/// surface is a map, never on a clock.
+double relative_price(const Model& model, const Model& unit);
+
+/// Names and prices of the levels of a design (namespace level) in curves of `unit`. `draws` is the number of
+/// common errors of the level `made`.
+std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws);
+
+} // namespace rough
