@@ -45,7 +45,9 @@ Setting resistivity_setting() {
 }
 
 rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
-    rough::TargetScales scales{.nominal_area = model.grid.is_2d() ? model.grid.nominal_area() : 0};
+    rough::TargetScales scales;
+    if (model.grid.is_2d())
+        scales.nominal_area = model.grid.nominal_area();
     if (settings.has("resistivity")) // C = 2 K_i/(E* (rho1 + rho2))
         scales.conductance_to_stiffness = 0.5 * model.body.effective_modulus * settings.number("resistivity");
     if (settings.knows("shear-strength"))

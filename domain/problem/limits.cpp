@@ -121,9 +121,9 @@ std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, con
         const bool up = e.max >= -e.min;
         result.push_back({e.largest() / limit, order, {{(up ? 1 : -1) / limit, up ? e.at_max : e.at_min}}});
     };
-    if (limits.max_slope > 0)
+    if (limits.max_slope < MakingLimits::none)
         largest(1, limits.max_slope);
-    if (limits.max_height > 0) {
+    if (limits.max_height < MakingLimits::none) {
         const Extremes e = extremes(all, grid, 0);
         result.push_back({e.range() / limits.max_height,
                           0,

@@ -33,28 +33,30 @@ std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach
 std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to,
                                           PhaseReach reach = {});
 
-/// Limits of manufacturing. 0: no limit.
+/// Limits of manufacturing. By default nothing is limited.
 struct MakingLimits {
-    double shortest_wave = 0; ///< shortest wavelength, mm
-    double max_slope = 0;     ///< largest |dZ/dx| of a profile, or gradient of a map
-    double max_height = 0;    ///< largest height range max Z - min Z, mm
+    static constexpr double none = std::numeric_limits<double>::infinity(); ///< no upper limit
+    double shortest_wave = 0;                                               ///< shortest wavelength, mm
+    double max_slope = none;  ///< largest |dZ/dx| of a profile, or gradient of a map
+    double max_height = none; ///< largest height range max Z - min Z, mm
     double min_radius = 0;    ///< smallest radius of curvature 1/|d2Z/dx2|, in any direction of a map, mm
 
     /// Whether slope, height or radius is limited, not only the wavelengths.
-    bool any_shape() const { return max_slope > 0 || max_height > 0 || min_radius > 0; }
+    bool any_shape() const { return max_slope < none || max_height < none || min_radius > 0; }
 };
 
 /// A limit and the genome's value.
 struct Margin {
     std::string name; ///< "shortest_wave_mm", "slope", "height_mm", "radius_mm"
-    double limit;     ///< the limit; 0: not set
+    double limit;     ///< the limit; 0 or infinity if there is none
     double value;     ///< the genome's value, or a bound of it that errs on the safe side
     bool is_lower;    ///< whether the limit is a lower limit
     /// Whether the value keeps the limit.
-    bool holds() const { return limit == 0 || (is_lower ? value >= limit : value <= limit); }
+    bool holds() const { return is_lower ? value >= limit : value <= limit; }
+    bool is_limited() const { return limit > 0 && limit < MakingLimits::none; } ///< whether there is a limit
     /// The relative distance from the limit: 1 - value/limit, for a lower limit 1 - limit/value. It is
     /// negative beyond the limit, and 1 without a limit.
-    double margin() const { return limit == 0 ? 1 : (is_lower ? 1 - limit / value : 1 - value / limit); }
+    double margin() const { return 1 - (is_lower ? limit / value : value / limit); }
 };
 
 /// A genome's shortest wavelength, largest slope, height range and smallest radius of curvature over [0,

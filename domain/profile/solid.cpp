@@ -23,9 +23,8 @@ constexpr double min_levels = 256, levels = 16777216;
 /// The width of the solid in the second direction, mm.
 double width_of(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, rows] = surface.shape();
-    return surface.is_2d()        ? surface.row_spacing * static_cast<double>(rows)
-           : extrusion.width != 0 ? extrusion.width
-                                  : surface.spacing * static_cast<double>(columns - 1) / 4;
+    return surface.is_2d() ? surface.row_spacing * static_cast<double>(rows)
+                           : extrusion.width.value_or(surface.spacing * static_cast<double>(columns - 1) / 4);
 }
 
 /// Where the heights of a solid stand along one axis.
@@ -62,9 +61,8 @@ SolidAxis line_axis(Index nodes, double spacing) {
 Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto [nodes, map_rows] = surface.shape();
     const bool is_2d = surface.is_2d();
-    if (is_2d && (extrusion.width != 0 || nodes < 2 || map_rows < 2))
-        refuse("solid: a map of ", nodes, " x ", map_rows, " heights",
-               extrusion.width != 0 ? " and a width" : "",
+    if (is_2d && (extrusion.width || nodes < 2 || map_rows < 2))
+        refuse("solid: a map of ", nodes, " x ", map_rows, " heights", extrusion.width ? " and a width" : "",
                "; give 2 x 2 or more without a width: maps are as wide as they are");
     const double lowest = surface.heights.minCoeff(), range = surface.heights.maxCoeff() - lowest;
     const double width = width_of(surface, extrusion);
@@ -75,8 +73,7 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
     const auto columns = static_cast<Index>(along_x.at.size()), rows = static_cast<Index>(along_y.at.size());
     const double length = along_x.length();
     const double thickest = range * levels / min_levels;
-    const double base =
-        extrusion.base != 0 ? extrusion.base : std::max(range, std::min(length / 10, thickest / 4));
+    const double base = extrusion.base.value_or(std::max(range, std::min(length / 10, thickest / 4)));
     const double m = extrusion.magnify;
     for (const auto& [name, value] : {std::pair("magnification", m), {"width", width}, {"base", base}})
         if (!(value > 0) || !std::isfinite(value))

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,9 +12,11 @@ namespace rough {
 
 /// Sizes of the solid that is made from a surface, to be printed or meshed.
 struct Extrusion {
-    double width = 0; ///< size of a profile's solid in the second direction, mm; 0: a quarter of its length
-    double base = 0;  ///< thickness below the lowest node, mm; 0: the larger of the height range and a tenth
-                      ///< of the length, or less so that single precision resolves the heights
+    /// Size of a profile's solid in the second direction, mm. Default: a quarter of its length.
+    std::optional<double> width = {};
+    /// Thickness below the lowest node, mm. Default: the larger of the height range and a tenth of the
+    /// length, or less so that single precision resolves the heights.
+    std::optional<double> base = {};
     double magnify = 1;  ///< factor on all lengths, > 0
     double layer = 0.05; ///< height of a printer's layers, mm; the solid does not depend on it
     bool periodic =

@@ -77,11 +77,11 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
         throw InputError(file + ": column \"" + name + "\" cannot be read; " + fix);
     };
     const auto over_area = [&](Factor factor) -> Factor {
-        if (factor && !(scales.nominal_area > 0))
+        if (factor && !scales.nominal_area)
             refuse(
                 "give a pressure or contact_fraction, as a profile has no area, or --nodes and --length as "
                 "pairs");
-        return factor ? Factor(*factor / scales.nominal_area) : std::nullopt;
+        return factor ? Factor(*factor / *scales.nominal_area) : std::nullopt;
     };
     if (name == "conductance") {
         if (!scales.conductance_to_stiffness)

@@ -79,7 +79,7 @@ TargetTable read_target_table(const std::filesystem::path& file);
 
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
-    double nominal_area = 0; ///< mm^2; 0 for a line: columns of loads or contact areas are refused
+    std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
     /// E* (rho_1 + rho_2)/2, with the resistivities rho of the bodies (Barber 2003).
     std::optional<double> conductance_to_stiffness = {};
     /// Shear strength sigma, MPa: the friction is sigma times the contact area.

@@ -115,9 +115,9 @@ json design_json(const DesignRun& run) {
     answer["margins"] = json::array();
     for (const auto& margin : run.margins)
         answer["margins"].push_back({{"name", margin.name},
-                                     {"limit", margin.limit > 0 ? json(margin.limit) : json()},
+                                     {"limit", margin.is_limited() ? json(margin.limit) : json()},
                                      {"value", margin.value},
-                                     {"margin", margin.limit > 0 ? json(margin.margin()) : json()},
+                                     {"margin", margin.is_limited() ? json(margin.margin()) : json()},
                                      {"holds", margin.holds()}});
     result["limits_given"] = run.limits_given;
     answer["within_limits"] = run.found.best.within_limits;

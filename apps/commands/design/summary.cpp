@@ -200,7 +200,7 @@ std::string in_words(const rough::Margin& margin) {
     std::string name = margin.name.substr(0, margin.name.size() - unit.size());
     std::ranges::replace(name, '_', ' ');
     name += " " + readable(margin.value) + unit;
-    if (margin.limit <= 0)
+    if (!margin.is_limited())
         return name;
     return name + (margin.holds() ? " (limit " : " (beyond the limit ") + readable(margin.limit) + unit + ")";
 }
@@ -209,9 +209,9 @@ std::string in_words(const rough::Margin& margin) {
 std::string making(const DesignRun& run) {
     std::string limited, free;
     for (rough::Margin margin : run.margins) {
-        if (!run.limits_given)
+        if (!run.limits_given && margin.is_lower)
             margin.limit = 0; // the default shortest wave is the grid's
-        join(margin.limit > 0 ? limited : free, in_words(margin), ", ");
+        join(margin.is_limited() ? limited : free, in_words(margin), ", ");
     }
     if (!run.limits_given)
         return "not known, as no limit was given: " + free +
@@ -302,7 +302,7 @@ std::string obstacles(const DesignRun& run) {
                       " of " + brief(nodes, 9) + " nodes, so half a node changes it by " +
                       percent(0.5 / wanted) + ": use more --nodes");
     for (const rough::Margin& margin : run.margins)
-        if (margin.limit > 0 && margin.margin() < 0.05)
+        if (margin.is_limited() && margin.margin() < 0.05)
             join(all, in_words(margin) + (margin.holds() ? " is close to its limit" : " violates its limit"));
     if (!run.found.best.is_verified() && !run.interrupted)
         join(all, "the time did not suffice to verify the answer: give more --seconds, or fewer --nodes");

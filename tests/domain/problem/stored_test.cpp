@@ -35,6 +35,7 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     DesignSetup setup;
     setup.targets = {Target{}}, setup.phases = PhaseReach(), setup.like = Profile();
     setup.max_pressure = setup.threshold = setup.model.body.hardness = 1;
+    setup.limits = {1, 1, 1, 1};
     DesignSetup other = setup;
     other.targets[0].name = "elsewhere/target.csv";
     CHECK(description(other) == description(setup));
