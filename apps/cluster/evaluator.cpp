@@ -98,7 +98,8 @@ std::unique_ptr<ga::Evaluator<DesignProblem>> design_evaluator(int threads) {
 }
 
 cluster::Work responses_under(const json& setting) {
-    const rough::DatabaseSetup setup = rough::setup_from(setting.get<rough::Fields>(), "the genome database");
+    const rough::DatabaseSetup setup =
+        rough::setup_from(setting.get<rough::NamedValues>(), "the genome database");
     return [setup](const json& genome) -> json {
         return {genome, rough::response_for(setup, genome.get<std::uint64_t>())};
     };
@@ -106,7 +107,7 @@ cluster::Work responses_under(const json& setting) {
 
 rough::Computing computing_on_ranks(int threads) {
     return [threads](const rough::DatabaseSetup& setup, const rough::Orders& orders) {
-        cluster::Job job{"responses", rough::fields(setup), threads, orders.count, {}, {}, orders.ended};
+        cluster::Job job{"responses", rough::named_values(setup), threads, orders.count, {}, {}, orders.ended};
         job.task = [&](std::size_t) -> std::optional<json> { return orders.next(); };
         job.take = [&](std::size_t, const json& answer) {
             auto found = answer.at(1).get<rough::Response>();

@@ -1,6 +1,6 @@
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/targets.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/csv.hpp"
@@ -91,10 +91,10 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
 }
 
 /// A surface and its response.
-struct Pressed {
+struct ContactResult {
     rough::Profile surface;
     rough::Model model;
-    rough::AccountedResponse result;
+    rough::ReportedResponse result;
     std::vector<std::string> notes;          ///< on the input, and on limits of the model; "": none
     bool is_measured;                        ///< a scan or map, not a genome
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
@@ -104,37 +104,37 @@ struct Pressed {
 };
 
 /// The surface whose nodes last_contact names: the line, if one line answered for the map.
-rough::Profile pressed_surface(const Pressed& pressed) {
-    return pressed.result.account.by_line ? rough::line_of_map(pressed.surface).line : pressed.surface;
+rough::Profile contact_surface(const ContactResult& found) {
+    return found.result.account.by_line ? rough::line_of_map(found.surface).line : found.surface;
 }
 
 /// Adds the band of a scan or map, and the reasons to doubt a curve: outliers that carry the contact,
 /// pressures beyond the material.
-void add_doubts(Pressed& pressed, const Settings& settings) {
-    const auto& [response, account, contact] = pressed.result;
-    if (pressed.is_measured) {
-        pressed.band = resolution_band(pressed.surface, pressed.model, response, resolution_from(settings));
-        pressed.unresolved = resolution_warning(response);
+void add_doubts(ContactResult& found, const Settings& settings) {
+    const auto& [response, account, contact] = found.result;
+    if (found.is_measured) {
+        found.band = resolution_band(found.surface, found.model, response, resolution_from(settings));
+        found.unresolved = resolution_warning(response);
     }
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::ranges::find(touching, node) != touching.end();
     };
-    if (const auto& all = pressed.outliers; std::ranges::any_of(all, touches)) {
-        const rough::OutlierCost cost = outlier_cost(pressed.surface, all, pressed.model, response);
+    if (const auto& all = found.outliers; std::ranges::any_of(all, touches)) {
+        const rough::OutlierCost cost = outlier_cost(found.surface, all, found.model, response);
         if (cost.matters())
-            pressed.warnings.push_back("outliers carry the contact: without them the contact is " +
-                                       readable(cost.contact_fraction) + " times and the stiffness " +
-                                       readable(cost.stiffness) + " times as large at " +
-                                       readable(cost.pressure) + " MPa; set --outliers remove");
+            found.warnings.push_back("outliers carry the contact: without them the contact is " +
+                                     readable(cost.contact_fraction) + " times and the stiffness " +
+                                     readable(cost.stiffness) + " times as large at " +
+                                     readable(cost.pressure) + " MPa; set --outliers remove");
     }
-    if (!pressed.unresolved.empty())
-        pressed.warnings.push_back(pressed.unresolved);
-    const double limit = elastic_limit(settings, pressed.model.body);
+    if (!found.unresolved.empty())
+        found.warnings.push_back(found.unresolved);
+    const double limit = elastic_limit(settings, found.model.body);
     if (std::isinf(limit))
         return;
-    const rough::ElasticEnd end = elastic_end(pressed_surface(pressed), pressed.model, response, limit);
+    const rough::ElasticEnd end = elastic_end(contact_surface(found), found.model, response, limit);
     if (end.is_reached(response))
-        pressed.warnings.push_back(
+        found.warnings.push_back(
             "elastic theory is not valid from a mean pressure of " + readable(response.pressure[end.step]) +
             " MPa on: node pressures exceed " + readable(limit) + " MPa (" +
             (settings.has("material") ? "the hardness of " + settings.text("material")
@@ -144,13 +144,13 @@ void add_doubts(Pressed& pressed, const Settings& settings) {
 }
 
 /// The contact of a scan or map at the last load, with `words` on it, and whether its spots are resolved.
-nlohmann::json resolution_json(const Pressed& pressed) {
-    const auto& [low_area, high_area, low, high, omitted] = pressed.band;
-    const Index last = pressed.result.response.steps() - 1;
-    const auto nodes = static_cast<Index>(pressed.result.response.spot_width[last]);
-    nlohmann::json values{{"spot_width_nodes", nodes}, {"is_resolved", pressed.unresolved.empty()}};
+nlohmann::json resolution_json(const ContactResult& found) {
+    const auto& [low_area, high_area, low, high, omitted] = found.band;
+    const Index last = found.result.response.steps() - 1;
+    const auto nodes = static_cast<Index>(found.result.response.spot_width[last]);
+    nlohmann::json values{{"spot_width_nodes", nodes}, {"is_resolved", found.unresolved.empty()}};
     std::string words = "band not computed" + (omitted.empty() ? "" : " (" + omitted + ")");
-    if (pressed.band.is_computed()) {
+    if (found.band.is_computed()) {
         values["band"] = {{"contact_fraction_low", low_area[last]},
                           {"contact_fraction_high", high_area[last]},
                           {"stiffness_low_MPa_per_mm", low[last]},
@@ -167,20 +167,20 @@ nlohmann::json resolution_json(const Pressed& pressed) {
 
 /// The numbers of nodes of the contact spots of a map at the last load step, the largest first. Those of a
 /// line that answered for the map are as wide as the map.
-Eigen::VectorXd spots_of(const Pressed& pressed) {
-    const rough::Extent shape = pressed_surface(pressed).shape();
-    const auto sizes = rough::group_sizes(pressed.result.last_contact, shape, pressed.model.grid.periodic);
+Eigen::VectorXd spots_of(const ContactResult& found) {
+    const rough::Extent shape = contact_surface(found).shape();
+    const auto sizes = rough::group_sizes(found.result.last_contact, shape, found.model.grid.periodic);
     Eigen::VectorXd nodes(static_cast<Index>(sizes.size()));
     std::copy(sizes.begin(), sizes.end(), nodes.begin());
-    return nodes * static_cast<double>(pressed.surface.nodes() / shape.nodes());
+    return nodes * static_cast<double>(found.surface.nodes() / shape.nodes());
 }
 
-Pressed pressed_area(const Settings& settings) {
-    AreaScene scene = area_from(settings);
+ContactResult map_result(const Settings& settings) {
+    MapScene scene = map_from(settings);
     rough::Model& model = scene.model;
     model = within_accuracy(loaded(model, settings), settings);
     const bool is_measured = !settings.has("genome");
-    rough::AccountedResponse result = respond_within(scene.map, model);
+    rough::ReportedResponse result = respond_within(scene.map, model);
     model.contact.tolerance = result.account.tolerance;
     if (is_measured && model.grid.periodic)
         scene.notes.push_back(jump_note(scene.map));
@@ -196,12 +196,12 @@ std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
                              : "";
 }
 
-Pressed pressed(const Settings& settings) {
+ContactResult line_result(const Settings& settings) {
     Source source = source_from(settings);
     rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
     if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
         model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
-    rough::AccountedResponse result =
+    rough::ReportedResponse result =
         source.genome ? respond_within(*source.genome, model) : respond_within(source.on(model.grid), model);
     model.contact.tolerance = result.account.tolerance;
     rough::Profile profile = source.on(model.grid);
@@ -262,7 +262,7 @@ CurveFiles files_from(const Settings& settings, bool is_2d) {
 }
 
 /// Writes CURVE.csv and the other files, the page last.
-void write_files(const CurveFiles& files, const Pressed& found, const std::vector<std::string>& notes,
+void write_files(const CurveFiles& files, const ContactResult& found, const std::vector<std::string>& notes,
                  const Settings& settings) {
     const rough::Response& response = found.result.response;
     rough::write_atomically(files.curve, csv(response, found.is_measured ? &found.band : nullptr));
@@ -323,9 +323,9 @@ int contact(const Settings& settings, const std::string&) {
     if (settings.has("friction") && settings.has("hardness"))
         rough::refuse(
             "--friction: given with --hardness; give one of them, as partial slip rests on elastic contact");
-    const bool is_2d = asks_for_area(settings);
+    const bool is_2d = asks_for_map(settings);
     const CurveFiles files = files_from(settings, is_2d);
-    Pressed found = is_2d ? pressed_area(settings) : pressed(settings);
+    ContactResult found = is_2d ? map_result(settings) : line_result(settings);
     add_doubts(found, settings);
     std::vector<std::string> notes = found.notes;
     if (found.is_measured)

@@ -14,8 +14,8 @@ namespace app {
 
 namespace {
 
-Fields fields_of(rough::GenomeDistribution& law) {
-    Fields fields{
+Bindings bindings_of(rough::GenomeDistribution& law) {
+    Bindings bindings{
         {ga::whole("series", std::to_string(law.series), 1, "number of series of a genome").up_to(16),
          law.series},
         {ga::whole("ridges", std::to_string(law.ridges), 1, "ridges M of each chromosome").up_to(1000),
@@ -23,7 +23,7 @@ Fields fields_of(rough::GenomeDistribution& law) {
         {positive("shortest-wave", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
         {ga::whole("seed", std::to_string(law.seed), 0, "seed of the genomes").up_to(0x1p53), law.seed},
     };
-    return with_bounds(std::move(fields), law, 1 + 1e-9); // the domain limits the number of waves
+    return with_bounds(std::move(bindings), law, 1 + 1e-9); // the domain limits the number of waves
 }
 
 const Setting file_setting{"file", "", "the database (may be given without the flag)"};
@@ -37,7 +37,7 @@ std::filesystem::path given_file(const Settings& settings) {
 /// The settings that decide the genomes and responses of a database.
 std::vector<Setting> setup_settings() {
     rough::GenomeDistribution usual;
-    return joined({settings_of(fields_of(usual)), model_settings()});
+    return joined({settings_of(bindings_of(usual)), model_settings()});
 }
 
 bool any_given(const Settings& settings, const std::vector<Setting>& of) {
@@ -46,13 +46,13 @@ bool any_given(const Settings& settings, const std::vector<Setting>& of) {
 
 int database_build(const Settings& settings, const std::string&) {
     rough::BuildOptions options;
-    take(settings, app::fields_of(options));
+    take(settings, app::bindings_of(options));
     if (!cluster::is_alone())
         options.computing = computing_on_ranks(options.threads);
 
     rough::GenomeStore store = database_from(given_file(settings), settings);
     const Interrupt interrupt;
-    Progress progress;
+    ProgressLine progress;
     const std::uint64_t before = store.stored();
     const ga::Stopwatch clock;
     options.go_on = [&](std::uint64_t stored) {
@@ -77,7 +77,7 @@ int database_info(const Settings& settings, const std::string&) {
     std::cout << "genomes " << store.stored() << "\nwithout_response " << failed << "\nbytes "
               << std::filesystem::file_size(store.file()) << "\nversion " << printable(store.version())
               << "\n";
-    for (const auto& [name, value] : rough::fields(store.setup()))
+    for (const auto& [name, value] : rough::named_values(store.setup()))
         std::cout << name << " " << value << "\n";
     return 0;
 }
@@ -129,7 +129,7 @@ int database_query(const Settings& settings, const std::string&) {
 
 } // namespace
 
-Fields fields_of(rough::BuildOptions& options) {
+Bindings bindings_of(rough::BuildOptions& options) {
     return {
         {ga::whole("genomes", std::to_string(options.genomes), 1, "number of genomes in the file at the end")
              .up_to(1e9),
@@ -148,7 +148,7 @@ Fields fields_of(rough::BuildOptions& options) {
 
 std::vector<Setting> build_settings() {
     rough::BuildOptions options;
-    return joined({settings_of(fields_of(options)), setup_settings()});
+    return joined({settings_of(bindings_of(options)), setup_settings()});
 }
 
 rough::GenomeStore database_from(const std::filesystem::path& file, const Settings& settings) {
@@ -157,7 +157,7 @@ rough::GenomeStore database_from(const std::filesystem::path& file, const Settin
     rough::DatabaseSetup setup{model_from(settings), {}};
     setup.law.lambda = setup.model.grid.length;
     setup.law.shortest = 8 * setup.model.grid.spacing();
-    take(settings, fields_of(setup.law));
+    take(settings, bindings_of(setup.law));
     expect_in_order(settings, {"hurst", "gamma"});
     rough::validate(setup.law);
     respond(rough::drawn(setup.law, 0), setup.model); // throws before a file is made

@@ -8,7 +8,7 @@
 namespace app {
 
 /// The parameters of a build, without those of the database.
-Fields fields_of(rough::BuildOptions& options);
+Bindings bindings_of(rough::BuildOptions& options);
 /// All parameters of a build: genomes, batch, threads, distribution and model.
 std::vector<Setting> build_settings();
 /// The database of the settings. An existing file keeps its set-up if no setting of a set-up is given.

@@ -43,7 +43,7 @@ constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 
 /// Searches for a surface or, in production, morphs one.
 DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std::vector<StageRecord>& stages,
-                       Progress& progress) {
+                       ProgressLine& progress) {
     DesignAnswer answer;
     if (task.from) {
         const Production& from = *task.from;
@@ -69,7 +69,7 @@ DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std
 }
 
 /// Checks the answer of a run whose whole time is `limit` (s).
-AnswerChecks checks_of(const DesignRun& run, double limit, Progress& progress) {
+AnswerChecks checks_of(const DesignRun& run, double limit, ProgressLine& progress) {
     const rough::Answer& best = run.found.best;
     rough::ToleranceOptions tolerance = run.tolerance_options;
     rough::TrustOptions trust = run.trust_options;
@@ -92,7 +92,7 @@ int design(const Settings& settings, const std::string& line) {
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
         for (const auto& account : run.accounts)
             say(account);
-        Progress progress;
+        ProgressLine progress;
         const double limit = run.options.seconds;
         const auto record = [&](const std::filesystem::path& to) {
             run.interrupted = interrupt.requested();

@@ -175,7 +175,7 @@ int optimise(const Settings& settings, const std::string& line) {
         return 0;
 
     const Interrupt interrupt;
-    Progress progress;
+    ProgressLine progress;
     Children children(settings.text("evaluate"), threads, timeout, folder / "evaluate.log");
     search.stop = &interrupt.flag();
     search.show = [&](const std::string& line) { progress.show(line); };

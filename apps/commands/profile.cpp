@@ -18,7 +18,7 @@ namespace app {
 namespace {
 
 /// The parameters --width, --base, --magnify and --layer-height.
-Fields fields_of(rough::Extrusion& extrusion) {
+Bindings bindings_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
         {positive("base", "",
@@ -54,7 +54,7 @@ std::vector<Setting> profile_settings() {
             .several(),
         pictures_setting(),
     };
-    return joined({surface_settings(), settings, settings_of(fields_of(usual)), scan_settings()});
+    return joined({surface_settings(), settings, settings_of(bindings_of(usual)), scan_settings()});
 }
 
 /// A text matrix as --surface reads it.
@@ -70,7 +70,7 @@ std::string matrix(const rough::Profile& map) {
 using Table = std::pair<std::string, std::function<std::string()>>;
 
 /// The description of a profile or a map.
-struct Description {
+struct SurfaceReport {
     std::string kind; ///< profile or surface, as its files are called
     std::shared_ptr<const rough::Profile> surface;
     rough::Spectrum spectrum;
@@ -85,7 +85,7 @@ struct Description {
     std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
 };
 
-Description described_profile(const Settings& settings) {
+SurfaceReport described_profile(const Settings& settings) {
     if (settings.has("profile") && settings.given("length"))
         rough::refuse("--length: given with a scan; omit it, as a scan has a length");
     const Source source = source_from(settings);
@@ -109,20 +109,20 @@ Description described_profile(const Settings& settings) {
     }
     const bool is_roughness = settings.has("lambda-c");
     const rough::Roughness r = rough::roughness(*profile, is_roughness ? settings.number("lambda-c") : 0);
-    Description all{.kind = "profile",
-                    .surface = profile,
-                    .spectrum = continuous_spectrum(*profile),
-                    .account = account + (jump.empty() ? "" : "\n" + jump),
-                    .warning = source.genome ? "" : resolution_warning(*profile, false),
-                    .rows = r.rows,
-                    .largest_height = r[is_roughness ? "Rt" : "Pt"],
-                    .numbers = {{"account", account},
-                                {"nodes", profile->nodes()},
-                                {"length_mm", profile->spacing * static_cast<double>(profile->nodes() - 1)},
-                                {"section_length_mm", r.section_length},
-                                {"sections", r.sections}},
-                    .tables = {},
-                    .pictures = {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}}};
+    SurfaceReport all{.kind = "profile",
+                      .surface = profile,
+                      .spectrum = continuous_spectrum(*profile),
+                      .account = account + (jump.empty() ? "" : "\n" + jump),
+                      .warning = source.genome ? "" : resolution_warning(*profile, false),
+                      .rows = r.rows,
+                      .largest_height = r[is_roughness ? "Rt" : "Pt"],
+                      .numbers = {{"account", account},
+                                  {"nodes", profile->nodes()},
+                                  {"length_mm", profile->spacing * static_cast<double>(profile->nodes() - 1)},
+                                  {"section_length_mm", r.section_length},
+                                  {"sections", r.sections}},
+                      .tables = {},
+                      .pictures = {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}}};
     all.tables = {{"heights.csv",
                    [=] {
                        return csv({"x_mm", "height_mm"}, {positions(*profile), profile->heights});
@@ -146,7 +146,7 @@ Description described_profile(const Settings& settings) {
 }
 
 /// Adds points of the material ratio curve, heights over the mean plane (mm), for --smr and --smc.
-void add_requested(Description& all, rough::Profile map, const Settings& settings) {
+void add_requested(SurfaceReport& all, rough::Profile map, const Settings& settings) {
     map.heights.array() -= map.heights.mean();
     const auto add = [&](const char* key, double ratio, double height, rough::SurfaceParameter row) {
         all.numbers[key].push_back({{"material_ratio", ratio}, {"height_mm", height}});
@@ -167,28 +167,28 @@ void add_requested(Description& all, rough::Profile map, const Settings& setting
     }
 }
 
-Description described_map(const Settings& settings) {
+SurfaceReport described_map(const Settings& settings) {
     const bool periodic = settings.is_on("periodic"), measured = settings.has("surface");
     rough::Map read = measured ? surface_from(settings) : sampled_from(settings, periodic);
     const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
     const rough::ArealParameters areal = areal_parameters(*map, periodic);
     const auto [nodes, rows] = map->shape();
-    Description all{.kind = "surface",
-                    .surface = map,
-                    .spectrum = continuous_spectrum(*map, periodic),
-                    .account = (measured ? settings.text("surface") + ": " : "") + read.account,
-                    .warning = measured ? resolution_warning(*map, periodic) : "",
-                    .rows = areal.rows,
-                    .largest_height = areal["Sz"],
-                    .numbers = {{"account", read.account},
-                                {"length_mm",
-                                 {map->spacing * static_cast<double>(nodes),
-                                  map->row_spacing * static_cast<double>(rows)}},
-                                {"nodes", {nodes, rows}},
-                                {"spacing_mm", {map->spacing, map->row_spacing}},
-                                {"Str_is_bound", areal.Str_is_bound}},
-                    .tables = {},
-                    .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
+    SurfaceReport all{.kind = "surface",
+                      .surface = map,
+                      .spectrum = continuous_spectrum(*map, periodic),
+                      .account = (measured ? settings.text("surface") + ": " : "") + read.account,
+                      .warning = measured ? resolution_warning(*map, periodic) : "",
+                      .rows = areal.rows,
+                      .largest_height = areal["Sz"],
+                      .numbers = {{"account", read.account},
+                                  {"length_mm",
+                                   {map->spacing * static_cast<double>(nodes),
+                                    map->row_spacing * static_cast<double>(rows)}},
+                                  {"nodes", {nodes, rows}},
+                                  {"spacing_mm", {map->spacing, map->row_spacing}},
+                                  {"Str_is_bound", areal.Str_is_bound}},
+                      .tables = {},
+                      .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
     all.tables = {{"heights.txt", [=] { return matrix(*map); }},
                   {"surface.vtk", [=] { return vtk(*map); }},
                   {"map.csv", [=] { return map_csv(*map, {"height_mm"}, {below_highest(*map)}); }},
@@ -202,7 +202,7 @@ Description described_map(const Settings& settings) {
 }
 
 /// KIND.json: each parameter under its key (`Pa_mm`), and under `parameters` all rows that the page shows.
-nlohmann::json numbers_of(const Description& of, const Settings& settings, const std::string& name,
+nlohmann::json numbers_of(const SurfaceReport& of, const Settings& settings, const std::string& name,
                           const std::vector<std::string>& files, const rough::Extrusion& extrusion) {
     const auto cut_off = [&](const char* flag) {
         return settings.has(flag) ? nlohmann::json(settings.number(flag)) : nullptr;
@@ -241,7 +241,7 @@ void print_parameters(const std::vector<rough::SurfaceParameter>& all, double la
 }
 
 /// Writes all files of a description; a picture that cannot be drawn is left out.
-void write_description(const Description& of, const std::filesystem::path& source, const Settings& settings,
+void write_description(const SurfaceReport& of, const std::filesystem::path& source, const Settings& settings,
                        const rough::Extrusion& extrusion) {
     std::vector<std::string> names{of.kind + ".json", of.kind + ".x3p",     of.kind + ".stl",
                                    of.kind + ".3mf",  of.kind + ".png",     of.kind + "-scale.json",
@@ -292,8 +292,8 @@ void write_description(const Description& of, const std::filesystem::path& sourc
 int profile(const Settings& settings, const std::string&) {
     const std::string given = the_given(settings, surface_names, "profile");
     rough::Extrusion extrusion;
-    take(settings, fields_of(extrusion));
-    const bool is_map = given == "surface" || (given == "genome" && asks_for_area(settings));
+    take(settings, bindings_of(extrusion));
+    const bool is_map = given == "surface" || (given == "genome" && asks_for_map(settings));
     for (const std::string name : {"periodic", "smr", "smc"})
         if (!is_map && settings.given(name))
             rough::refuse("--", name, ": given without a map; give --surface or --nodes NXxNY too");

@@ -1,6 +1,6 @@
 #include "apps/commands/commands.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/targets.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
@@ -50,9 +50,9 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
             rough::refuse("--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const rough::Model model = model_from(settings);
-        rough::Target goal = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
-        goal.recorded = recorded_model(model);
-        return {std::move(goal), model};
+        rough::Target target = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
+        target.recorded = recorded_model(model);
+        return {std::move(target), model};
     }
     const Source source = source_from(settings, "like");
     if (!source.account.empty())
@@ -73,14 +73,14 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
 }
 
 /// Describes the target and returns the exit code: 3 if no profile can reach it.
-int report(const rough::Target& goal, const rough::Model& model, const Settings& settings) {
-    const rough::Columns columns = columns_of(goal.quantity);
-    say(goal.name + ": " + std::to_string(goal.points()) + " points of " + columns.y + " from " +
-        readable(goal.y.minCoeff(), 4) + " to " + readable(goal.y.maxCoeff(), 4) + " against " + columns.x +
-        " up to " + readable(goal.last(), 4) + (goal.has_band() ? ", with a band" : ""));
+int report(const rough::Target& target, const rough::Model& model, const Settings& settings) {
+    const rough::Columns columns = columns_of(target.quantity);
+    say(target.name + ": " + std::to_string(target.points()) + " points of " + columns.y + " from " +
+        readable(target.y.minCoeff(), 4) + " to " + readable(target.y.maxCoeff(), 4) + " against " +
+        columns.x + " up to " + readable(target.last(), 4) + (target.has_band() ? ", with a band" : ""));
     if (!states_modulus(settings))
         say(modulus_note);
-    const auto reasons = rough::out_of_reach({goal}, model);
+    const auto reasons = rough::out_of_reach({target}, model);
     for (const auto& reason : reasons)
         say(reason.verdict() + "; no similarity is above " + readable(reason.bound, 4));
     return reasons.empty() ? 0 : 3;
@@ -121,24 +121,24 @@ int target(const Settings& settings, const std::string&) {
     }
     if (source == "check") {
         const rough::Model model = model_from(settings);
-        const rough::Target goal = goal_from(settings, settings.text("check"), model);
-        for (const auto& note : notes_on(settings, model, {goal}))
+        const rough::Target target = target_from(settings, settings.text("check"), model);
+        for (const auto& note : notes_on(settings, model, {target}))
             say(note);
-        return report(goal, model, settings);
+        return report(target, model, settings);
     }
     if (!settings.has("out"))
         rough::refuse("--out: missing; name the target file to write");
     const std::filesystem::path out = expect_writable(settings.text("out"), settings);
-    auto [goal, model] = made_target(settings);
+    auto [target, model] = made_target(settings);
     if (settings.has("band")) {
-        goal.lower = (1 - settings.number("band")) * goal.y;
-        goal.upper = (1 + settings.number("band")) * goal.y;
+        target.lower = (1 - settings.number("band")) * target.y;
+        target.upper = (1 + settings.number("band")) * target.y;
     }
-    validate(goal);
-    rough::write_atomically(out, to_csv(goal));
+    validate(target);
+    rough::write_atomically(out, to_csv(target));
     for (const auto& note : notes_on(settings, model))
         say(note);
-    return report(goal, model, settings);
+    return report(target, model, settings);
 }
 
 } // namespace

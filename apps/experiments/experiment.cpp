@@ -70,7 +70,7 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     const Interrupt interrupt;
     Findings found;
     {
-        Progress progress;
+        ProgressLine progress;
         found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
         output.restored();
         if (!found.result.is_null())

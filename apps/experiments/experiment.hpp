@@ -10,7 +10,7 @@ namespace app {
 /// The circumstances of a run.
 struct Conditions {
     Origin origin;
-    Progress& progress;
+    ProgressLine& progress;
     const std::atomic<bool>& stop; ///< true ends the run; results so far are kept
     std::filesystem::path folder;  ///< for the results
     bool resume = false;           ///< continue from the folder's checkpoints

@@ -1,7 +1,7 @@
 #include "apps/experiments/paper/paper.hpp"
 #include "apps/external/process.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/targets.hpp"
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -24,7 +24,7 @@ std::size_t count_from(const std::string& word, const std::string& where, double
     return static_cast<std::size_t>(value);
 }
 
-Fields fields_of(OutsideSearch& search) {
+Bindings bindings_of(OutsideSearch& search) {
     return {
         {Setting("variant", "",
                  "named pipeline, by default ga or, for several objectives, nsga2; others only for numbers")
@@ -75,7 +75,7 @@ Genes::Part part_from(const std::string& text) {
 
 std::vector<Setting> outside_settings() {
     OutsideSearch usual;
-    return settings_of(fields_of(usual));
+    return settings_of(bindings_of(usual));
 }
 
 void take_search(const Settings& settings, OutsideSearch& search) {
@@ -83,7 +83,7 @@ void take_search(const Settings& settings, OutsideSearch& search) {
         rough::refuse("optimise: ", settings.place("variant"), " and ", settings.place("pipeline"),
                       " exclude each other; give one");
     const bool unlimited = settings.has("seconds") && !settings.given("evaluations");
-    take(settings, fields_of(search));
+    take(settings, bindings_of(search));
     if (unlimited)
         search.evaluations = std::numeric_limits<long>::max();
 }

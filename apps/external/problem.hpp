@@ -19,15 +19,15 @@ std::string genes_text(const G& genome) {
 template <class G>
 struct OutsideProblem {
     using Genome = G;
-    using Outcome = Answer;
+    using Outcome = Evaluation;
 
-    std::size_t count;                       ///< number of genes
-    std::vector<ga::Variable> range;         ///< bounds of real genes
-    std::vector<ga::Objective<Answer>> list; ///< f1, f2, ...
-    Genes genes = {};                        ///< kinds of the genes
+    std::size_t count;                           ///< number of genes
+    std::vector<ga::Variable> range;             ///< bounds of real genes
+    std::vector<ga::Objective<Evaluation>> list; ///< f1, f2, ...
+    Genes genes = {};                            ///< kinds of the genes
     /// Derivatives of the first objective with respect to real genes; empty if they are unknown.
     std::function<std::vector<double>(const G&)> slopes = {};
-    std::function<Answer(const G&)> answer = {}; ///< makes an evaluation; empty if an evaluator does
+    std::function<Evaluation(const G&)> answer = {}; ///< makes an evaluation; empty if an evaluator does
 
     OutsideProblem(std::size_t genes, std::vector<ga::Variable> range_of_reals,
                    const std::vector<bool>& minimise)
@@ -35,15 +35,15 @@ struct OutsideProblem {
         const auto names = objective_names(minimise.size());
         for (std::size_t k = 0; k < names.size(); ++k)
             list.push_back(
-                {names[k], [k](const Answer& answer) { return answer.objectives.at(k); }, minimise[k]});
+                {names[k], [k](const Evaluation& answer) { return answer.objectives.at(k); }, minimise[k]});
     }
     OutsideProblem(const Genes& of, const std::vector<bool>& minimise)
         : OutsideProblem(of.count, range_of(of), minimise) {
         genes = of;
     }
 
-    Answer evaluate(const G& genome) const { return answer(genome); }
-    const std::vector<ga::Objective<Answer>>& objectives() const { return list; }
+    Evaluation evaluate(const G& genome) const { return answer(genome); }
+    const std::vector<ga::Objective<Evaluation>>& objectives() const { return list; }
     /// Genomes that are rounded to the same numbers have one key.
     std::string key(const G& genome) const requires std::same_as<G, std::vector<double>> {
         const std::vector<double> values = rounded(genes, genome);
@@ -62,9 +62,9 @@ struct OutsideProblem {
                 return false;
         return genome.size() == count;
     }
-    bool valid_outcome(const Answer& answer) const { return is_valid(answer, list.size()); }
-    const std::vector<double>& violation(const Answer& answer) const { return answer.violation; }
-    std::size_t bytes(const Answer& answer) const {
+    bool valid_outcome(const Evaluation& answer) const { return is_valid(answer, list.size()); }
+    const std::vector<double>& violation(const Evaluation& answer) const { return answer.violation; }
+    std::size_t bytes(const Evaluation& answer) const {
         return (answer.objectives.size() + answer.violation.size()) * sizeof(double);
     }
     const std::vector<ga::Variable>& bounds(const G&) const requires std::same_as<G, std::vector<double>> {

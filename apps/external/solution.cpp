@@ -17,14 +17,14 @@ std::vector<double> violation_from(const json& answer) {
     return violation.is_array() ? violation.get<std::vector<double>>() : std::vector{violation.get<double>()};
 }
 
-bool is_valid(const Answer& answer, std::size_t objectives) {
+bool is_valid(const Evaluation& answer, std::size_t objectives) {
     const auto finite = [](const std::vector<double>& values) {
         return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     };
     return answer.objectives.size() == objectives && finite(answer.objectives) && finite(answer.violation);
 }
 
-double violated(const Answer& answer) {
+double violated(const Evaluation& answer) {
     double sum = 0;
     for (const double each : answer.violation)
         sum += std::max(0.0, each);
@@ -40,7 +40,7 @@ bool BestKnown::is_better(const Solution& a, const Solution& b) const {
     return a.genes < b.genes;
 }
 
-bool BestKnown::dominates(const Answer& a, const Answer& b) const {
+bool BestKnown::dominates(const Evaluation& a, const Evaluation& b) const {
     if (violated(a) != violated(b))
         return violated(a) < violated(b);
     bool better = false;

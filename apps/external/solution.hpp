@@ -8,7 +8,7 @@
 namespace app {
 
 /// The answer of an evaluation outside the program.
-struct Answer {
+struct Evaluation {
     std::vector<double> objectives;     ///< as reported
     std::vector<double> violation = {}; ///< one number per constraint; 0 or less if it holds
 };
@@ -16,19 +16,19 @@ struct Answer {
 /// The answer's "violation", a number or an array, or empty. Throws nlohmann's exceptions on other types.
 std::vector<double> violation_from(const nlohmann::json& answer);
 /// Whether it has this many objectives, and all its numbers are finite.
-bool is_valid(const Answer& answer, std::size_t objectives);
+bool is_valid(const Evaluation& answer, std::size_t objectives);
 /// The sum of the positive violations.
-double violated(const Answer& answer);
+double violated(const Evaluation& answer);
 
 /// A genome that was evaluated.
 struct Solution {
     std::string genes; ///< JSON array that was sent
-    Answer answer;
+    Evaluation answer;
 };
 
 ///@{
 /// The form in checkpoints.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Answer, objectives, violation)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Evaluation, objectives, violation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Solution, genes, answer)
 ///@}
 
@@ -52,7 +52,7 @@ class BestKnown {
 
   private:
     bool is_better(const Solution& a, const Solution& b) const;
-    bool dominates(const Answer& a, const Answer& b) const;
+    bool dominates(const Evaluation& a, const Evaluation& b) const;
 
     std::vector<Solution> front_;
 };

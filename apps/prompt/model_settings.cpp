@@ -48,7 +48,7 @@ std::vector<rough::Layer> layers_from(const std::string& text, const std::string
     return layers;
 }
 
-Fields fields_of(ModelParameters& of) {
+Bindings bindings_of(ModelParameters& of) {
     auto& [grid, body, loading, contact, accuracy] = of.model;
     const rough::Model usual;
     return {
@@ -97,7 +97,7 @@ Fields fields_of(ModelParameters& of) {
     };
 }
 
-Fields fields_of(rough::ScanOptions& options) {
+Bindings bindings_of(rough::ScanOptions& options) {
     return {
         {{"unit", "",
           "unit of a scan's columns without one in their header, or mm,um for x and heights; one of " +
@@ -125,7 +125,7 @@ Fields fields_of(rough::ScanOptions& options) {
     };
 }
 
-Fields loading_fields(rough::Model& model) {
+Bindings loading_bindings(rough::Model& model) {
     return {{pressure("to-pressure", "", "mean pressure of the last load step, MPa; replaces --reach"),
              model.loading.to_pressure},
             {pressure("pressures", "",
@@ -142,8 +142,8 @@ bool is_periodic(const Settings& settings, const std::string& prefix = "") {
 }
 
 /// Throws if one of these keys, which only a profile has, or the kernel of a profile is given.
-void expect_of_areas(const Settings& settings, const std::string& prefix,
-                     const std::vector<std::string>& keys) {
+void expect_for_map(const Settings& settings, const std::string& prefix,
+                    const std::vector<std::string>& keys) {
     for (const std::string& key : keys)
         if (settings.knows(prefix + key) && settings.has(prefix + key))
             settings.refuse(prefix + key, "given with a map; omit it, as it is for profiles only");
@@ -152,7 +152,7 @@ void expect_of_areas(const Settings& settings, const std::string& prefix,
 }
 
 /// A 2-D grid from --nodes and --length. By default it is a square with the nodes and the length of `usual`.
-rough::Grid area_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
+rough::Grid map_grid(const rough::Grid& usual, const Settings& settings, const std::string& prefix = "") {
     rough::Grid grid = usual;
     std::vector<double> nodes(2, static_cast<double>(usual.nodes)), length(2, usual.length);
     settings.take(prefix + "nodes", nodes);
@@ -180,9 +180,9 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
 }
 
 /// The model of a map on a grid that --nodes and --length may change.
-rough::Model area_model_on(const rough::Grid& usual, const Settings& settings,
-                           const std::string& prefix = "") {
-    return model_on(area_grid(usual, settings, prefix),
+rough::Model map_model_on(const rough::Grid& usual, const Settings& settings,
+                          const std::string& prefix = "") {
+    return model_on(map_grid(usual, settings, prefix),
                     settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix);
 }
 
@@ -223,7 +223,7 @@ double elastic_limit(const Settings& settings, const rough::Body& body) {
 
 std::vector<Setting> model_settings(const std::string& prefix) {
     ModelParameters usual;
-    return settings_of(fields_of(usual), prefix, "The model: grid, elastic body, load steps, solver");
+    return settings_of(bindings_of(usual), prefix, "The model: grid, elastic body, load steps, solver");
 }
 
 std::vector<Setting> cap_settings(const std::string& prefix) {
@@ -249,7 +249,7 @@ Setting accuracy_setting(const std::string& prefix, const std::string& against) 
 rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
     ModelParameters given;
     given.model.grid = grid;
-    take(settings, fields_of(given), prefix);
+    take(settings, bindings_of(given), prefix);
     const rough::Material* material = material_from(settings, prefix);
     if (material && !settings.given(prefix + "modulus"))
         given.modulus = material->modulus;
@@ -275,7 +275,7 @@ rough::Model model_from(const Settings& settings, const Source& source, const st
 
 std::vector<Setting> loading_settings() {
     rough::Model usual;
-    return settings_of(loading_fields(usual));
+    return settings_of(loading_bindings(usual));
 }
 
 rough::Model loaded(rough::Model model, const Settings& settings) {
@@ -284,7 +284,7 @@ rough::Model loaded(rough::Model model, const Settings& settings) {
                         "given with another end of the load; give one of reach, to-pressure and pressures");
     if (settings.given("pressures") && settings.given("steps"))
         settings.refuse("steps", "given with pressures; give one of them");
-    take(settings, loading_fields(model));
+    take(settings, loading_bindings(model));
     const auto& all = model.loading.pressures;
     if (std::ranges::adjacent_find(all, std::greater_equal<>()) != all.end())
         settings.refuse("pressures", settings.text("pressures"),
@@ -296,7 +296,7 @@ rough::Model loaded(rough::Model model, const Settings& settings) {
 
 std::vector<Setting> scan_settings(const std::string& prefix) {
     rough::ScanOptions usual;
-    return settings_of(fields_of(usual), prefix, "How a scan is read");
+    return settings_of(bindings_of(usual), prefix, "How a scan is read");
 }
 
 Setting resolution_setting() {
@@ -317,7 +317,7 @@ rough::Resolution resolution_from(const Settings& settings) {
 Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                  const std::string& prefix) {
     rough::ScanOptions options;
-    take(settings, fields_of(options), prefix);
+    take(settings, bindings_of(options), prefix);
     for (const std::string& unit : rough::listed(options.unit))
         rough::length_unit_named(unit, settings.place(prefix + "unit"));
     options.nodes = nodes;
@@ -333,7 +333,7 @@ Source source_from(const Settings& settings, const std::string& scan) {
     return open_genome(settings.text("genome"));
 }
 
-Setting area_setting() {
+Setting map_setting() {
     return {"surface", "",
             "measured map instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
             "with --spacing DX or DXxDY; or columns x, y, height"};
@@ -342,7 +342,7 @@ Setting area_setting() {
 std::vector<Setting> surface_settings() {
     return {{"genome", "", "genome file (JSON) of the profile"},
             {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
-            area_setting()};
+            map_setting()};
 }
 
 rough::Map surface_from(const Settings& settings, const std::string& flag) {
@@ -375,7 +375,7 @@ rough::Map surface_from(const Settings& settings, const std::string& flag) {
     return map;
 }
 
-bool asks_for_area(const Settings& settings, const std::string& prefix) {
+bool asks_for_map(const Settings& settings, const std::string& prefix) {
     const auto is_pair = [&](const char* name) {
         return settings.text(prefix + name).find('x') != std::string::npos;
     };
@@ -391,7 +391,7 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
     const auto [columns, rows] = surface.shape();
     rough::Grid grid{columns, length(surface.spacing, columns)};
     if (surface.is_2d()) {
-        expect_of_areas(settings, "", {"datum", "strip-width"});
+        expect_for_map(settings, "", {"datum", "strip-width"});
         grid.rows = rows;
         grid.width = length(surface.row_spacing, rows);
     }
@@ -399,16 +399,16 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
 }
 
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {
-    if (!asks_for_area(settings, prefix))
+    if (!asks_for_map(settings, prefix))
         return model_from(settings, prefix);
-    expect_of_areas(settings, prefix, {"datum", "strip-width", "accuracy"});
-    return area_model_on({}, settings, prefix);
+    expect_for_map(settings, prefix, {"datum", "strip-width", "accuracy"});
+    return map_model_on({}, settings, prefix);
 }
 
 rough::Map sampled_from(const Settings& settings, bool periodic) {
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
     const Source source = open_genome(settings.text("genome"));
-    const rough::Grid grid = area_grid(source.grid(periodic), settings);
+    const rough::Grid grid = map_grid(source.grid(periodic), settings);
     const std::string note = fit_note(*source.genome, grid);
     return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
                                               std::to_string(grid.rows) + " nodes on " +
@@ -416,9 +416,9 @@ rough::Map sampled_from(const Settings& settings, bool periodic) {
                                               " mm" + (note.empty() ? "" : "; " + note)};
 }
 
-AreaScene area_from(const Settings& settings, const std::string& map) {
-    expect_of_areas(settings, "", {"profile", "friction", "datum", "strip-width"});
-    AreaScene scene;
+MapScene map_from(const Settings& settings, const std::string& map) {
+    expect_for_map(settings, "", {"profile", "friction", "datum", "strip-width"});
+    MapScene scene;
     if (settings.knows(map) && settings.has(map)) {
         rough::Map read = surface_from(settings, map);
         scene.map = std::move(read.heights);
@@ -429,7 +429,7 @@ AreaScene area_from(const Settings& settings, const std::string& map) {
     } else {
         expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
         const Source source = open_genome(settings.text("genome"));
-        scene.model = area_model_on(source.grid(is_periodic(settings)), settings);
+        scene.model = map_model_on(source.grid(is_periodic(settings)), settings);
         scene.map = sample(*source.genome, scene.model.grid);
         if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
             scene.notes.push_back(note);

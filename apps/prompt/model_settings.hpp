@@ -39,18 +39,18 @@ std::vector<Setting> model_settings(const std::string& prefix = "");
 /// The settings of an array of caps, each name behind `prefix`.
 std::vector<Setting> cap_settings(const std::string& prefix = "");
 
-/// The fields and the bounds of H and gamma of genomes. A genome with a gamma near 1 has very many waves.
+/// The bindings and the bounds of H and gamma of genomes. A genome with a gamma near 1 has very many waves.
 template <class Bounds>
-Fields with_bounds(Fields fields, Bounds& of, double min_gamma = 1.001) {
-    fields.insert(
-        fields.end(),
+Bindings with_bounds(Bindings bindings, Bounds& of, double min_gamma = 1.001) {
+    bindings.insert(
+        bindings.end(),
         {{ga::number("hurst-from", ga::number(of.H_from), ga::above_zero, 10, "lower bound of H"), of.H_from},
          {ga::number("hurst-to", ga::number(of.H_to), ga::above_zero, 10, "upper bound of H"), of.H_to},
          {ga::number("gamma-from", ga::number(of.gamma_from), min_gamma, 1000, "lower bound of gamma"),
           of.gamma_from},
          {ga::number("gamma-to", ga::number(of.gamma_to), min_gamma, 1000, "upper bound of gamma"),
           of.gamma_to}});
-    return fields;
+    return bindings;
 }
 
 /// --accuracy: the error allowed for the response of a genome. `against` says what the error is relative to.
@@ -86,7 +86,7 @@ Source scan_from(const std::filesystem::path& file, const Settings& settings, ro
 Source source_from(const Settings& settings, const std::string& scan = "profile");
 
 /// --surface: a measured map.
-Setting area_setting();
+Setting map_setting();
 /// The settings that name a surface, of which one is given: a genome, a measured profile or a map.
 inline const std::vector<std::string> surface_names{"genome", "profile", "surface"};
 std::vector<Setting> surface_settings();
@@ -96,7 +96,7 @@ inline constexpr const char* no_datum_note =
     "a map on a half-space needs no datum: displacements are measured to infinity";
 
 /// Whether the settings request a map: by --surface, or by --nodes, --length or --spacing as a pair.
-bool asks_for_area(const Settings& settings, const std::string& prefix = "");
+bool asks_for_map(const Settings& settings, const std::string& prefix = "");
 
 /// The model on the nodes of a surface. Throws rough::InputError on settings that only a profile has.
 rough::Model model_of(const rough::Profile& surface, const Settings& settings);
@@ -113,12 +113,12 @@ rough::Map surface_from(const Settings& settings, const std::string& flag = "sur
 rough::Map sampled_from(const Settings& settings, bool periodic);
 
 /// A map and the model under which it is pressed.
-struct AreaScene {
+struct MapScene {
     rough::Profile map;             ///< heights, mm
     rough::Model model;             ///< complete, with the map's grid
     std::vector<std::string> notes; ///< how the map was read or sampled, one line each
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
-AreaScene area_from(const Settings& settings, const std::string& map = "surface");
+MapScene map_from(const Settings& settings, const std::string& map = "surface");
 
 } // namespace app

@@ -153,19 +153,20 @@ Setting max_pressure_setting(const std::string& prefix, const std::string& fallb
                         std::string(fallback.empty() ? " [amplitude is a gene]" : ""));
 }
 
-std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix, const std::string& group) {
+std::vector<Setting> settings_of(const Bindings& bindings, const std::string& prefix,
+                                 const std::string& group) {
     std::vector<Setting> all;
-    for (const Field& field : fields) {
-        all.push_back(field.setting);
-        all.back().name = prefix + field.setting.name;
+    for (const Binding& binding : bindings) {
+        all.push_back(binding.setting);
+        all.back().name = prefix + binding.setting.name;
         all.back().group = group;
     }
     return all;
 }
 
-void take(const Settings& settings, const Fields& fields, const std::string& prefix) {
-    for (const Field& field : fields)
-        field.take(settings, prefix + field.setting.name);
+void take(const Settings& settings, const Bindings& bindings, const std::string& prefix) {
+    for (const Binding& binding : bindings)
+        binding.take(settings, prefix + binding.setting.name);
 }
 
 std::string keyword(std::string name) {

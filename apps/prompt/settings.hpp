@@ -130,21 +130,21 @@ class Settings {
 };
 
 /// A parameter with a reference to its value, which a set-up of a command holds.
-struct Field {
+struct Binding {
     Setting setting;
     std::function<void(const Settings&, const std::string& name)> take; ///< sets the value
 
     template <class Value>
-    Field(Setting described, Value& value)
+    Binding(Setting described, Value& value)
         : setting(std::move(described)),
           take([&value](const Settings& settings, const std::string& name) { settings.take(name, value); }) {}
 };
-using Fields = std::vector<Field>;
+using Bindings = std::vector<Binding>;
 /// Their settings, each name behind `prefix`, under a heading of the help page.
-std::vector<Setting> settings_of(const Fields& fields, const std::string& prefix = "",
+std::vector<Setting> settings_of(const Bindings& bindings, const std::string& prefix = "",
                                  const std::string& group = "");
-/// Sets the values of the fields that are given or have a fallback.
-void take(const Settings& settings, const Fields& fields, const std::string& prefix = "");
+/// Sets the values of the bindings that are given or have a fallback.
+void take(const Settings& settings, const Bindings& bindings, const std::string& prefix = "");
 
 /// Reads a command line. Throws rough::InputError on an unknown flag (with the nearest name), an empty value
 /// or a word too many. `positional` names settings that need no flag; one with several values takes all

@@ -85,11 +85,11 @@ std::string error_mark() {
     return isatty(STDERR_FILENO) && !std::getenv("NO_COLOR") ? "\033[31mrugosa:\033[0m " : "rugosa: ";
 }
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verbosity::quiet) {}
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verbosity::quiet) {}
 
-Progress::~Progress() { clear_progress(); }
+ProgressLine::~ProgressLine() { clear_progress(); }
 
-void Progress::show(const std::string& text) {
+void ProgressLine::show(const std::string& text) {
     const auto now = Clock::now();
     using namespace std::chrono_literals;
     if (!terminal_ || now - start_ < 1s || (stands && now - last_ < 100ms))

@@ -23,11 +23,11 @@ std::string error_mark();
 
 /// A line on a terminal's stderr that shows the progress of a run of more than a second, cut at the
 /// terminal's width. Nothing is written to a pipe.
-class Progress {
+class ProgressLine {
   public:
-    Progress();
-    ~Progress();
-    Progress(const Progress&) = delete;
+    ProgressLine();
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
 
     /// Shows a text, e.g. "gco: 12 of 40", at most ten times per second.
     void show(const std::string& text);

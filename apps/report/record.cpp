@@ -4,7 +4,7 @@
 
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PlacedWave, series, n, wave_length_mm, amplitude_mm)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Account, resolved_nodes, grids, tolerance, seconds, estimated_error,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AccuracyReport, resolved_nodes, grids, tolerance, seconds, estimated_error,
                                    grid_error, step_error, solver_error, area_error, tangent_error, by_line,
                                    line_error, aspect_ratio)
 } // namespace rough
@@ -13,7 +13,7 @@ namespace app {
 
 using nlohmann::json;
 
-json account_json(const rough::Account& account) {
+json account_json(const rough::AccuracyReport& account) {
     json result = account;
     result.update({{"accuracy", account.accuracy > 0 ? json(account.accuracy) : json()},
                    {"nodes", account.grids.back()},
@@ -37,7 +37,7 @@ namespace {
 
 /// The account of a genome's response in a search, and its error against the exact model (`true_error`).
 json modelled_json(const rough::Genome& genome, const rough::Model& model) {
-    const rough::AccountedResponse found = respond_within(genome, model);
+    const rough::ReportedResponse found = respond_within(genome, model);
     json result = account_json(found.account);
     result.erase("seconds"); // the variant has the seconds of its search
     result["true_error"] =

@@ -113,6 +113,6 @@ nlohmann::json result_json(const Origin& origin, const rough::DesignSetup& setup
 
 /// An account as in CURVE.json and result.json. It has nodes, steps, used and dropped chromosomes with their
 /// bound, solver, tolerance, seconds, estimated errors, and a description in words.
-nlohmann::json account_json(const rough::Account& account);
+nlohmann::json account_json(const rough::AccuracyReport& account);
 
 } // namespace app

@@ -5,7 +5,7 @@ namespace rough {
 
 namespace {
 
-std::string grid_words(const Account& account) {
+std::string grid_words(const AccuracyReport& account) {
     const std::vector<Index>& grids = account.grids;
     if (!account.extrapolated())
         return line_of("The contact was solved on ", grids.back(), " nodes",
@@ -29,7 +29,7 @@ std::string grid_words(const Account& account) {
 
 } // namespace
 
-std::string in_words(const Account& account) {
+std::string in_words(const AccuracyReport& account) {
     PlainStream words;
     words.precision(2);
     words << grid_words(account) << "; " << account.solved_rows << " of " << account.rows

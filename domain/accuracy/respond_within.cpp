@@ -98,17 +98,18 @@ struct Ladder {
 };
 
 /// The curve of one surface, sampled on the resolved grid as `whole`, which must outlive it.
-class Question {
+class AccuracySolver {
   public:
-    Question(const Profile& whole, const Model& resolved)
+    AccuracySolver(const Profile& whole, const Model& resolved)
         : model_(tolerant(resolved)), accuracy_(model_.accuracy), whole_(whole) {
         if (model_.loading.pressures.empty())
             rows_ = step_displacements(whole_, model_.body, model_.loading, model_.contact);
         else // finding their displacements solves them
-            static_cast<ContactCurve&>(pressed_) = press(whole_, model_.body, model_.loading, model_.contact);
-        for (const LoadStep& step : pressed_.steps)
+            static_cast<ContactCurve&>(step_curve_) =
+                solve_load_steps(whole_, model_.body, model_.loading, model_.contact);
+        for (const LoadStep& step : step_curve_.steps)
             rows_.push_back(step.displacement);
-        pressed_.solved = static_cast<int>(pressed_.steps.size());
+        step_curve_.solved = static_cast<int>(step_curve_.steps.size());
         count_ = static_cast<Index>(rows_.size());
         response_.range = displacement_range(whole_, resolved.body.kernel);
         response_.full_stiffness = full_contact_stiffness(whole_, resolved.body, model_.contact.threads);
@@ -124,7 +125,7 @@ class Question {
     /// Answers from coarser grids. The first rows, with slight contact, come from the resolved grid: coarse
     /// grids are least accurate there, and fine ones cheap. False if that does not pay.
     bool by_coarser_grids(const SumOfWaves& surface) {
-        if (!pressed_.steps.empty())
+        if (!step_curve_.steps.empty())
             return false;
         const Window& window = surface.window;
         const double waves = model_.grid.length /
@@ -170,7 +171,7 @@ class Question {
 
     /// Answers from the resolved grid, on which `wrong` nodes may be miscounted by an exact solution.
     void by_resolved_grid(double wrong) {
-        const LoadRows rows = pressed_.steps.empty() ? resolved(rows_) : pressed_;
+        const LoadRows rows = step_curve_.steps.empty() ? resolved(rows_) : step_curve_;
         response_ = response_of(rows.steps, rows.solver, response_.range, response_.full_stiffness);
         last_contact_ = rows.last_contact;
         account_.grids.push_back(whole_.nodes());
@@ -191,7 +192,7 @@ class Question {
         account_.estimated_error = account_.step_error + account_.solver_error;
     }
 
-    AccountedResponse answer() {
+    ReportedResponse answer() {
         response_.displacement = Eigen::Map<const Eigen::VectorXd>(rows_.data(), count_);
         account_.seconds = clock_.seconds();
         return {std::move(response_), std::move(account_), std::move(last_contact_)};
@@ -313,23 +314,23 @@ class Question {
     Model model_;
     double accuracy_;
     const Profile& whole_;
-    LoadRows pressed_; ///< the load steps at given pressures
+    LoadRows step_curve_; ///< the load steps at given pressures
     std::vector<double> rows_;
     Index count_;
     Response response_;
-    Account account_;
+    AccuracyReport account_;
     std::vector<int> last_contact_;
 };
 
 /// The curve of the line that replaces a periodic map: at the map's displacements, or at the line's if
 /// pressures were requested. Nothing if the line cannot be pressed as far as the map. The errors follow from
 /// pressure_bounds(). They are proven for the continuum, not for sampled maps (README.md).
-std::optional<AccountedResponse> respond_by_line(const Profile& map, const Model& model) {
+std::optional<ReportedResponse> respond_by_line(const Profile& map, const Model& model) {
     const Loading& loading = model.loading;
     const bool by_reach = loading.pressures.empty() && !loading.to_pressure;
     const LineOfMap of = line_of_map(map);
-    AccountedResponse result;
-    Account& account = result.account;
+    ReportedResponse result;
+    AccuracyReport& account = result.account;
     const Eigen::VectorXd& pressure = result.response.pressure;
     try {
         const auto displacements =
@@ -364,38 +365,38 @@ std::optional<AccountedResponse> respond_by_line(const Profile& map, const Model
 
 } // namespace
 
-AccountedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
-                                 const std::function<SumOfWaves(double widest)>& without_short_waves,
-                                 const Model& model) {
-    Question question(whole, model);
+ReportedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
+                                const std::function<SumOfWaves(double widest)>& without_short_waves,
+                                const Model& model) {
+    AccuracySolver solver(whole, model);
     const bool exact = model.accuracy == 0;
-    SumOfWaves answering = exact ? surface : without_short_waves(question.widest_window());
-    bool answered = !exact && question.by_coarser_grids(answering);
+    SumOfWaves answering = exact ? surface : without_short_waves(solver.widest_window());
+    bool answered = !exact && solver.by_coarser_grids(answering);
     if (!answered && !answering.dropped.empty()) {
         answering = surface;
-        answered = question.by_coarser_grids(answering);
+        answered = solver.by_coarser_grids(answering);
     }
     if (!answered)
-        question.by_resolved_grid(exact ? 0 : miscounted);
-    AccountedResponse result = question.answer();
+        solver.by_resolved_grid(exact ? 0 : miscounted);
+    ReportedResponse result = solver.answer();
     result.account.used = answering.used;
     result.account.dropped = answering.dropped;
     result.account.window = answering.window;
     return result;
 }
 
-AccountedResponse respond_within(const Profile& scan, const Model& given) {
+ReportedResponse respond_within(const Profile& scan, const Model& given) {
     const ga::Stopwatch clock;
     const Model model = tolerant(given);
     const bool periodic_map = scan.is_2d() && model.accuracy > 0 && model.body.kernel == Kernel::periodic;
     const auto by_line = periodic_map ? respond_by_line(scan, model) : std::nullopt;
-    AccountedResponse result;
+    ReportedResponse result;
     if (by_line && by_line->account.line_error <= model.accuracy) {
         result = *by_line;
     } else {
-        Question question(scan, given);
-        question.by_resolved_grid(0);
-        result = question.answer();
+        AccuracySolver solver(scan, given);
+        solver.by_resolved_grid(0);
+        result = solver.answer();
         if (by_line && model.loading.pressures.empty() && !model.loading.to_pressure)
             result.account.line_error = relative_error(by_line->response.pressure, result.response.pressure);
     }

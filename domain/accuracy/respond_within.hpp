@@ -25,7 +25,7 @@ struct SumOfWaves {
 /// A report on how a curve was computed, and on its possible errors. A row is a load step. Errors are
 /// relative to the pressures and secant stiffnesses of the resolved curve, and are the largest over all rows.
 /// In the first `light_rows` rows they are relative to 1 % of the last pressure.
-struct Account {
+struct AccuracyReport {
     double accuracy = 0;               ///< requested accuracy; 0: the exact model as given
     Index resolved_nodes = 0;          ///< nodes of the resolved grid
     std::vector<Index> grids;          ///< nodes of each solved grid, in order
@@ -61,12 +61,12 @@ struct Account {
 };
 
 /// The account in a few sentences.
-std::string in_words(const Account& account);
+std::string in_words(const AccuracyReport& account);
 
 /// A response with its account.
-struct AccountedResponse {
-    Response response; ///< response at each requested displacement
-    Account account;   ///< errors, grids and rows of the response
+struct ReportedResponse {
+    Response response;      ///< response at each requested displacement
+    AccuracyReport account; ///< errors, grids and rows of the response
     std::vector<int>
         last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
@@ -75,7 +75,7 @@ struct AccountedResponse {
 /// accuracy above 0 fewer load steps are solved, and the solver's tolerance is larger. Exact bounds limit
 /// both errors. A line gives the curve of a periodic map if the bound of its error is small enough
 /// (reduced.hpp). Otherwise all load steps of a map are solved.
-AccountedResponse respond_within(const Profile& scan, const Model& model);
+ReportedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a sum of waves within model.accuracy (relative, 0 to 1) of the response on the model's
 /// grid, at the displacements of that grid's profile. `whole` is the surface on this grid. Chooses waves,
 /// grids, rows and the solver's tolerance, which is never above the given one. It solves the model as given
@@ -83,8 +83,8 @@ AccountedResponse respond_within(const Profile& scan, const Model& model);
 /// and on an accuracy with a hardness or layers. Also throws what respond() throws.
 /// @param without_short_waves  the surface without its shortest waves, as long as the window is at most this
 ///                             wide, mm
-AccountedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
-                                 const std::function<SumOfWaves(double widest)>& without_short_waves,
-                                 const Model& model);
+ReportedResponse respond_within(const Profile& whole, const SumOfWaves& surface,
+                                const std::function<SumOfWaves(double widest)>& without_short_waves,
+                                const Model& model);
 
 } // namespace rough

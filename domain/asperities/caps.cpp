@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr int max_rounds = 100;
-constexpr double settled = 1e-14; ///< largest change of an indentation and of the load, relative
+constexpr double converged = 1e-14; ///< largest change of an indentation and of the load, relative
 
 /// The linearised contact of the caps that touch: dF = K (dh - G dF), K_i = dF_i/ddelta_i, on their set A.
 struct Tangent {
@@ -122,7 +122,7 @@ PressedCaps CapContact::solve(const Caps& caps, double load, double plane, const
             const Eigen::VectorXd area = pi * caps.radii.array() * now.depth.array().max(0);
             return PressedCaps{now.plane, now.depth, now.force, area, stiffness};
         };
-        if (now.error <= settled || round == max_rounds)
+        if (now.error <= converged || round == max_rounds)
             return pressed();
         Eigen::VectorXd change = tangent.forces(-now.residual(tangent.touching));
         double rise = 0; // change of the plane

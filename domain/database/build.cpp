@@ -121,7 +121,8 @@ std::uint64_t merge(const std::vector<std::filesystem::path>& files, const std::
     for (const auto& file : files) {
         all.push_back(GenomeStore::open(file));
         const GenomeStore &first = all.front(), &last = all.back();
-        if (const std::string other = difference(fields(last.setup()), fields(first.setup())); !other.empty())
+        if (const std::string other = difference(named_values(last.setup()), named_values(first.setup()));
+            !other.empty())
             refuse(file.string(), ": its ", other, " as that of ", files.front().string(),
                    "; merge databases of one set-up");
         if (last.version() != first.version())

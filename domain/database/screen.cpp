@@ -41,8 +41,8 @@ constexpr int amplitudes = 33;
 double amplitude(double smallest, double step) { return smallest * std::exp2(step / 8); }
 
 /// Narrows a free amplitude between the neighbours of the best coarse one (golden section).
-Match settled(Match match, const std::vector<Curve>& curves, const std::vector<Target>& targets,
-              double smallest) {
+Match with_best_scale(Match match, const std::vector<Curve>& curves, const std::vector<Target>& targets,
+                      double smallest) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double low = std::max(match.scale / amplitude(1, 1), smallest), high = match.scale * amplitude(1, 1);
     for (int turn = 0; turn < 30; ++turn) {
@@ -158,7 +158,7 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
         const auto g = static_cast<std::size_t>(match.index);
         if (!rescaled) {
             const std::vector<Curve> stored = read(g);
-            match = settled(match, stored, targets, smallest(g, stored));
+            match = with_best_scale(match, stored, targets, smallest(g, stored));
         }
         match.index = curves.index[g];
     }
@@ -190,7 +190,7 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
     stored.body.effective_modulus = wanted.body.effective_modulus;
     stretch(stored.body.datum, length, wanted.body.datum);
     stretch(stored.body.strip_width, length, wanted.body.strip_width);
-    const std::string differs = difference(fields(stored), fields(wanted));
+    const std::string differs = difference(named_values(stored), named_values(wanted));
     if (!differs.empty())
         throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
                          "; use another");

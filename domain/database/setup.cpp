@@ -9,8 +9,8 @@ namespace rough {
 namespace {
 
 /// The value of a field, or null.
-const std::string* find(const Fields& fields, const std::string& name) {
-    const auto found = std::ranges::find(fields, name, &Fields::value_type::first);
+const std::string* find(const NamedValues& fields, const std::string& name) {
+    const auto found = std::ranges::find(fields, name, &NamedValues::value_type::first);
     return found == fields.end() ? nullptr : &found->second;
 }
 
@@ -67,8 +67,8 @@ Genome drawn(const GenomeDistribution& law, std::uint64_t index) {
     return genome;
 }
 
-Fields fields(const DatabaseSetup& setup) {
-    Fields all = fields(setup.model);
+NamedValues named_values(const DatabaseSetup& setup) {
+    NamedValues all = named_values(setup.model);
     visit_law(setup.law, [&](const char* name, auto value) {
         if constexpr (std::is_integral_v<decltype(value)>)
             all.emplace_back(name, std::to_string(value));
@@ -78,7 +78,7 @@ Fields fields(const DatabaseSetup& setup) {
     return all;
 }
 
-DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
+DatabaseSetup setup_from(const NamedValues& fields, const std::string& where) {
     const auto text = [&](const char* name) -> const std::string& {
         if (const std::string* value = find(fields, name))
             return *value;
@@ -117,7 +117,7 @@ DatabaseSetup setup_from(const Fields& fields, const std::string& where) {
     return setup;
 }
 
-std::string difference(const Fields& there, const Fields& wanted) {
+std::string difference(const NamedValues& there, const NamedValues& wanted) {
     for (const auto& [name, value] : wanted) {
         const std::string* here = find(there, name);
         if (!here || *here != value)

@@ -152,7 +152,7 @@ void expect_ours(SQLite::Database& sqlite) {
         refuse_changed(sqlite, "a batch of an impossible size");
 }
 
-std::uint64_t checksum_of(const Fields& fields) {
+std::uint64_t checksum_of(const NamedValues& fields) {
     std::string text;
     for (const auto& [name, value] : fields)
         text += name + "=" + value + "\n";
@@ -160,8 +160,8 @@ std::uint64_t checksum_of(const Fields& fields) {
 }
 
 /// The set-up and the version, as they were written.
-Fields stored_fields(SQLite::Database& sqlite) {
-    Fields fields;
+NamedValues stored_values(SQLite::Database& sqlite) {
+    NamedValues fields;
     std::string sum;
     each(sqlite, "SELECT name, value FROM setup ORDER BY name", [&](const SQLite::Statement& row) {
         if (bytes_in(row, 0) == "checksum")
@@ -193,7 +193,7 @@ std::uint64_t checksum(std::string_view bytes, std::uint64_t seed) {
 
 GenomeStore::GenomeStore(std::unique_ptr<SQLite::Database> sqlite) : sqlite_(std::move(sqlite)) {
     expect_ours(*sqlite_);
-    const Fields fields = stored_fields(*sqlite_);
+    const NamedValues fields = stored_values(*sqlite_);
     setup_ = setup_from(fields, file().string());
     validate(setup_.law);
     for (const auto& [name, value] : fields)
@@ -211,7 +211,7 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
         throw InputError(file.string() + ": a body with layers was given; give a half-space, because a "
                                          "database's responses are scaled to other lengths");
     validate(setup.law);
-    const Fields wanted = fields(setup);
+    const NamedValues wanted = named_values(setup);
     setup_from(wanted, file.string()); // throws before a file is made
     auto sqlite = opened(file, SQLite::OPEN_CREATE);
     guarded(file, [&] {
@@ -221,7 +221,7 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
             sqlite->exec("PRAGMA user_version = " + std::to_string(form));
             for (const std::string& statement : schema())
                 sqlite->exec(statement);
-            Fields named = wanted;
+            NamedValues named = wanted;
             named.emplace_back("version", RUGOSA_VERSION);
             std::sort(named.begin(), named.end());
             named.emplace_back("checksum", std::to_string(checksum_of(named)));
@@ -231,7 +231,7 @@ GenomeStore GenomeStore::create(const std::filesystem::path& file, const Databas
         expect_ours(*sqlite);
         transaction.commit();
     });
-    const std::string differs = difference(stored_fields(*sqlite), wanted);
+    const std::string differs = difference(stored_values(*sqlite), wanted);
     if (!differs.empty())
         throw InputError(file.string() + ": a database of another set-up: its " + differs + "; use another");
     return GenomeStore(std::move(sqlite));

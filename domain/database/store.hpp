@@ -45,12 +45,13 @@ struct DatabaseSetup {
 };
 
 /// A set-up as names with units and values, the model first.
-Fields fields(const DatabaseSetup& setup);
-/// The inverse of fields(). Throws InputError that begins with `where` on a missing or unreadable field.
-DatabaseSetup setup_from(const Fields& fields, const std::string& where);
+NamedValues named_values(const DatabaseSetup& setup);
+/// The inverse of named_values(). Throws InputError that begins with `where` on a missing or unreadable
+/// field.
+DatabaseSetup setup_from(const NamedValues& fields, const std::string& where);
 
 /// The first difference in words, e.g. "nodes is 512, not 256"; empty if `there` has all fields of `wanted`.
-std::string difference(const Fields& there, const Fields& wanted);
+std::string difference(const NamedValues& there, const NamedValues& wanted);
 
 /// The genomes first .. first + count - 1 of a distribution.
 struct Span {

@@ -58,8 +58,9 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
             tries.back().genome = with_fitting_amplitude(context.problem().setup(), *next);
             context.make_child(tries.back(), ga::Parents(design.identity));
         }
-        const std::vector<double> over = excesses(tries, context);
-        shorter.push_back(tries[static_cast<std::size_t>(std::ranges::min_element(over) - over.begin())]);
+        const std::vector<double> exceeded = excesses(tries, context);
+        shorter.push_back(
+            tries[static_cast<std::size_t>(std::ranges::min_element(exceeded) - exceeded.begin())]);
     }
     return shorter;
 }
@@ -244,12 +245,13 @@ DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text
 }
 
 std::string usual_variant(const DesignSetup& setup, bool stored) {
-    const bool asks_for_area = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
-    return stored                        ? "in-line"
-           : setup.model.grid.is_2d()    ? "maps"
-           : setup.errors.any()          ? "made"
-           : setup.like && asks_for_area ? "like"
-                                         : "default";
+    const bool wants_contact_area =
+        std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
+    return stored                                 ? "in-line"
+           : setup.model.grid.is_2d()             ? "maps"
+           : setup.errors.any()                   ? "made"
+           : setup.measured && wants_contact_area ? "like"
+                                                  : "default";
 }
 
 extern const char* const design_variants_ini; // variants.ini (.cmake/data.cmake)

@@ -12,8 +12,8 @@ namespace rough {
 
 namespace {
 
-constexpr std::size_t max_verified_on_area = 2; ///< answers of the pipeline
-constexpr int compared_draws = 200;             ///< draws of noise under which answers are compared
+constexpr std::size_t max_verified_on_map = 2; ///< answers of the pipeline
+constexpr int compared_draws = 200;            ///< draws of noise under which answers are compared
 
 /// Whether answers are compared by their similarity under the set-up's errors; too long on a map.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
@@ -42,8 +42,8 @@ Genome any_start(const DesignSetup& setup, const SearchOptions& options) {
 VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions& options) {
     constexpr double max_share = 0.75, share_for_curve = 0.1;
     const double curves = 80 + (chooses_by_errors(setup) ? compared_draws : 0);
-    const bool area = setup.model.grid.is_2d();
-    VerificationPlan plan{area ? std::min(max_verified_on_area, options.verifying) : options.verifying,
+    const bool is_map = setup.model.grid.is_2d();
+    VerificationPlan plan{is_map ? std::min(max_verified_on_map, options.verifying) : options.verifying,
                           options.alternatives};
     if (std::isinf(options.seconds))
         return plan;
@@ -61,7 +61,7 @@ VerificationPlan plan_verification(const DesignSetup& setup, const SearchOptions
     }
     const double each = curves * curve / std::min(ga::thread_count(options.threads), 2);
     const auto needed = [&] {
-        return each * static_cast<double>((area ? 1 : 2) * plan.answers + plan.alternatives - 1);
+        return each * static_cast<double>((is_map ? 1 : 2) * plan.answers + plan.alternatives - 1);
     };
     if (needed() > max_share * options.seconds)
         plan.answers = plan.alternatives = 1;
@@ -86,11 +86,11 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
             if (keys.insert(problem.key(best[i].genome)).second)
                 candidates.push_back(best[i].genome);
     };
-    const bool area = problem.setup().model.grid.is_2d();
+    const bool is_map = problem.setup().model.grid.is_2d();
     consider(population, max_count);
     consider(verified, max_count);
-    consider(seen, !area ? max_count : candidates.empty() ? 1 : 0);
-    if (!options.starts.empty() && !area) // the answer is not worse than the nearest start
+    consider(seen, !is_map ? max_count : candidates.empty() ? 1 : 0);
+    if (!options.starts.empty() && !is_map) // the answer is not worse than the nearest start
         consider(ga::population(std::vector{options.starts.front()}), 1);
     return candidates;
 }
@@ -121,8 +121,8 @@ Answer answer_of(const DesignSetup& reported, const Genome& genome, Verification
         answer.genome = in_final_form(setup, genome);
     } else {
         if (answer.on_grid.empty()) {
-            answer.on_grid = pressed(setup, genome, refined(setup.model, 1));
-            answer.misfits[0] = misfits_of(setup, scored(setup, answer.on_grid));
+            answer.on_grid = responses_of(setup, genome, refined(setup.model, 1));
+            answer.misfits[0] = misfits_of(setup, design_response(setup, answer.on_grid));
             answer.similarity = min_similarity(answer.misfits[0]);
         }
         if (setup.max_pressure)
@@ -140,7 +140,8 @@ Answer verified_answer(const DesignSetup& reported, const Genome& genome) {
 }
 
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
-    return answer.is_verified() ? respond(setup, answer.genome, setup.model) : scored(setup, answer.on_grid);
+    return answer.is_verified() ? respond(setup, answer.genome, setup.model)
+                                : design_response(setup, answer.on_grid);
 }
 
 std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,
@@ -246,9 +247,9 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
         auto known = problem.verifier().known(genome); // the search may have verified it
         Answer answer = answer_of(reported, genome, known ? std::move(*known) : verifier.of(genome));
         if (answer.is_verified() && chooses_by_errors(setup))
-            answer.similarity_made =
-                similarity_when_made(reported, answer.genome,
-                                     {.seed = ga::fold(0, "compared draws"), .threads = 1}, compared_draws);
+            answer.similarity_made = similarity_under_errors(
+                reported, answer.genome, {.seed = ga::fold(0, "compared draws"), .threads = 1},
+                compared_draws);
         return answer;
     };
     const std::vector<Genome> candidates =
@@ -271,7 +272,7 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     if (!result.best.is_verified() && !(options.stop && options.stop->load()))
         result.notes.push_back(
             "the answer was not verified on this grid and the finer one, for lack of time");
-    if (const double error = result.best.reading_error; error > 0 && result.best.is_verified())
+    if (const double error = result.best.interpolation_error; error > 0 && result.best.is_verified())
         result.notes.push_back(
             line_of("some load steps on the finer grid are interpolated; the error that this "
                     "makes on the search grid is subtracted from similarity_worst: ",

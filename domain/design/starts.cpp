@@ -21,16 +21,16 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
     struct Peak {
         double x, y, width;
     };
-    const bool area = grid.is_2d();
+    const bool is_map = grid.is_2d();
     const std::size_t count = random.chance(0.5) ? 1 : 2 + random.below(7);
     // A single peak is near the middle, so that its contact does not reach the ends.
-    const double margin = count == 1 ? 0.4 : area ? 0.1 : 0.25;
+    const double margin = count == 1 ? 0.4 : is_map ? 0.1 : 0.25;
     std::vector<Peak> peaks(count);
     for (std::size_t p = 0; p < count; ++p) {
         const double place = random.uniform(margin, 1 - margin);
         peaks[p].x =
-            area ? grid.length * place : (static_cast<double>(p) + place) / static_cast<double>(count);
-        peaks[p].y = area ? grid.width * random.uniform(margin, 1 - margin) : 0;
+            is_map ? grid.length * place : (static_cast<double>(p) + place) / static_cast<double>(count);
+        peaks[p].y = is_map ? grid.width * random.uniform(margin, 1 - margin) : 0;
         peaks[p].width = count == 1 ? 1 : random.uniform(0.7, 1);
     }
     const auto away = [&](double from, double to, double period) {
@@ -40,13 +40,13 @@ std::vector<int> drawn_order(const Grid& grid, ga::Stream& random) {
     std::vector<double> distance;
     for (Index i = 0; i < grid.shape().nodes(); ++i) { // on a line in units of its length
         const double column = static_cast<double>(i % grid.nodes), row = static_cast<double>(i / grid.nodes),
-                     x = area ? grid.first_x() + grid.spacing() * column
-                              : column / static_cast<double>(grid.nodes - (grid.periodic ? 0 : 1)),
+                     x = is_map ? grid.first_x() + grid.spacing() * column
+                                : column / static_cast<double>(grid.nodes - (grid.periodic ? 0 : 1)),
                      y = grid.first_y() + grid.row_spacing() * row;
         double nearest = HUGE_VAL;
         for (const Peak& peak : peaks)
             nearest = std::min(
-                nearest, std::hypot(away(x, peak.x, area ? grid.length : 1), away(y, peak.y, grid.width)) /
+                nearest, std::hypot(away(x, peak.x, is_map ? grid.length : 1), away(y, peak.y, grid.width)) /
                              peak.width);
         distance.push_back(nearest);
     }
@@ -146,10 +146,10 @@ std::vector<int> touching(const DesignSetup& setup) {
     const Body& body = setup.model.body;
     double last = 0;
     for (const Loading& loading : loadings_of(setup, setup.model.loading))
-        last = std::max(last, step_displacements(*setup.like, body, loading, setup.model.contact).back());
+        last = std::max(last, step_displacements(*setup.measured, body, loading, setup.model.contact).back());
     ContactOptions contact = setup.model.contact;
     contact.states = true;
-    return solve_contact(*setup.like, body, {last}, contact).states.front().nodes;
+    return solve_contact(*setup.measured, body, {last}, contact).states.front().nodes;
 }
 
 double longest_wave(const DesignSetup& setup) {
@@ -289,13 +289,13 @@ Index max_scan_waves(const DesignSetup& setup) {
 }
 
 Genome scan_waves(const DesignSetup& setup, Index waves) {
-    if (!setup.like)
+    if (!setup.measured)
         throw InputError("own: a measured profile is missing; design like a scan");
-    if (setup.like->is_2d())
+    if (setup.measured->is_2d())
         throw InputError("own: the measured surface is a map; use a profile");
     const double longest = longest_wave(setup);
     const Index count = std::max<Index>(1, waves);
-    Points points = points_of(*setup.like, touching(setup));
+    Points points = points_of(*setup.measured, touching(setup));
     Eigen::MatrixXd basis(points.x.size(), 1 + 2 * count);
     basis.col(0).setOnes();
     for (Index k = 1; k <= count; ++k) {

@@ -38,8 +38,8 @@ Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& 
 /// The number of wavelengths 2 L/k (periodic grid: L/k) that the set-up allows.
 Index max_scan_waves(const DesignSetup& setup);
 
-/// The measured profile (DesignSetup::like) as a sum of waves of length 2 L/k (mm; periodic grid: L/k), k = 1
-/// to `waves`. Each wave is a series of one chromosome. The waves are fitted by least squares. Nodes that
+/// The measured profile (DesignSetup::measured) as a sum of waves of length 2 L/k (mm; periodic grid: L/k), k
+/// = 1 to `waves`. Each wave is a series of one chromosome. The waves are fitted by least squares. Nodes that
 /// contact depends on have the largest weight: nodes that touch under the targets' last load, and nodes below
 /// the sum of the waves. Throws InputError without a measured profile or with a map.
 Genome scan_waves(const DesignSetup& setup, Index waves);

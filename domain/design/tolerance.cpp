@@ -28,14 +28,14 @@ int draws_for(const Grid& grid) {
 }
 
 /// Similarities of one design under errors. They throw ga::Stopped when the time is over.
-class Trials {
+class ErrorTrials {
   public:
-    Trials(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options)
+    ErrorTrials(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options)
         : options_(options), threads_(ga::thread_count(options.threads)),
           watch_({std::numeric_limits<long>::max(), options.seconds, options.stop}), setup_(exactly(given)),
           made_(stopping(setup_), genome),
           range_(made_.surface().heights.maxCoeff() - made_.surface().heights.minCoeff()) {}
-    Trials(const Trials&) = delete; // the surface refers to the clock
+    ErrorTrials(const ErrorTrials&) = delete; // the surface refers to the clock
 
     const Eigen::VectorXd& heights() const { return made_.surface().heights; }
     double range() const { return range_; }
@@ -47,7 +47,8 @@ class Trials {
     std::vector<double> with_noise(double rms, int draws) {
         std::vector<double> similarities(static_cast<std::size_t>(draws));
         draws_.resize(std::max(draws_.size(), similarities.size()));
-        each(similarities.size(), [&](std::size_t i) { similarities[i] = pressed(draws_[i], i, rms); });
+        each(similarities.size(),
+             [&](std::size_t i) { similarities[i] = similarity_under(draws_[i], i, rms); });
         std::sort(similarities.begin(), similarities.end());
         return similarities;
     }
@@ -67,7 +68,7 @@ class Trials {
             if (!lost_below && !kept_above)
                 unknown.push_back(i);
         }
-        each(unknown.size(), [&](std::size_t i) { pressed(draws_[unknown[i]], unknown[i], rms); });
+        each(unknown.size(), [&](std::size_t i) { similarity_under(draws_[unknown[i]], unknown[i], rms); });
         for (const std::size_t i : unknown)
             lost += draws_[i].similarity.at(rms) < level;
         return lost <= may_lose(draws);
@@ -99,7 +100,7 @@ class Trials {
         };
         return setup;
     }
-    double pressed(Draw& draw, std::uint64_t number, double rms) const {
+    double similarity_under(Draw& draw, std::uint64_t number, double rms) const {
         if (draw.heights.size() == 0)
             draw.heights = height_noise(setup_.model.grid, setup_.errors.noise_length,
                                         ga::fold(ga::fold(options_.seed, "height noise"), number));
@@ -118,7 +119,7 @@ class Trials {
     int threads_;
     ga::Watch watch_;
     DesignSetup setup_;
-    MadeSurface made_;
+    SurfaceWithErrors made_;
     double range_; ///< height range, mm
     std::vector<Draw> draws_;
 };
@@ -152,7 +153,7 @@ std::pair<double, double> bracket(const KeptBySize& all, double level) {
 
 /// Sets the largest tilts or scales up to which all keep a level. Octaves are divided into `parts`; then the
 /// interval before the first size below the level is divided further.
-void find_errors(const Trials& trials, const std::vector<Eigen::VectorXd>& shapes, double cap, int parts,
+void find_errors(const ErrorTrials& trials, const std::vector<Eigen::VectorXd>& shapes, double cap, int parts,
                  std::span<ToleranceLevel> levels, double ToleranceLevel::*error) {
     KeptBySize all = ladder(cap, 2, levels.front().similarity, levels.back().similarity,
                             [&](double size) { return trials.lowest(shapes, {size}).front(); });
@@ -183,7 +184,7 @@ void find_errors(const Trials& trials, const std::vector<Eigen::VectorXd>& shape
 
 /// The largest noise under which the draws keep the level, by bisection. It begins with few draws and repeats
 /// with more, each time around the noise found before.
-double largest_noise(Trials& trials, const KeptBySize& rough_steps, double level, int few, int draws) {
+double largest_noise(ErrorTrials& trials, const KeptBySize& rough_steps, double level, int few, int draws) {
     auto [from, to] = bracket(rough_steps, level);
     if (from == 0 || from == to)
         return from;
@@ -214,7 +215,8 @@ std::pair<double, double> share_interval(double share, int draws) {
 /// The number of draws of noise, and the number of parts of each octave of tilts and scales. Both are smaller
 /// if time is short, by the time of some curves, and planned for 0.7 of it. Similarities to contact fractions
 /// jump when a node touches, so there are more parts for such targets.
-std::pair<int, int> effort_for(Trials& trials, const DesignSetup& setup, const ToleranceOptions& options) {
+std::pair<int, int> effort_for(ErrorTrials& trials, const DesignSetup& setup,
+                               const ToleranceOptions& options) {
     const Grid& grid = setup.model.grid;
     const bool jumps = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     std::pair effort(draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8);
@@ -237,7 +239,7 @@ std::pair<int, int> effort_for(Trials& trials, const DesignSetup& setup, const T
 
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    Trials trials(setup, genome, options);
+    ErrorTrials trials(setup, genome, options);
     Tolerance result;
     result.noise_length = setup.errors.noise_length;
     result.similarity = unknown;
@@ -286,10 +288,10 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
     return result;
 }
 
-double similarity_when_made(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options,
-                            int draws) {
+double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
+                               const ToleranceOptions& options, int draws) {
     try {
-        Trials trials(setup, genome, options);
+        ErrorTrials trials(setup, genome, options);
         const double tilted = trials.lowest(unit_tilts(setup.model.grid), {setup.errors.tilt}).front();
         if (!(setup.errors.noise > 0))
             return tilted;

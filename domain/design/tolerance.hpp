@@ -1,6 +1,6 @@
 #pragma once
 
-#include "domain/problem/made.hpp"
+#include "domain/problem/making_errors.hpp"
 
 #include <atomic>
 
@@ -63,7 +63,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
 /// The lowest similarity under DesignSetup::errors. For noise it is the similarity that 95 % of the draws
 /// reach. Tilts are in both directions, on a map along x and y. If `draws` is 0, there are as many draws as
 /// in tolerance_of(). NaN: not computed in time.
-double similarity_when_made(const DesignSetup& setup, const Genome& genome,
-                            const ToleranceOptions& options = {}, int draws = 0);
+double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
+                               const ToleranceOptions& options = {}, int draws = 0);
 
 } // namespace rough

@@ -99,7 +99,7 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
     Model steps = setup.model;
     steps.loading.steps *= 4;
     ask("4 times the load steps", steps, &Verification::more_steps);
-    if (setup.like)
+    if (setup.measured)
         jobs.push_back({check, in_finer_steps_too, [&] {
                             const DesignSetup finer = in_finer_steps(setup);
                             return similarity(finer, respond(finer, genome, finer.model));
@@ -120,7 +120,8 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
                         [&, errors] {
                             DesignSetup with = setup;
                             with.errors = errors;
-                            return similarity_when_made(with, genome, {.seed = options.seed, .threads = 1});
+                            return similarity_under_errors(with, genome,
+                                                           {.seed = options.seed, .threads = 1});
                         },
                         true});
     };
@@ -138,8 +139,8 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
                     std::max(yielding.model.loading.to_pressure.value_or(0), target.last());
         jobs.push_back({check, "nodes held at the hardness",
                         [&, yielding] { // nodes of a measured target are held, too
-                            const DesignSetup held = in_finer_steps(yielding, 1);
-                            return similarity(held, respond(held, genome, held.model));
+                            const DesignSetup yielded = in_finer_steps(yielding, 1);
+                            return similarity(yielded, respond(yielded, genome, yielded.model));
                         },
                         true});
     }

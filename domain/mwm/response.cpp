@@ -71,7 +71,7 @@ Response respond(const Genome& genome, const Model& model) {
     return respond(rough_profile(genome, model.grid), model.body, model.loading, model.contact);
 }
 
-AccountedResponse respond_within(const Genome& genome, const Model& model) {
+ReportedResponse respond_within(const Genome& genome, const Model& model) {
     const Grid& grid = model.grid;
     const Profile whole = rough_profile(genome, grid);
     return respond_within(

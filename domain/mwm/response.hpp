@@ -15,6 +15,6 @@ Grid resolved_grid(const Genome& genome, double length, bool periodic);
 
 /// A genome's response within model.accuracy of the response on the model's grid, and its account. A wave of
 /// the account is a chromosome. Throws what respond() and respond_within() of a sum of waves throw.
-AccountedResponse respond_within(const Genome& genome, const Model& model);
+ReportedResponse respond_within(const Genome& genome, const Model& model);
 
 } // namespace rough

@@ -7,7 +7,7 @@ namespace rough {
 namespace {
 
 /// A point of the surface, mm, and the unit vector of a direction there.
-struct Place {
+struct Location {
     double x = 0, y = 0, along_x = 1, along_y = 0;
 };
 
@@ -22,7 +22,7 @@ std::vector<PlaneWave> waves_on(const Grid& grid, const Genome& genome) {
 }
 
 /// The derivative of order 0, 1 or 2 of the surface at a place, in its direction.
-double derivative(const std::vector<PlaneWave>& waves, int order, const Place& at) {
+double derivative(const std::vector<PlaneWave>& waves, int order, const Location& at) {
     double value = 0;
     for (const PlaneWave& w : waves) {
         const double angle = w.k_x * at.x + w.k_y * at.y + w.phase;
@@ -60,9 +60,9 @@ Grid search_grid(const Grid& grid) {
 }
 
 struct Extremes {
-    double min, max;      ///< values at the nodes
-    Place at_min, at_max; ///< their places
-    double between;       ///< the most by which a point between nodes exceeds them
+    double min, max;         ///< values at the nodes
+    Location at_min, at_max; ///< their places
+    double between;          ///< the most by which a point between nodes exceeds them
     double largest() const { return std::max(-min, max) + between; }
     double range() const { return max - min + 2 * between; }
 };
@@ -79,21 +79,21 @@ Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int ord
         }
         return sampled(each, fine);
     };
-    const bool area = grid.is_2d();
-    const Eigen::VectorXd x = field(order), y = area && order > 0 ? field(0) : x,
-                          xy = area && order > 1 ? field(1) : x;
+    const bool is_map = grid.is_2d();
+    const Eigen::VectorXd x = field(order), y = is_map && order > 0 ? field(0) : x,
+                          xy = is_map && order > 1 ? field(1) : x;
     Extremes result{HUGE_VAL, -HUGE_VAL, {}, {}, between_nodes(waves, order, fine.widest_spacing())};
     const auto consider = [&](Index node, double value, double angle) {
-        const Place at{fine.first_x() + fine.spacing() * static_cast<double>(node % fine.nodes),
-                       fine.first_y() + fine.row_spacing() * static_cast<double>(node / fine.nodes),
-                       std::cos(angle), std::sin(angle)};
+        const Location at{fine.first_x() + fine.spacing() * static_cast<double>(node % fine.nodes),
+                          fine.first_y() + fine.row_spacing() * static_cast<double>(node / fine.nodes),
+                          std::cos(angle), std::sin(angle)};
         if (value > result.max)
             result.max = value, result.at_max = at;
         if (value < result.min)
             result.min = value, result.at_min = at;
     };
     for (Index i = 0; i < x.size(); ++i)
-        if (!area || order == 0) {
+        if (!is_map || order == 0) {
             consider(i, x[i], 0);
         } else if (order == 1) {
             consider(i, std::hypot(x[i], y[i]), std::atan2(y[i], x[i]));
@@ -110,7 +110,7 @@ Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int ord
 struct ShapeLimit {
     double ratio; ///< value over limit; for a radius, of the curvature
     int order;
-    std::vector<std::pair<double, Place>> places; ///< weight (1/limit, signed)
+    std::vector<std::pair<double, Location>> places; ///< weight (1/limit, signed)
 };
 
 std::vector<ShapeLimit> shape_limits(const Genome& genome, const Grid& grid, const MakingLimits& limits) {

@@ -165,17 +165,17 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) con
         const DesignSetup& reported = verifier_->setup();
         auto all = unless_stopped(reported.model.contact, [&] {
             const DesignSetup& finer = verifier_->finer();
-            return pressed(finer, at_scale_one(genome, finer), finer.model);
+            return responses_of(finer, at_scale_one(genome, finer), finer.model);
         });
         std::vector<Response> own;
         for (const Response& response : all)
             own.push_back(every(verified_refinement, response));
-        const DesignResponse response = scored(reported, std::move(own));
+        const DesignResponse response = design_response(reported, std::move(own));
         outcome.scale = response.scale;
-        outcome.misfits = misfits_of(verifier_->finer(), scored(verifier_->finer(), std::move(all)));
+        outcome.misfits = misfits_of(verifier_->finer(), design_response(verifier_->finer(), std::move(all)));
         outcome.similarity = std::min(min_similarity(outcome.misfits), rough::similarity(reported, response));
     } else {
-        const DesignResponse response = scored(*setup_, responses_of(genome));
+        const DesignResponse response = design_response(*setup_, search_responses(genome));
         outcome = {response.scale, misfits_of(*setup_, response)};
         outcome.similarity = min_similarity(outcome.misfits);
     }
@@ -186,11 +186,11 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) con
     return outcome;
 }
 
-std::vector<Response> DesignProblem::responses_of(const Genome& genome) const {
+std::vector<Response> DesignProblem::search_responses(const Genome& genome) const {
     auto responses = memory_ ? memory_->find(key(genome)) : std::nullopt;
     if (!responses) {
-        responses =
-            unless_stopped(setup_->model.contact, [&] { return pressed(*setup_, genome, setup_->model); });
+        responses = unless_stopped(setup_->model.contact,
+                                   [&] { return responses_of(*setup_, genome, setup_->model); });
         if (memory_)
             memory_->keep(key(genome), *responses);
     }
@@ -313,7 +313,7 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
     if (setup_->max_pressure)
         shape.scale = all[0].factor;
     if (objective == "made") {
-        const MadeSurface made(exactly(*setup_), shape);
+        const SurfaceWithErrors made(exactly(*setup_), shape);
         std::vector<ga::Sensitivity> parts{std::move(rows)};
         for (const auto* errors : {&errors_->noise, &errors_->tilts})
             for (const Eigen::VectorXd& heights : *errors)

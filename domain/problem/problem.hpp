@@ -1,12 +1,12 @@
 #pragma once
 
-#include "domain/problem/made.hpp"
+#include "domain/problem/making_errors.hpp"
 #include "domain/problem/verification.hpp"
 
 namespace rough {
 
-/// Responses of pressed() under DesignProblem::key(). Problems that share them have one model and differ only
-/// in the threshold or, under Eq. 11, in the targets.
+/// Responses of responses_of() under DesignProblem::key(). Problems that share them have one model and differ
+/// only in the threshold or, under Eq. 11, in the targets.
 struct ResponseMemory : KeyedMemory<std::vector<Response>> {};
 
 /// Features in which surfaces with the same response may differ. Their derivatives are exact as long as
@@ -110,7 +110,7 @@ class DesignProblem {
     bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
 
   private:
-    std::vector<Response> responses_of(const Genome& genome) const;
+    std::vector<Response> search_responses(const Genome& genome) const;
 
     std::shared_ptr<const DesignSetup> setup_;
     Model unit_;

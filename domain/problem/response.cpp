@@ -38,7 +38,7 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
 }
 
 /// The response to each loading, and its derivatives in genes.
-struct Pressed {
+struct ResponsesWithJacobians {
     std::vector<Response> responses;
     std::vector<ResponseJacobian> jacobians;
 };
@@ -50,9 +50,10 @@ std::size_t loading_of(const Target& target, std::size_t count) {
     return target.against_pressure() ? 0 : count - 1;
 }
 
-Pressed pressed_with_jacobian(const DesignSetup& setup, const Profile& profile,
-                              const std::vector<Loading>& loadings, const Model& model, const Pull& pull) {
-    Pressed result;
+ResponsesWithJacobians responses_with_jacobians(const DesignSetup& setup, const Profile& profile,
+                                                const std::vector<Loading>& loadings, const Model& model,
+                                                const Pull& pull) {
+    ResponsesWithJacobians result;
     for (std::size_t l = 0; l < loadings.size(); ++l) {
         bool with_area = false;
         for (const Target& target : setup.targets)
@@ -67,8 +68,9 @@ Pressed pressed_with_jacobian(const DesignSetup& setup, const Profile& profile,
     return result;
 }
 
-Pressed pressed_with_jacobian(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    return pressed_with_jacobian(
+ResponsesWithJacobians responses_with_jacobians(const DesignSetup& setup, const Genome& genome,
+                                                const Model& model) {
+    return responses_with_jacobians(
         setup, sample(genome, model.grid), loadings_of(setup, model.loading), model,
         [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
@@ -98,8 +100,8 @@ void continue_beyond_full_contact(const DesignSetup& setup, const Target& target
     }
 }
 
-Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
-    const auto& [responses, jacobians] = pressed;
+Rows rows_of(const DesignSetup& setup, const ResponsesWithJacobians& all) {
+    const auto& [responses, jacobians] = all;
     Rows result;
     if (setup.max_pressure) {
         const Index last = responses[0].steps() - 1;
@@ -123,13 +125,13 @@ Rows rows_of(const DesignSetup& setup, const Pressed& pressed) {
     return result;
 }
 
-Pressed every(Index part, Pressed pressed) {
-    for (Response& response : pressed.responses)
+ResponsesWithJacobians every(Index part, ResponsesWithJacobians all) {
+    for (Response& response : all.responses)
         response = every(part, std::move(response));
-    for (ResponseJacobian& jacobian : pressed.jacobians)
+    for (ResponseJacobian& jacobian : all.jacobians)
         for (auto* rows : {&jacobian.pressure, &jacobian.contact_fraction})
             *rows = Eigen::MatrixXd((*rows)(Eigen::seqN(part - 1, rows->rows() / part, part), Eigen::all));
-    return pressed;
+    return all;
 }
 
 } // namespace
@@ -183,15 +185,15 @@ double eq_11(const DesignSetup& setup, const Response& response) {
     return factor;
 }
 
-DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed) {
+DesignResponse design_response(const DesignSetup& setup, std::vector<Response> responses) {
     DesignResponse result;
-    result.scale = eq_11(setup, pressed.front());
+    result.scale = eq_11(setup, responses.front());
     for (const Target& target : setup.targets) {
-        const Response& response = pressed[loading_of(target, pressed.size())];
+        const Response& response = responses[loading_of(target, responses.size())];
         result.curves.push_back(stretched(curve_of(target.quantity, response), result.scale));
         continue_beyond_full_contact(setup, target, result.curves.back());
     }
-    for (Response& response : pressed)
+    for (Response& response : responses)
         result.responses.push_back(setup.max_pressure ? scaled(std::move(response), result.scale)
                                                       : std::move(response));
     return result;
@@ -209,7 +211,7 @@ Loading up_to_full_contact(Loading loading, const Profile& profile, const Model&
     return loading;
 }
 
-std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model) {
+std::vector<Response> responses_of(const DesignSetup& setup, const Genome& genome, const Model& model) {
     std::vector<Response> responses;
     const Genome shape = at_scale_one(genome, setup);
     Model loaded = model;
@@ -223,7 +225,7 @@ std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, co
 }
 
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    return scored(setup, pressed(setup, genome, model));
+    return design_response(setup, responses_of(setup, genome, model));
 }
 
 std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignResponse& response) {
@@ -280,17 +282,17 @@ ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& bel
 }
 
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    return rows_of(setup, pressed_with_jacobian(setup, genome, model));
+    return rows_of(setup, responses_with_jacobians(setup, genome, model));
 }
 
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
                  const Model& model, const Pull& in_genes) {
-    return rows_of(setup, pressed_with_jacobian(setup, profile, loadings, model, in_genes));
+    return rows_of(setup, responses_with_jacobians(setup, profile, loadings, model, in_genes));
 }
 
 std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
                                  Index refine) {
-    Pressed fine = pressed_with_jacobian(finer, genome, refined(finer.model, refine));
+    ResponsesWithJacobians fine = responses_with_jacobians(finer, genome, refined(finer.model, refine));
     Rows all = rows_of(finer, fine);
     return {std::move(all), rows_of(setup, every(verified_refinement, std::move(fine)))};
 }

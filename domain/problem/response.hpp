@@ -30,10 +30,10 @@ struct DesignResponse {
     std::vector<Curve> curves;       ///< for each target, the curve that is compared with it
 };
 /// The responses and curves of a genome from its responses at scale 1, one for each loading.
-DesignResponse scored(const DesignSetup& setup, std::vector<Response> pressed);
+DesignResponse design_response(const DesignSetup& setup, std::vector<Response> responses);
 
 /// The responses of a genome (at scale 1 under Eq. 11) to each loading, within the model's accuracy.
-std::vector<Response> pressed(const DesignSetup& setup, const Genome& genome, const Model& model);
+std::vector<Response> responses_of(const DesignSetup& setup, const Genome& genome, const Model& model);
 
 /// The responses and curves of a genome within the accuracy of `model`, which may have another grid, load
 /// steps or kernel than the set-up.

@@ -102,9 +102,9 @@ DesignSetup as_reported(DesignSetup searched) {
     return setup;
 }
 
-DesignSetup like(const Profile& profile, Model model, const std::string& name,
-                 const std::vector<Quantity>& quantities, Index points, std::optional<Index> nodes,
-                 Resolution resolution, std::optional<double> max_pressure) {
+DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
+                        const std::vector<Quantity>& quantities, Index points, std::optional<Index> nodes,
+                        Resolution resolution, std::optional<double> max_pressure) {
     auto targets = targets_like(profile, model, name, quantities, points, max_pressure, resolution);
     for (Target& target : targets)
         if (target.has_band()) {
@@ -116,7 +116,7 @@ DesignSetup like(const Profile& profile, Model model, const std::string& name,
     return {.model = std::move(model),
             .targets = std::move(targets),
             .max_pressure = max_pressure,
-            .like = profile};
+            .measured = profile};
 }
 
 const std::vector<std::string>& names_of_likeness() {

@@ -37,7 +37,7 @@ struct DesignSetup {
     /// Limits of manufacturing. Default: wavelengths of 8 node spacings; none if only phases move.
     MakingLimits limits = {.shortest_wave = phases ? 0 : 8 * model.grid.widest_spacing()};
     /// The measured profile if its response is the target. Such targets depend on the load steps.
-    std::optional<Profile> like = {};
+    std::optional<Profile> measured = {};
     /// The verified similarity from which a search may end and an answer is reported as found.
     double required_similarity = default_required_similarity;
     /// Number of ridges M of each chromosome of a drawn genome. Default: 1 on a line, because all ridges of a
@@ -74,10 +74,11 @@ DesignSetup as_reported(DesignSetup searched);
 ///
 /// The grid gets `nodes` nodes. Default: 512; for contact area, the profile's number of nodes (512 to 4096),
 /// or more if fewer than 32 nodes would touch at the first point. A map keeps its nodes.
-DesignSetup like(const Profile& profile, Model model, const std::string& name,
-                 const std::vector<Quantity>& quantities = {Quantity::stiffness, Quantity::area_at_pressure},
-                 Index points = 20, std::optional<Index> nodes = {}, Resolution resolution = Resolution::off,
-                 std::optional<double> max_pressure = {});
+DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
+                        const std::vector<Quantity>& quantities = {Quantity::stiffness,
+                                                                   Quantity::area_at_pressure},
+                        Index points = 20, std::optional<Index> nodes = {},
+                        Resolution resolution = Resolution::off, std::optional<double> max_pressure = {});
 
 /// The names of the quantities of a scan that a design can match: `both` (stiffness and contact area),
 /// `stiffness`, `area` and `interface_stiffness`.

@@ -9,11 +9,11 @@ namespace rough {
 namespace {
 
 /// The largest error of an interpolated load step, relative to a secant in finer load steps.
-constexpr double reading_accuracy = 2e-3;
+constexpr double interpolation_accuracy = 2e-3;
 
 /// Fills in the steps that are not solved. The pressure is a cubic through pressures and tangents of the
 /// solved steps next to them; all other columns are linear.
-Response read_between(Response response, const std::vector<char>& solved) {
+Response interpolated(Response response, const std::vector<char>& solved) {
     for (Index j = 0; j < response.steps(); ++j) {
         if (solved[static_cast<std::size_t>(j)])
             continue;
@@ -39,12 +39,12 @@ std::vector<char> steps_to_solve(const Response& all) {
     std::vector<char> solved(static_cast<std::size_t>(count), 1);
     for (Index j = verified_refinement; j < count; ++j)
         solved[static_cast<std::size_t>(j)] = (j + 1) % verified_refinement == 0;
-    const Response read = read_between(all, solved);
+    const Response read = interpolated(all, solved);
     for (Index a = verified_refinement - 1; a + verified_refinement < count; a += verified_refinement) {
         const double error =
             (read.pressure - all.pressure).segment(a + 1, verified_refinement).cwiseAbs().maxCoeff();
         const double step = (all.pressure[a + verified_refinement] - all.pressure[a]) / verified_refinement;
-        if (2 * error > reading_accuracy * step)
+        if (2 * error > interpolation_accuracy * step)
             std::fill_n(solved.begin() + a + 1, verified_refinement, char{1});
     }
     return solved;
@@ -54,9 +54,9 @@ std::vector<char> steps_to_solve(const Response& all) {
 
 DesignSetup in_finer_steps(DesignSetup setup, int times) {
     setup.model.loading.steps *= times;
-    if (!setup.like)
+    if (!setup.measured)
         return setup;
-    const Response response = respond(*setup.like, exactly(setup.model));
+    const Response response = respond(*setup.measured, exactly(setup.model));
     for (Target& target : setup.targets) {
         const Curve curve = curve_of(target.quantity, response);
         for (Index k = 0; k < target.points(); ++k) {
@@ -76,12 +76,12 @@ double Verification::worst() const {
 }
 
 const DesignSetup& Verifier::finer() const {
-    std::call_once(finer_made_, [&] { finer_ = in_finer_steps(setup_); });
+    std::call_once(is_finer_known_, [&] { finer_ = in_finer_steps(setup_); });
     return finer_;
 }
 
-std::vector<Response> Verifier::on_fine_area(const Genome& genome,
-                                             const std::vector<std::vector<char>>& to_solve) const {
+std::vector<Response> Verifier::on_fine_map(const Genome& genome,
+                                            const std::vector<std::vector<char>>& to_solve) const {
     const Model model = refined(finer().model, verified_refinement);
     const Profile map = sample(at_scale_one(genome, finer()), model.grid);
     std::vector<Response> responses;
@@ -107,7 +107,7 @@ std::vector<Response> Verifier::on_fine_area(const Genome& genome,
                 steps[solved[k]] = curve.steps[k - from];
         });
         responses.push_back(
-            read_between(response_of(steps, model.contact.solver, displacement_range(map, model.body.kernel),
+            interpolated(response_of(steps, model.contact.solver, displacement_range(map, model.body.kernel),
                                      full_contact_stiffness(map, model.body)),
                          to_solve[responses.size()]));
     }
@@ -115,34 +115,35 @@ std::vector<Response> Verifier::on_fine_area(const Genome& genome,
 }
 
 void Verifier::verify(const Genome& genome, Verification& result) const {
-    const bool area = setup_.model.grid.is_2d();
+    const bool is_map = setup_.model.grid.is_2d();
     // The misfits in all steps, then in every fourth, which are the set-up's.
     const auto misfits_in = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
         std::vector<Response> found;
         for (const Response& response : fine)
             found.push_back(every(verified_refinement, response));
-        result.misfits[all_steps] = misfits_of(finer(), scored(finer(), std::move(fine)));
-        result.misfits[own_steps] = misfits_of(setup_, scored(setup_, found));
+        result.misfits[all_steps] = misfits_of(finer(), design_response(finer(), std::move(fine)));
+        result.misfits[own_steps] = misfits_of(setup_, design_response(setup_, found));
         return found;
     };
-    std::vector<Response> fine = pressed(finer(), genome, refined(finer().model, 1));
+    std::vector<Response> fine = responses_of(finer(), genome, refined(finer().model, 1));
     std::vector<std::vector<char>> to_solve;
-    if (area) {
+    if (is_map) {
         std::vector<Response> read;
         for (const Response& response : fine) {
             to_solve.push_back(steps_to_solve(response));
-            read.push_back(read_between(response, to_solve.back()));
+            read.push_back(interpolated(response, to_solve.back()));
         }
-        const auto by_reading = misfits_of(finer(), scored(finer(), std::move(read))),
-                   exact = misfits_of(finer(), scored(finer(), fine));
+        const auto by_interpolation = misfits_of(finer(), design_response(finer(), std::move(read))),
+                   exact = misfits_of(finer(), design_response(finer(), fine));
         for (std::size_t t = 0; t < exact.size(); ++t)
-            result.reading_error =
-                std::max(result.reading_error, (by_reading[t] - exact[t]).cwiseAbs().maxCoeff());
+            result.interpolation_error =
+                std::max(result.interpolation_error, (by_interpolation[t] - exact[t]).cwiseAbs().maxCoeff());
     }
     result.on_grid = misfits_in(std::move(fine), 0, 2);
-    result.on_finer = misfits_in(area ? on_fine_area(genome, to_solve)
-                                      : pressed(finer(), genome, refined(finer().model, verified_refinement)),
-                                 1, 3);
+    result.on_finer =
+        misfits_in(is_map ? on_fine_map(genome, to_solve)
+                          : responses_of(finer(), genome, refined(finer().model, verified_refinement)),
+                   1, 3);
 }
 
 Verification Verifier::of(const Genome& genome) const {
@@ -161,7 +162,7 @@ Verification Verifier::of(const Genome& genome) const {
     result.similarity = likeness(0);
     result.refined = likeness(1);
     result.more_steps = likeness(2);
-    result.both = likeness(3) - result.reading_error;
+    result.both = likeness(3) - result.interpolation_error;
     result.seconds = clock.seconds();
     if (!std::isnan(result.worst()))
         known_.keep(key_of(setup_, genome), result);

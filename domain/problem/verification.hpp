@@ -5,18 +5,18 @@
 
 namespace rough {
 
-/// The set-up with `times` the load steps. Targets that are a measured profile's response (DesignSetup::like)
-/// are computed again in the finer steps; other targets do not change.
+/// The set-up with `times` the load steps. Targets that are a measured profile's response
+/// (DesignSetup::measured) are computed again in the finer steps; other targets do not change.
 DesignSetup in_finer_steps(DesignSetup setup, int times = verified_refinement);
 
 /// The four similarities of a genome: under the set-up, and on a finer grid and in finer load steps. Eq. 11
 /// is applied each time. NaN: not verified, because the verifier was stopped before.
 struct Verification {
-    double similarity = 0;    ///< similarity on the set-up's grid, in its load steps
-    double refined = 0;       ///< similarity on a grid of 4(N - 1) + 1 nodes (periodic: 4 N) along each axis
-    double more_steps = 0;    ///< similarity in four times the load steps (in_finer_steps)
-    double both = 0;          ///< similarity on the finer grid in four times the load steps
-    double reading_error = 0; ///< error of interpolated load steps, already subtracted from `both`
+    double similarity = 0; ///< similarity on the set-up's grid, in its load steps
+    double refined = 0;    ///< similarity on a grid of 4(N - 1) + 1 nodes (periodic: 4 N) along each axis
+    double more_steps = 0; ///< similarity in four times the load steps (in_finer_steps)
+    double both = 0;       ///< similarity on the finer grid in four times the load steps
+    double interpolation_error = 0; ///< error of interpolated load steps, already subtracted from `both`
     std::vector<Response> on_grid;  ///< responses on the set-up's grid in its load steps
     std::vector<Response> on_finer; ///< responses on the finer grid in the set-up's load steps
     double seconds = 0;             ///< wall time of the verification
@@ -56,7 +56,7 @@ class Verifier {
 
     DesignSetup setup_;
     int threads_;
-    mutable std::once_flag finer_made_;
+    mutable std::once_flag is_finer_known_;
     mutable DesignSetup finer_;
     mutable KeyedMemory<Verification> known_{32}; ///< under key_of()
 };

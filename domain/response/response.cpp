@@ -88,8 +88,8 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
     return load_displacements(displacement_range(profile, body.kernel), loading, body.kernel);
 }
 
-ContactCurve press(const Profile& profile, const Body& body, const Loading& loading,
-                   const ContactOptions& options) {
+ContactCurve solve_load_steps(const Profile& profile, const Body& body, const Loading& loading,
+                              const ContactOptions& options) {
     if (!loading.pressures.empty())
         return solve_contact_at_pressures(profile, body, loading.pressures, options);
     return solve_contact(profile, body, step_displacements(profile, body, loading, options), options);
@@ -98,7 +98,7 @@ ContactCurve press(const Profile& profile, const Body& body, const Loading& load
 Response respond(const Profile& profile, const Body& body, const Loading& loading,
                  const ContactOptions& options) {
     const double range = displacement_range(profile, body.kernel);
-    const ContactCurve curve = press(profile, body, loading, options);
+    const ContactCurve curve = solve_load_steps(profile, body, loading, options);
     return response_of(curve.steps, curve.solver, range,
                        full_contact_stiffness(profile, body, options.threads));
 }
@@ -112,7 +112,7 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                " MPa; use a body without");
     const double range = displacement_range(profile, body.kernel);
     options.states = true;
-    const ContactCurve curve = press(profile, body, loading, options);
+    const ContactCurve curve = solve_load_steps(profile, body, loading, options);
     const Index nodes = profile.nodes(), steps = static_cast<Index>(curve.steps.size());
     Index highest = 0, lowest = 0;
     profile.heights.maxCoeff(&highest);
@@ -181,14 +181,14 @@ std::string field_text(double value) {
     return digits;
 }
 
-Fields fields(const Model& model) {
+NamedValues named_values(const Model& model) {
     const Body& body = model.body;
-    Fields all{{"nodes", std::to_string(model.grid.nodes)},
-               {"length_mm", field_text(model.grid.length)},
-               {"kernel", name_of(body.kernel)},
-               {"effective_modulus_MPa", field_text(body.effective_modulus)},
-               {"steps", std::to_string(model.loading.steps)},
-               {"reach", field_text(model.loading.reach.value())}};
+    NamedValues all{{"nodes", std::to_string(model.grid.nodes)},
+                    {"length_mm", field_text(model.grid.length)},
+                    {"kernel", name_of(body.kernel)},
+                    {"effective_modulus_MPa", field_text(body.effective_modulus)},
+                    {"steps", std::to_string(model.loading.steps)},
+                    {"reach", field_text(model.loading.reach.value())}};
     if (model.grid.is_2d()) {
         all.emplace_back("rows", std::to_string(model.grid.rows));
         all.emplace_back("width_mm", field_text(model.grid.width));

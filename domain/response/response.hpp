@@ -65,8 +65,8 @@ std::vector<double> step_displacements(const Profile& profile, const Body& body,
                                        const ContactOptions& options = {});
 
 /// Presses the profile to the load steps. Throws what step_displacements() and solve_contact() throw.
-ContactCurve press(const Profile& profile, const Body& body, const Loading& loading,
-                   const ContactOptions& options = {});
+ContactCurve solve_load_steps(const Profile& profile, const Body& body, const Loading& loading,
+                              const ContactOptions& options = {});
 
 /// The response of a profile. K(p) of an array of heights is secant_stiffness(respond({heights, spacing})).
 /// Throws InputError on a profile, body or loading without a solution, and NotConverged if the certificate of
@@ -145,13 +145,13 @@ inline Model refined(Model model, Index refine) {
 }
 
 /// Pairs of name with unit and value, in a fixed order.
-using Fields = std::vector<std::pair<std::string, std::string>>;
+using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
 /// A number with 17 digits, which reads back exactly.
 std::string field_text(double value);
 
 /// A model as fields. Solver and tolerance are omitted, because solvers agree to the tolerance of
 /// their certificate.
-Fields fields(const Model& model);
+NamedValues named_values(const Model& model);
 
 } // namespace rough

@@ -80,12 +80,12 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
         const auto highest = [&](double min_secant) {
             return scored_limits({min_secant, load.secants.max}, load.steps, x / load.last).max;
         };
-        const auto over = [&](double min_secant) {
+        const auto misfit_at = [&](double min_secant) {
             return target.weight * (allowed.lower(k) - highest(min_secant)) / target.y[k];
         };
-        if (const double misfit = over(min); !of_interface && misfit > negligible) {
+        if (const double misfit = misfit_at(min); !of_interface && misfit > negligible) {
             stiff.at.push_back(x);
-            stiff.on_this_grid = stiff.on_this_grid && over(0) <= negligible;
+            stiff.on_this_grid = stiff.on_this_grid && misfit_at(0) <= negligible;
             if (is_worse(misfit, stiff)) {
                 stiff.bound = 1 - misfit;
                 stiff.reason = line_with_digits(6, "stiffness ", allowed.lower(k), " MPa/mm at ", x,

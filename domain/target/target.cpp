@@ -155,16 +155,16 @@ std::string as_read(const std::string& key, const std::string& value) {
 }
 
 std::vector<RecordedDifference> differences(const Target& target, const Model& model, bool carried) {
-    const auto own = recorded_model(model);
+    const auto of_model = recorded_model(model);
     std::vector<RecordedDifference> found;
     for (const char* key : recorded_keys) {
         const bool carries = target.quantity == Quantity::interface_stiffness &&
                              (key == std::string("datum_mm") || key == std::string("length_mm"));
-        const auto there = target.recorded.find(key), here = own.find(key);
+        const auto there = target.recorded.find(key), here = of_model.find(key);
         if (carries != carried || there == target.recorded.end() || there->second.empty())
             continue;
-        const std::string value = here == own.end() ? "" : here->second;
-        if (here == own.end() || !same(key, there->second, value, target.name))
+        const std::string value = here == of_model.end() ? "" : here->second;
+        if (here == of_model.end() || !same(key, there->second, value, target.name))
             found.push_back({key, there->second, as_read(key, value)});
     }
     return found;
@@ -355,7 +355,7 @@ double similarity(const Curve& reference, const Curve& curve) {
 }
 
 std::map<std::string, std::string> recorded_model(const Model& model) {
-    const Fields all = fields(model);
+    const NamedValues all = named_values(model);
     std::map<std::string, std::string> recorded(all.begin(), all.end());
     for (const char* of_the_solution : {"nodes", "rows", "steps", "reach"})
         recorded.erase(of_the_solution);

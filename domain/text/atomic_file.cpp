@@ -118,22 +118,22 @@ std::string read_open(const Descriptor& file, const struct stat& there, const st
     if (size > max)
         refuse_size(path, max);
     std::string bytes;
-    std::size_t held = 0;
-    for (std::size_t room = first_bytes;; room = std::max({size + 1, 2 * held, std::size_t{65536}})) {
+    std::size_t used = 0;
+    for (std::size_t room = first_bytes;; room = std::max({size + 1, 2 * used, std::size_t{65536}})) {
         bytes.resize(std::min(room, max + 1));
         ssize_t got = 0;
-        while (held < bytes.size() &&
-               ((got = ::read(file.get(), bytes.data() + held, bytes.size() - held)) > 0 ||
+        while (used < bytes.size() &&
+               ((got = ::read(file.get(), bytes.data() + used, bytes.size() - used)) > 0 ||
                 (got < 0 && errno == EINTR)))
-            held += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+            used += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
         if (got < 0)
             refuse_path(path, "read", errno);
-        if (held > max)
+        if (used > max)
             refuse_size(path, max);
         if (expect && room == first_bytes)
-            expect(std::string_view(bytes).substr(0, held));
-        if (held < bytes.size()) {
-            bytes.resize(held);
+            expect(std::string_view(bytes).substr(0, used));
+        if (used < bytes.size()) {
+            bytes.resize(used);
             return bytes;
         }
     }

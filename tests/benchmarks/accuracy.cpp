@@ -16,7 +16,7 @@ using namespace rough;
 
 namespace {
 
-AccountedResponse within_accuracy(double accuracy, const Genome& genome, Model model) {
+ReportedResponse within_accuracy(double accuracy, const Genome& genome, Model model) {
     model.accuracy = accuracy;
     return respond_within(genome, model);
 }
@@ -97,9 +97,9 @@ int main(int count, char** words) {
             model.grid = resolved_grid(genome, length, periodic);
             // Processor time: other programs' load does not count.
             const std::clock_t start = std::clock();
-            const AccountedResponse exact = respond_within(genome, model);
+            const ReportedResponse exact = respond_within(genome, model);
             const std::clock_t middle = std::clock();
-            const AccountedResponse cheap = within_accuracy(accuracy, genome, model);
+            const ReportedResponse cheap = within_accuracy(accuracy, genome, model);
             const std::clock_t end = std::clock();
             const double resolved_ms = 1e3 * static_cast<double>(middle - start) / CLOCKS_PER_SEC;
             const double cheap_ms = 1e3 * static_cast<double>(end - middle) / CLOCKS_PER_SEC;

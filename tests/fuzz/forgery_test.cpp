@@ -86,7 +86,7 @@ struct Summing : ga::Evaluator<P> {
                 weighted += static_cast<double>(gene) * ++place_;
             }
             place_ = 0;
-            app::Answer answer{{sum, weighted}, {sum - 3, -1}};
+            app::Evaluation answer{{sum, weighted}, {sum - 3, -1}};
             answer.objectives.resize(problem.objectives().size());
             record.take({app::genes_text(*call.genome), answer});
             *call.answer = std::move(answer);

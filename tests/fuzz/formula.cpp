@@ -1,4 +1,4 @@
-#include "apps/prompt/goals.hpp"
+#include "apps/prompt/targets.hpp"
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(formula) {

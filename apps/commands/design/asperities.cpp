@@ -74,13 +74,13 @@ CapRun cap_run_from(const Settings& settings) {
     rough::Model model = model_from(settings.with({{"nodes", ""}}));
     model.grid = grid_of(setup.array);
     setup.effective_modulus = model.body.effective_modulus;
-    setup.targets = goals_from(settings, model);
+    setup.targets = targets_from(settings, model);
     placing(settings, "", [&] { return rough::CapProblem(setup); });
     settings.take("accuracy", model.accuracy);
     if (only_areas(setup) && model.accuracy >= independent_error)
         setup.model = rough::CapModel::independent;
     run.options.pipeline = pipeline_from(settings, cap_variants(setup), "default");
-    take(settings, app::fields_of(run.options));
+    take(settings, app::bindings_of(run.options));
     run.unreachable =
         rough::unreachable(out_of_reach(setup), settings.has("reach-similarity") ? setup.required_similarity
                                                                                  : rough::exact_enough);
@@ -241,7 +241,7 @@ std::vector<Setting> asperity_settings() {
 int design_asperities(const Settings& settings, const std::string& line) {
     CapRun run = cap_run_from(settings);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
-        Progress progress;
+        ProgressLine progress;
         run.found =
             search(run.setup, run.options,
                    {recorder<rough::CapGenome>(run.stages),

@@ -97,7 +97,7 @@ json design_json(const DesignRun& run) {
     result["required_similarity"] = run.setup.required_similarity;
     result["verified"] = run.found.best.is_verified();
     result["accounts"] = run.accounts;
-    result["like"] = run.setup.like ? json(run.setup.like->nodes()) : json();
+    result["like"] = run.setup.measured ? json(run.setup.measured->nodes()) : json();
     result["summary"].update({{"lowest", run.summary.verified},
                               {"unrequested_errors", run.unrequested_errors.value_or(Shares())}});
 
@@ -138,7 +138,7 @@ constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
     std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.response}};
     if (const auto& finer = run.found.best.on_finer; !finer.empty())
-        responses.emplace_back("finer", scored(run.setup, finer));
+        responses.emplace_back("finer", design_response(run.setup, finer));
     if (run.from)
         responses.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));
     Csv curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_finer");
@@ -163,8 +163,8 @@ void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
 void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     const rough::Grid& grid = run.setup.model.grid;
     std::vector<std::pair<std::string, rough::Profile>> surfaces;
-    if (run.setup.like)
-        surfaces.emplace_back("scan", *run.setup.like);
+    if (run.setup.measured)
+        surfaces.emplace_back("scan", *run.setup.measured);
     for (std::size_t i = 0; i < std::min(max_surfaces, run.found.alternatives.size()); ++i)
         surfaces.emplace_back(std::to_string(i + 1), sample(run.found.alternatives[i].genome, grid));
     if (surfaces.empty())

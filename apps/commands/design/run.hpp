@@ -93,7 +93,7 @@ struct DesignRun : DesignRecord, DesignTask, DesignAnswer, AnswerChecks {};
 
 /// The parameters of a search for designs of any genome.
 template <class P>
-Fields fields_of(rough::SearchOptionsOf<P>& options) {
+Bindings bindings_of(rough::SearchOptionsOf<P>& options) {
     return {
         {positive("seconds", "",
                   "wall time of the whole design; a map without time to verify is reported as not verified "
@@ -115,7 +115,7 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
                           const std::string& usual);
 
 /// The targets of --target with their --weights.
-std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model);
+std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model);
 ///@{
 /// Parts of result.json.
 nlohmann::json trust_json(const rough::Trust& trust);

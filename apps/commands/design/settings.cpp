@@ -1,6 +1,6 @@
 #include "apps/commands/design/run.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/targets.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/database/screen.hpp"
 #include "domain/design/pipelines.hpp"
@@ -12,9 +12,9 @@ namespace app {
 namespace {
 
 /// The parameters that the set-up of a design holds.
-Fields fields_of(rough::DesignSetup& setup) {
+Bindings bindings_of(rough::DesignSetup& setup) {
     rough::MakingLimits& limits = setup.limits;
-    Fields fields{
+    Bindings bindings{
         {max_pressure_setting(), setup.max_pressure},
         {ga::number("reach-similarity", "", -1, 1,
                     "similarity that an answer must have in all checks. The variants default and like "
@@ -46,7 +46,7 @@ Fields fields_of(rough::DesignSetup& setup) {
              "tilt, as a height over the length, mm, under which the answer must have the similarity [none]"),
          setup.errors.tilt},
     };
-    return with_bounds(std::move(fields), setup.bounds);
+    return with_bounds(std::move(bindings), setup.bounds);
 }
 
 /// The surface in production of --from, --control and --largest-change; nothing without --from.
@@ -72,11 +72,12 @@ void expect_consistent(const Settings& settings, const rough::DesignSetup& setup
     const rough::Grid& grid = setup.model.grid;
     if (grid.is_2d() && settings.has("database"))
         settings.refuse("database", "given with a map; omit it, as it is for profiles only");
-    for (const rough::Target& goal : setup.targets)
-        if (setup.max_pressure && goal.against_pressure() && goal.last() > *setup.max_pressure * (1 + 1e-9))
+    for (const rough::Target& target : setup.targets)
+        if (setup.max_pressure && target.against_pressure() &&
+            target.last() > *setup.max_pressure * (1 + 1e-9))
             settings.refuse("max-pressure", settings.text("max-pressure"),
-                            " MPa is too low; give at least the last pressure of ", goal.name, ", ",
-                            readable(goal.last(), 6), " MPa");
+                            " MPa is too low; give at least the last pressure of ", target.name, ", ",
+                            readable(target.last(), 6), " MPa");
     const double shortest = std::min(grid.widest_spacing(), grid.length / 60);
     if (const double length = setup.errors.noise_length;
         settings.has("noise-length") && (length < shortest || length > grid.length))
@@ -94,17 +95,17 @@ rough::SearchOptions options_from(const Settings& settings, const rough::DesignS
                                                            usual_variant(setup, settings.has("database")))};
     if (setup.model.grid.is_2d())
         options.alternatives = 1;
-    take(settings, fields_of(options));
+    take(settings, bindings_of(options));
     return options;
 }
 
 /// The warning on a scan or map whose contact the model does not resolve; "" otherwise.
 std::string warning_on(const rough::DesignSetup& setup) {
-    if (!setup.like)
+    if (!setup.measured)
         return "";
     rough::Model model = setup.model;
     model.contact.spots = true;
-    return resolution_warning(respond(*setup.like, model));
+    return resolution_warning(respond(*setup.measured, model));
 }
 
 } // namespace
@@ -125,8 +126,8 @@ std::vector<Setting> search_settings() {
                  "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
     };
     return joined({settings,
-                   settings_of(fields_of(options)),
-                   settings_of(fields_of(setup)),
+                   settings_of(bindings_of(options)),
+                   settings_of(bindings_of(setup)),
                    model_settings(),
                    {accuracy_setting()}});
 }
@@ -158,18 +159,18 @@ std::vector<Setting> design_settings() {
         {settings, search_settings(), asperity_settings(), scan_settings(), {resolution_setting()}});
 }
 
-std::vector<rough::Target> goals_from(const Settings& settings, const rough::Model& model) {
-    std::vector<rough::Target> goals;
+std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model) {
+    std::vector<rough::Target> targets;
     for (const std::string& file : rough::listed(settings.text("target")))
-        goals.push_back(goal_from(settings, file, model));
+        targets.push_back(target_from(settings, file, model));
     if (settings.has("weights")) {
         const auto weights = settings.numbers("weights");
-        if (weights.size() != goals.size())
-            settings.refuse("weights", weights.size(), " given; give ", goals.size(), ", one per target");
-        for (std::size_t i = 0; i < goals.size(); ++i)
-            goals[i].weight = weights[i] / std::ranges::max(weights);
+        if (weights.size() != targets.size())
+            settings.refuse("weights", weights.size(), " given; give ", targets.size(), ", one per target");
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            targets[i].weight = weights[i] / std::ranges::max(weights);
     }
-    return goals;
+    return targets;
 }
 
 std::string pipeline_from(const Settings& settings, const std::map<std::string, std::string>& variants,
@@ -191,19 +192,19 @@ rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model&
         settings.take("nodes", nodes);
     std::optional<double> max_pressure;
     settings.take("max-pressure", max_pressure);
-    return like(surface, model, name, rough::likeness_named(settings.text("quantity")),
-                settings.whole<rough::Index>("points"), nodes, resolution, max_pressure);
+    return design_like(surface, model, name, rough::likeness_named(settings.text("quantity")),
+                       settings.whole<rough::Index>("points"), nodes, resolution, max_pressure);
 }
 
 DesignRequest request_from(const Settings& settings) {
     the_given(settings, {"target", "like"}, "design");
-    const bool is_like = settings.has("like"), area = asks_for_area(settings);
+    const bool is_like = settings.has("like"), is_map = asks_for_map(settings);
     DesignRequest request;
     request.from = production_from(settings);
-    if (area && request.from)
+    if (is_map && request.from)
         rough::refuse("--from: given with a map; omit it, as it is for profiles only");
-    if (is_like && area) {
-        const AreaScene scene = area_from(settings, "like");
+    if (is_like && is_map) {
+        const MapScene scene = map_from(settings, "like");
         request.accounts = scene.notes;
         request.setup =
             setup_like(scene.map, scene.model, settings.text("like"), settings,
@@ -222,8 +223,8 @@ DesignRequest request_from(const Settings& settings) {
         expect_none(settings, of_a_scan, "given with --target; give it with --like only");
         const rough::Model model = request.from ? model_from(settings, open_genome(request.from->file))
                                                 : surface_model_from(settings);
-        request.setup = {.model = model, .targets = goals_from(settings, model)};
-        if (area && model.body.kernel == rough::Kernel::free)
+        request.setup = {.model = model, .targets = targets_from(settings, model)};
+        if (is_map && model.body.kernel == rough::Kernel::free)
             request.accounts.emplace_back(no_datum_note);
     }
     for (const auto& note : notes_on(settings, request.setup.model,
@@ -238,7 +239,7 @@ DesignRun design_from(const Settings& settings, DesignRequest request) {
         setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * from->largest_change};
         setup.limits = {};
     }
-    take(settings, fields_of(setup));
+    take(settings, bindings_of(setup));
     expect_consistent(settings, setup);
     rough::SearchOptions options = options_from(settings, setup);
     setup.model.contact.threads = ga::thread_count(options.threads);

@@ -124,7 +124,7 @@ std::string matched(const DesignRun& run) {
 }
 
 std::string not_requested(const DesignRun& run) {
-    if (!run.setup.like)
+    if (!run.setup.measured)
         return "all other quantities; at the last load " +
                percent(run.response.responses.front().contact_fraction.tail(1)[0]) + " of the nodes touch";
     std::string all = run.unrequested_errors ? "" : "not verified, because the time did not suffice";
@@ -318,7 +318,7 @@ std::string obstacles(const DesignRun& run) {
 Shares unrequested_errors(const rough::DesignSetup& design, const rough::Genome& genome) {
     Shares all;
     const auto& requested = design.targets;
-    if (!design.like || !requested.front().against_pressure())
+    if (!design.measured || !requested.front().against_pressure())
         return all;
     rough::DesignSetup setup = design;
     setup.targets.clear();

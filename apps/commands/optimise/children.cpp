@@ -162,8 +162,9 @@ Children::~Children() {
         std::filesystem::remove(log_file_, none);
 }
 
-std::vector<std::optional<Answer>> Children::ask(std::span<const std::string> genes, const ga::Watch& watch) {
-    std::vector<std::optional<Answer>> answers(genes.size());
+std::vector<std::optional<Evaluation>> Children::ask(std::span<const std::string> genes,
+                                                     const ga::Watch& watch) {
+    std::vector<std::optional<Evaluation>> answers(genes.size());
     std::atomic<std::size_t> next = 0;
     const auto stops = [&] {
         bound_log();
@@ -187,8 +188,8 @@ std::vector<std::optional<Answer>> Children::ask(std::span<const std::string> ge
 
 /// The answer of a child, which is started if it does not run. Nothing if `stops` returns true or on trouble;
 /// the child is ended then.
-std::optional<Answer> Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
-                                          const std::function<bool()>& stops) {
+std::optional<Evaluation> Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                              const std::function<bool()>& stops) {
     try {
         if (!child)
             child = std::make_unique<Child>(command_, log_);
@@ -225,7 +226,7 @@ std::optional<Answer> Children::answer_of(std::unique_ptr<Child>& child, const s
     return std::nullopt;
 }
 
-std::optional<Answer> Children::read(const std::string& line, long id, std::string& fault) const {
+std::optional<Evaluation> Children::read(const std::string& line, long id, std::string& fault) const {
     try {
         const nlohmann::json j = rough::parsed_json(line, "line");
         if (!j.is_object() || !j.contains("id") || !j.contains("objectives")) {
@@ -236,7 +237,7 @@ std::optional<Answer> Children::read(const std::string& line, long id, std::stri
             fault = "another id";
             return std::nullopt;
         }
-        Answer answer{j["objectives"].get<std::vector<double>>(), violation_from(j)};
+        Evaluation answer{j["objectives"].get<std::vector<double>>(), violation_from(j)};
         if (answer.objectives.empty() || answer.objectives.size() > max_objectives ||
             (objectives() != 0 && answer.objectives.size() != objectives()))
             fault = std::to_string(answer.objectives.size()) + " objectives";

@@ -59,7 +59,7 @@ class Children {
     Children(const Children&) = delete;
 
     /// The answers for genomes, given as JSON arrays; none if the watch expired first or there was trouble.
-    std::vector<std::optional<Answer>> ask(std::span<const std::string> genes, const ga::Watch& watch);
+    std::vector<std::optional<Evaluation>> ask(std::span<const std::string> genes, const ga::Watch& watch);
     /// The first error, in one line; empty without an error. Genomes are not sent after it.
     const std::string& trouble() const { return trouble_; }
     /// Number of objectives of each answer; 0 before the first one.
@@ -69,9 +69,9 @@ class Children {
     BestKnown record; ///< the best of all answers
 
   private:
-    std::optional<Answer> answer_of(std::unique_ptr<Child>& child, const std::string& genes,
-                                    const std::function<bool()>& stops);
-    std::optional<Answer> read(const std::string& line, long id, std::string& fault) const;
+    std::optional<Evaluation> answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                        const std::function<bool()>& stops);
+    std::optional<Evaluation> read(const std::string& line, long id, std::string& fault) const;
     void give_up(const std::string& message);
     std::string log_tail() const;
     void bound_log();

@@ -74,7 +74,7 @@ Benchmark bbob_benchmark(int dimension, int function) {
                          for (std::size_t i = 0; i < instance.genes; ++i)
                              instance.box.push_back({i, -5, 5});
                          instance.best = f.value();
-                         instance.evaluate = [f](const std::vector<double>& x) { return Answer{{f(x)}}; };
+                         instance.evaluate = [f](const std::vector<double>& x) { return Evaluation{{f(x)}}; };
                          return instance;
                      });
 }

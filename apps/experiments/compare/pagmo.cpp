@@ -59,7 +59,7 @@ struct Measured {
     pagmo::vector_double fitness(const pagmo::vector_double& x) const {
         if (run->made >= run->budget || run->tally.over())
             throw Ended();
-        const Answer value = run->instance.evaluate(x);
+        const Evaluation value = run->instance.evaluate(x);
         run->tally.note(++run->made, run->nearness.after(value));
         return value.objectives;
     }

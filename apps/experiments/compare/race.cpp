@@ -7,7 +7,7 @@
 
 namespace app {
 
-double Nearness::after(const Answer& value) {
+double Nearness::after(const Evaluation& value) {
     if (violated(value) > 0)
         return nearest_;
     if (!front_)
@@ -63,14 +63,14 @@ class Tallied : public ga::Evaluator<OutsideProblem<G>> {
         for (auto& call : calls) {
             if (watch.expired())
                 return;
-            Answer answer = evaluate_(*call.genome);
+            Evaluation answer = evaluate_(*call.genome);
             tally_.note(++made_, nearness_.after(answer));
             *call.answer = std::move(answer);
         }
     }
 
   private:
-    const std::function<Answer(const G&)>& evaluate_;
+    const std::function<Evaluation(const G&)>& evaluate_;
     Nearness nearness_;
     Tally& tally_;
     long made_ = 0;

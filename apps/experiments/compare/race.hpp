@@ -11,7 +11,7 @@ namespace app {
 /// One instance of a benchmark problem, with its optimum or its true front.
 template <class G>
 struct Instance {
-    std::function<Answer(const G&)> evaluate; ///< lower is better in every objective
+    std::function<Evaluation(const G&)> evaluate; ///< lower is better in every objective
     std::size_t genes = 0;
     std::vector<ga::Variable> box = {}; ///< ranges of real genes
     std::size_t objectives = 1;
@@ -35,7 +35,7 @@ class Nearness {
           short_of_(front_ ? front_->size() : 0, HUGE_VAL) {}
 
     /// The precision after one more evaluation.
-    double after(const Answer& value);
+    double after(const Evaluation& value);
 
   private:
     double best_, scale_;

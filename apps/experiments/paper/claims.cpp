@@ -198,7 +198,7 @@ double peaks_without_waves(Run run, const VariantRun& variant) {
 /// The value of an expression like "least similarity of sog gco cco". After "of" stand answers; "pairs" is
 /// each two of the three. The quantity of each is reduced to one number.
 Finding over_answers(const std::string& words, Run run, Target target) {
-    using Answer = const VariantRun&;
+    using Variant = const VariantRun&;
     static const std::map<std::string, double (*)(const Numbers&)> reductions{
         {"least", lowest},
         {"greatest", highest},
@@ -208,22 +208,23 @@ Finding over_answers(const std::string& words, Run run, Target target) {
         {"nearer", [](const Numbers& n) {
              return n[0] - lowest({n[1], n[2]}) / 2;
          }}};
-    static const std::map<std::string, double (*)(Run, Answer)> of_one{
-        {"similarity", [](Run, Answer one) { return one.similarity; }},
-        {"error", [](Run, Answer one) { return 1 - one.similarity; }},
-        {"seconds", [](Run, Answer one) { return one.seconds; }},
-        {"gain", [](Run, Answer one) { return gain(one); }},
-        {"chromosomes", [](Run, Answer one) { return static_cast<double>(waves(one.answer.genome).size()); }},
-        {"off-high", [](Run of, Answer one) { return off_its_waves(of, one, true); }},
-        {"off-low", [](Run of, Answer one) { return off_its_waves(of, one, false); }},
+    static const std::map<std::string, double (*)(Run, Variant)> of_one{
+        {"similarity", [](Run, Variant one) { return one.similarity; }},
+        {"error", [](Run, Variant one) { return 1 - one.similarity; }},
+        {"seconds", [](Run, Variant one) { return one.seconds; }},
+        {"gain", [](Run, Variant one) { return gain(one); }},
+        {"chromosomes",
+         [](Run, Variant one) { return static_cast<double>(waves(one.answer.genome).size()); }},
+        {"off-high", [](Run of, Variant one) { return off_its_waves(of, one, true); }},
+        {"off-low", [](Run of, Variant one) { return off_its_waves(of, one, false); }},
         {"peaks", peaks_without_waves},
         {"exponent", high_exponent}};
-    static const std::map<std::string, double (*)(Run, Answer, Answer)> of_two{
+    static const std::map<std::string, double (*)(Run, Variant, Variant)> of_two{
         {"area-gap",
-         [](Run, Answer a, Answer b) {
+         [](Run, Variant a, Variant b) {
              return gap(area_against_pressure(a.answer.response), area_against_pressure(b.answer.response));
          }},
-        {"correlation", [](Run of, Answer a, Answer b) {
+        {"correlation", [](Run of, Variant a, Variant b) {
              return rough::pearson(sample(a.answer.genome, of.model.grid).heights,
                                    sample(b.answer.genome, of.model.grid).heights);
          }}};

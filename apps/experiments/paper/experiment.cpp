@@ -20,7 +20,7 @@ using rough::DesignProblem;
 using rough::DominanceRule;
 
 /// The keys whose values a run keeps as they are.
-Fields fields_of(PaperRun& run) {
+Bindings bindings_of(PaperRun& run) {
     rough::DatabaseLayout& layout = run.layout;
     return {
         {max_pressure_setting("paper.", "1.6e-4"), run.max_pressure},
@@ -121,7 +121,7 @@ std::vector<Setting> paper_settings() {
     };
     PaperRun run;
     return joined({settings,
-                   settings_of(fields_of(run)),
+                   settings_of(bindings_of(run)),
                    settings_of(with_bounds({}, run.layout), "database."),
                    scan_settings("target."),
                    model_settings("model."),
@@ -137,7 +137,7 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     run.model = exactly(run.searched);
     run.layout.lambda = run.model.grid.length;
     run.layout.shortest = run.model.grid.spacing();
-    take(settings, fields_of(run));
+    take(settings, bindings_of(run));
     take(settings, with_bounds({}, run.layout), "database.");
     expect_in_order(settings, {"database.hurst", "database.gamma", "paper.sweep"});
     if (settings.has("target.profile"))

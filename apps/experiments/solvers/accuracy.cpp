@@ -1,7 +1,7 @@
 #include "apps/experiments/experiment.hpp"
 #include "apps/experiments/solvers/trial.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/targets.hpp"
 #include "domain/design/trust.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
@@ -66,7 +66,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                         length / settings.number("accuracy." + kind + "-waves"),
                         {.A_from = 1, .A_to = 1, .H_from = H, .H_to = H});
                     model.grid = rough::resolved_grid(genome, length, false);
-                    rough::AccountedResponse exact, cheap;
+                    rough::ReportedResponse exact, cheap;
                     const double resolved =
                         lowest_seconds([&] { exact = respond_within(genome, exactly(model)); }, 2, HUGE_VAL);
                     for (const double accuracy : accuracies) {

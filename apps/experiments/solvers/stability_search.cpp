@@ -16,7 +16,7 @@ const Genes thousandths{.count = gene_count, .parts = {{gene_count, 0, 1000, tru
 
 /// The work of the solver `auto`: its products with H per load step. It is more than any work if `auto` fails
 /// or another solver contradicts it.
-Answer work_of(const std::vector<double>& genome, const std::atomic<bool>& stop) {
+Evaluation work_of(const std::vector<double>& genome, const std::atomic<bool>& stop) {
     constexpr double wrong = 2e6, failed = 1e6;
     ContactScene scene;
     try {

@@ -1,8 +1,8 @@
 #include "apps/experiments/experiment.hpp"
 
 #include "apps/cluster/evaluator.hpp"
-#include "apps/prompt/goals.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "apps/prompt/targets.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "domain/text/json.hpp"
 
@@ -127,7 +127,7 @@ RaceRun run_once(const RaceTarget& target, const std::string& name, const rough:
     static_cast<VariantRun&>(run) = variant_run(name, found, std::move(stages), clock.seconds());
     run.seed = options.seed;
     run.last_displacement =
-        scored(target.setup, found.best.on_grid).responses.front().displacement.tail(1)[0];
+        design_response(target.setup, found.best.on_grid).responses.front().displacement.tail(1)[0];
     run.history.push_back(
         {static_cast<double>(found.counters.requested), run.seconds, std::max(best, run.similarity)});
     return run;

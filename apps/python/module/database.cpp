@@ -26,7 +26,7 @@ GenomeStore create_store(const std::filesystem::path& file, const py::object& ge
     given["genomes"] = genomes;
     const auto settings = Keywords(given, "Database.create").only(app::build_settings());
     rough::BuildOptions options;
-    app::take(settings, app::fields_of(options));
+    app::take(settings, app::bindings_of(options));
     Interruptible interrupt;
     options.stop = &interrupt.stop();
     GenomeStore store = [&] {

@@ -50,14 +50,14 @@ G genome_of(const py::object& row, std::size_t count) {
 
 /// The answer that `evaluate` returned: a number, several, or (numbers, violation), the violation a number or
 /// one per constraint.
-app::Answer answer_of(const py::handle& given, std::size_t objectives) {
+app::Evaluation answer_of(const py::handle& given, std::size_t objectives) {
     const auto has_length = [](const py::object& value) { return py::hasattr(value, "__len__"); };
     const auto numbers = [&](const py::object& value) {
         return has_length(value) ? value.cast<std::vector<double>>()
                                  : std::vector<double>{value.cast<double>()};
     };
     const auto whole = py::reinterpret_borrow<py::object>(given);
-    app::Answer answer;
+    app::Evaluation answer;
     if (py::isinstance<py::tuple>(whole) && py::len(whole) == 2 && has_length(whole[py::int_(0)]))
         answer = {numbers(whole[py::int_(0)]), numbers(whole[py::int_(1)])};
     else
@@ -109,7 +109,7 @@ class ByPython : public ga::Evaluator<P> {
             const py::object& own = search_.problem;
             const std::size_t objectives = problem.objectives().size();
             const auto take = [&](ga::EvaluationCall<P>& call, const py::handle& given) {
-                app::Answer answer = answer_of(given, objectives);
+                app::Evaluation answer = answer_of(given, objectives);
                 search_.record.take({app::genes_text(*call.genome), answer});
                 *call.answer = std::move(answer);
             };
@@ -291,7 +291,7 @@ class AskTell : public Search {
         expect_answers("tell", given.size(), open_.size());
         if (asker_ != std::this_thread::get_id() && !open_.empty())
             rough::refuse("tell: another thread has asked since; use a search in one thread");
-        std::vector<app::Answer> answers;
+        std::vector<app::Evaluation> answers;
         for (const py::handle& each : given)
             answers.push_back(answer_of(each, search_.minimise.size()));
         const auto open = std::exchange(open_, {}); // another thread may ask

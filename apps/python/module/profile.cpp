@@ -82,7 +82,7 @@ std::vector<app::Setting> map_options() {
 }
 
 Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
-    auto settings = Keywords(options, "read").only(app::joined({{app::area_setting()}, map_options()}));
+    auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
     if (!settings.given("detrend"))
         settings = settings.with({{"detrend", "none"}});
     return {app::surface_from(settings.with({{"surface", file.string()}})).heights};

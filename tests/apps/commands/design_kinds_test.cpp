@@ -146,7 +146,7 @@ TEST_CASE("the error in quantities that were not requested is on terminal, page 
     const rough::DesignSetup setup{
         .model = model,
         .targets = {target_like(scan, model, "area", rough::Quantity::area_at_pressure)},
-        .like = scan};
+        .measured = scan};
     const rough::Genome genome = rough::genome_from_json(result["variants"]["pipeline"]["genome"], "genome");
     const double off = summary["unrequested_errors"]["contact area"];
     CHECK(off == Approx(1 - similarity(setup, genome)).epsilon(1e-6));

@@ -79,7 +79,7 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
         if (!is_map && setup.max_pressure)
             continue;
         const std::string page = rough::read_whole(folder / "r/report.html");
-        CHECK_THAT(page, Catch::Contains("id=\"goal-1\"") &&
+        CHECK_THAT(page, Catch::Contains("id=\"target-1\"") &&
                              Catch::Contains(is_map ? "<image" : "id=\"profiles\"") &&
                              !Catch::Contains("No picture"));
         done(folder, "report r --out again.html");

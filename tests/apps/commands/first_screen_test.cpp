@@ -1,5 +1,5 @@
 #include "domain/numerics/statistics.hpp"
-#include "domain/problem/made.hpp"
+#include "domain/problem/making_errors.hpp"
 #include "tests/apps/results.hpp"
 
 #include <numbers>

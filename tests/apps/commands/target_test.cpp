@@ -1,4 +1,4 @@
-#include "apps/prompt/goals.hpp"
+#include "apps/prompt/targets.hpp"
 #include "tests/apps/results.hpp"
 
 using namespace app::testing;

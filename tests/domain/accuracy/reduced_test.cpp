@@ -171,7 +171,7 @@ TEST_CASE("one line replaces a map only if its bound, which holds, is within the
             Model model = periodic(accuracy);
             model.contact.solver = solver;
             model.contact.tolerance = 1; // the accuracy sets it
-            const AccountedResponse found = respond_within(map, model);
+            const ReportedResponse found = respond_within(map, model);
             const double error = relative_error(found.response.pressure, exact.pressure);
             INFO(share << ", " << accuracy << ": error " << error << ", bound " << found.account.line_error);
             CHECK(error <= accuracy);
@@ -194,13 +194,13 @@ TEST_CASE("one line replaces a map only if its bound, which holds, is within the
 TEST_CASE("a line replaces a periodic map at given pressures too, but no free map", "[areas]") {
     Model model = periodic(0.01);
     model.loading.pressures = {1e-3, 4e-3};
-    const AccountedResponse found = respond_within(ground(0), model);
+    const ReportedResponse found = respond_within(ground(0), model);
     CHECK(found.account.by_line);
     CHECK(found.response.pressure[1] == Approx(4e-3).epsilon(1e-6));
     Model free = periodic(0.01);
     free.grid.periodic = false;
     free.body.kernel = Kernel::free;
-    const AccountedResponse of_free = respond_within(ground(0), free);
+    const ReportedResponse of_free = respond_within(ground(0), free);
     CHECK_FALSE(of_free.account.by_line);
     CHECK(std::isnan(of_free.account.line_error));
     free.body.hardness = 1;

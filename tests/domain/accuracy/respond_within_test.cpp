@@ -33,7 +33,7 @@ Model within(Model model, double accuracy) {
 }
 
 /// Within an accuracy, which also sets the solver's tolerance, as in `contact`.
-AccountedResponse scan_within(const Profile& scan, Model model, double accuracy) {
+ReportedResponse scan_within(const Profile& scan, Model model, double accuracy) {
     model.contact.tolerance = 1;
     return respond_within(scan, within(model, accuracy));
 }
@@ -59,8 +59,8 @@ Coverage coverage_of(unsigned first, unsigned count, double accuracy, int steps,
         Model model = model_for(scan.profile, static_cast<Kernel>(seed / 8 % 3), steps);
         if (seed % 2 == 1)
             model.loading.to_pressure = 0.3 * respond(scan.profile, model).pressure.tail(1)[0];
-        const AccountedResponse exact = respond_within(scan.profile, model);
-        const AccountedResponse cheap = scan_within(scan.profile, model, accuracy);
+        const ReportedResponse exact = respond_within(scan.profile, model);
+        const ReportedResponse cheap = scan_within(scan.profile, model, accuracy);
         const double error = relative_error(cheap.response.pressure, exact.response.pressure);
         const double area_error =
             largest_relative(cheap.response.contact_fraction, exact.response.contact_fraction);
@@ -104,7 +104,7 @@ CurvesHeld held_by(unsigned first, unsigned count, double accuracy) {
         const Grid grid{kernel == Kernel::periodic ? 512 : 513, paper_length, kernel == Kernel::periodic};
         Model model{grid, {kernel}, {12, rough::testing::uniform(random, 0.1, 0.9)}};
         const Response exact = respond(genome, model);
-        const AccountedResponse cheap = respond_within(genome, within(model, accuracy));
+        const ReportedResponse cheap = respond_within(genome, within(model, accuracy));
         model.loading = {.pressures = {exact.pressure.begin(), exact.pressure.end()}};
         const Response fine = respond(genome, refined(model, 8));
         const double area = largest_relative(cheap.response.contact_fraction, fine.contact_fraction),
@@ -254,16 +254,16 @@ TEST_CASE("a response within an accuracy is that near the resolved one, as its a
             const Genome genome = random_genome(random, 1, 1, paper_length, paper_length / 16);
             Model model = model_on(kernel, genome);
             model.grid.nodes = kernel == Kernel::periodic ? 1024 : 1025;
-            const AccountedResponse exact = respond_within(genome, model);
+            const ReportedResponse exact = respond_within(genome, model);
             for (const double accuracy : {3e-2, 1e-2}) {
-                const AccountedResponse cheap = respond_within(genome, within(model, accuracy));
+                const ReportedResponse cheap = respond_within(genome, within(model, accuracy));
                 INFO("kernel " << int(kernel) << ", trial " << trial << ", accuracy " << accuracy);
                 CHECK(relative_error(cheap.response.pressure, exact.response.pressure) <= accuracy);
                 CHECK(cheap.account.estimated_error <= accuracy);
                 CHECK(cheap.response.displacement == exact.response.displacement);
-                Account one = cheap.account;
+                AccuracyReport one = cheap.account;
                 one.resolved_rows = 1;
-                for (const Account& account : {exact.account, cheap.account, one}) {
+                for (const AccuracyReport& account : {exact.account, cheap.account, one}) {
                     const auto says = [words = in_words(account)](const std::string& what) {
                         return words.find(what) != std::string::npos;
                     };
@@ -282,7 +282,7 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
     Genome genome{1, {{1, 1, 1.5, paper_length, {{1, {0.3}}}}}};
     for (const double error : {0.0, 1e-2}) // all nodes are at the same height of the wave
         CHECK_THROWS_WITH(respond(genome, within({{2, paper_length}}, error)), Catch::Contains("use waves"));
-    const AccountedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
+    const ReportedResponse smooth = respond_within(genome, within(model_on(Kernel::free, genome), 1e-2));
     CHECK(smooth.account.extrapolated());
     CHECK(smooth.account.grids.back() <= 512);
     const auto at_once = respond_within(genome, within(model_on(Kernel::free, genome), 1e-8)).account.grids;
@@ -291,7 +291,7 @@ TEST_CASE("a smooth wave needs few nodes, and tiny shorter waves are omitted wit
         genome.series[0].chromosomes.push_back({n, {0.1 * n}});
     genome.series[0].H = 3; // the short waves are next to nothing
     const Model model = model_on(Kernel::free, genome);
-    const AccountedResponse cheap = respond_within(genome, within(model, 1e-2));
+    const ReportedResponse cheap = respond_within(genome, within(model, 1e-2));
     CHECK_FALSE(cheap.account.dropped.empty());
     CHECK(cheap.account.dropped.size() + cheap.account.used.size() == 12);
     CHECK(cheap.account.dropped_error > 0);
@@ -306,7 +306,7 @@ TEST_CASE("the resolved model is solved if no coarser grid suffices, or no accur
     const Genome genome =
         random_genome(random, 1, 1, paper_length, paper_length / 511); // waves down to the spacing
     for (const double accuracy : {1e-4, 0.0}) {
-        const AccountedResponse found = respond_within(genome, within({}, accuracy));
+        const ReportedResponse found = respond_within(genome, within({}, accuracy));
         CHECK_FALSE(found.account.extrapolated());
         CHECK(found.account.grids.back() == 512);
         CHECK(found.account.dropped.empty());
@@ -325,7 +325,7 @@ TEST_CASE("a single raised node of 4096 is seen within an accuracy") {
     const Model model = model_for(scan, Kernel::periodic, 20);
     const Response exact = respond(scan, model);
     for (const double accuracy : {1e-2, 1e-3}) {
-        const AccountedResponse cheap = scan_within(scan, model, accuracy);
+        const ReportedResponse cheap = scan_within(scan, model, accuracy);
         CHECK(relative_error(cheap.response.pressure, exact.pressure) <= accuracy);
         CHECK(cheap.account.estimated_error <= accuracy);
         CHECK(cheap.account.grids == std::vector<Index>{4096});
@@ -348,7 +348,7 @@ TEST_CASE("a scan's curve is within its accuracy at every load step, also the li
         INFO(scan.kind);
         const Model model = model_for(scan.profile, static_cast<Kernel>(which % 3), 500);
         const Eigen::VectorXd exact = respond(scan.profile, model).pressure;
-        const AccountedResponse cheap = scan_within(scan.profile, model, 1e-2);
+        const ReportedResponse cheap = scan_within(scan.profile, model, 1e-2);
         const Eigen::VectorXd off = cheap.response.pressure - exact;
         CHECK(off.cwiseQuotient(exact).cwiseAbs().maxCoeff() <= 1e-2);
         CHECK(differences(off).cwiseQuotient(differences(exact)).cwiseAbs().maxCoeff() <= 1e-2);
@@ -364,7 +364,7 @@ TEST_CASE("a scan within an accuracy carries the given pressures at any solver's
     model.loading.to_pressure = 0.3 * highest;
     CHECK(scan_within(scan, model, 0.1).response.pressure.tail(1)[0] == Approx(0.3 * highest).epsilon(0.1));
     model.loading = {.pressures = {0.01 * highest, 0.2 * highest, 0.4 * highest}};
-    const AccountedResponse found = scan_within(scan, model, 1e-3);
+    const ReportedResponse found = scan_within(scan, model, 1e-3);
     for (std::size_t j = 0; j < 3; ++j)
         CHECK(found.response.pressure[static_cast<Index>(j)] ==
               Approx(model.loading.pressures[j]).epsilon(1e-4));

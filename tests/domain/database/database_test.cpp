@@ -61,8 +61,8 @@ TEST_CASE("a set-up is read back from its fields for every kernel") {
         setup.model.body.datum = 1.0 / 3;
         setup.model.body.strip_width = 0.1;
         setup.law = {2, 3, 0.6, 0.7, 1.3, 1.9, 0.9, 0.05, ~0ULL};
-        const DatabaseSetup read = setup_from(fields(setup), "text");
-        CHECK(fields(read) == fields(setup));
+        const DatabaseSetup read = setup_from(named_values(setup), "text");
+        CHECK(named_values(read) == named_values(setup));
         CHECK(genes(drawn(read.law, 4)) == genes(drawn(setup.law, 4)));
     }
 }

@@ -26,9 +26,9 @@ TEST_CASE("every named variant finds the same genome by its name and by its text
             if (area != (name == "maps")) // on a map all others would solve the whole database
                 continue;
             INFO(name << (area ? " on an area" : ""));
-            setup.like = name == "like"
-                             ? std::optional(sample(shaped_start(setup, ga::Stream(3)), setup.model.grid))
-                             : std::nullopt;
+            setup.measured = name == "like"
+                                 ? std::optional(sample(shaped_start(setup, ga::Stream(3)), setup.model.grid))
+                                 : std::nullopt;
             const std::string run =
                 search(setup, {.pipeline = name, .seconds = 0, .evaluations = 1}).pipeline;
             const std::string by_name = found_by(setup, name, 120);

@@ -94,7 +94,7 @@ namespace {
 DesignSetup like_scan(const Profile& scan, std::optional<Index> nodes, double length,
                       Kernel kernel = Kernel::free, Resolution resolution = Resolution::off) {
     const Model model{.grid = {scan.nodes(), length}, .body = {.kernel = kernel}};
-    return like(scan, completed(model), "scan", likeness_named("both"), 20, nodes, resolution);
+    return design_like(scan, completed(model), "scan", likeness_named("both"), 20, nodes, resolution);
 }
 
 } // namespace

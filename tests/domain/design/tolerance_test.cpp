@@ -49,7 +49,7 @@ double similarity_with(const Case& one, const Eigen::VectorXd& errors) {
     std::vector<Response> responses;
     for (const Model& model : loaded_models(one.setup))
         responses.push_back(respond(made, model));
-    return similarity(one.setup, scored(one.setup, std::move(responses)));
+    return similarity(one.setup, design_response(one.setup, std::move(responses)));
 }
 
 /// Whether each noise tolerance above 0 holds for 92 to 98 % of 1,000 new draws, made from the covariance.
@@ -155,7 +155,7 @@ TEST_CASE("the similarity of a map when made is the lowest under rising and fall
             for (const double size : {0.01, -0.01})
                 lowest = std::min(lowest, similarity_with(one, size * tilt));
         one.setup.errors.tilt = 0.01;
-        CHECK(similarity_when_made(one.setup, one.genome) == Approx(lowest).epsilon(1e-9));
+        CHECK(similarity_under_errors(one.setup, one.genome) == Approx(lowest).epsilon(1e-9));
     }
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("similarity under noise and tilt agrees with the tolerance") {
         for (const MakingErrors& errors :
              {MakingErrors{factor * level.noise_rms, two_mm / 60, 0}, {0, 0, factor * level.tilt}}) {
             one.setup.errors = errors;
-            CHECK((similarity_when_made(one.setup, one.genome) >= 0.95) == (factor < 1));
+            CHECK((similarity_under_errors(one.setup, one.genome) >= 0.95) == (factor < 1));
         }
 }
 
@@ -235,5 +235,5 @@ TEST_CASE("a tolerance without time is NaN") {
     CHECK(!found.complete);
     for (const ToleranceLevel& level : found.levels)
         CHECK((std::isnan(level.noise_rms) && std::isnan(level.tilt) && std::isnan(level.scale)));
-    CHECK(std::isnan(similarity_when_made(one.setup, one.genome, {.seconds = 0})));
+    CHECK(std::isnan(similarity_under_errors(one.setup, one.genome, {.seconds = 0})));
 }

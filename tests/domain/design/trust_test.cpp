@@ -130,7 +130,7 @@ TEST_CASE("noise and tilt that are given are checks that decide") {
             CHECK((trust.checks[i].similarity > trust.checks[0].similarity - 1e-4) == (size < 1e-6));
         }
         CHECK(trust.under == std::min(trust.checks[5].similarity, trust.checks[6].similarity));
-        CHECK(trust.under == similarity_when_made(setup, genome));
+        CHECK(trust.under == similarity_under_errors(setup, genome));
     }
 }
 
@@ -191,12 +191,12 @@ TEST_CASE("redrawn phases are spread evenly around the circle") {
 TEST_CASE("a similarity to a scan that depends on the load steps is flagged") {
     const Genome genome = two_waves();
     DesignSetup setup = like_itself(genome);
-    setup.like = sample(genome, setup.model.grid);
+    setup.measured = sample(genome, setup.model.grid);
     const Trust itself = trust_in(setup, genome, without_draws());
     const std::string name = "4 times the load steps, for the target too";
     CHECK(answer(itself.checks, name) > 0.99);
     CHECK(!flagged(itself, "load steps"));
-    setup.like->heights = setup.like->heights.cwiseAbs2() / 0.01; // not the profile of the targets
+    setup.measured->heights = setup.measured->heights.cwiseAbs2() / 0.01; // not the profile of the targets
     const Trust another = trust_in(setup, genome, without_draws());
     CHECK(answer(another.checks, name) < another.checks[0].similarity - 0.01);
     CHECK(flagged(another, "load steps"));

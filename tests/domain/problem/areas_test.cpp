@@ -59,10 +59,10 @@ TEST_CASE("a map's verification agrees with four separate solutions", "[areas]")
         CHECK(verified.similarity == Approx(similarity).epsilon(1e-6));
         CHECK(verified.refined == Approx(refined).epsilon(1e-6));
         CHECK(verified.more_steps == Approx(stepped).epsilon(1e-6));
-        CHECK(verified.reading_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
+        CHECK(verified.interpolation_error < 1e-3 * (1 + verified.misfits[2][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Approx(both).margin(3e-3 * (2 - both)));
         CHECK(verified.both ==
-              Approx(1 - verified.reading_error - verified.misfits[3][0].cwiseAbs().maxCoeff()));
+              Approx(1 - verified.interpolation_error - verified.misfits[3][0].cwiseAbs().maxCoeff()));
         CHECK(verified.both == Verifier(setup, 2).of(genome).both);
         CHECK(verified.on_finer[0].steps() == 20);
     }

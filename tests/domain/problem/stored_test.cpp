@@ -17,30 +17,30 @@ TEST_CASE("a stored set-up is read back to the bit, and unset values stay unset"
     const auto stored = [&] { return json::from_cbor(json::to_cbor(json(setup))).get<DesignSetup>(); };
     const DesignSetup back = stored();
     CHECK(json(back) == json(setup));
-    CHECK_FALSE((back.max_pressure || back.threshold || back.phases || back.like));
+    CHECK_FALSE((back.max_pressure || back.threshold || back.phases || back.measured));
     CHECK(back.targets[0].x == x);
     CHECK_FALSE(back.model.body.yields());
 
     setup.max_pressure = 0;
     setup.threshold = 1e-5;
     setup.phases = PhaseReach{0.2, 0.3};
-    setup.like = Profile{Eigen::VectorXd::LinSpaced(6, -1, 1), 0.1, 2, 0.2};
+    setup.measured = Profile{Eigen::VectorXd::LinSpaced(6, -1, 1), 0.1, 2, 0.2};
     const DesignSetup full = stored();
     CHECK(json(full) == json(setup));
     CHECK(full.max_pressure == 0.);
-    CHECK(full.like->heights == setup.like->heights);
+    CHECK(full.measured->heights == setup.measured->heights);
 }
 
 TEST_CASE("a set-up's description depends on every number that affects a result, not on file names") {
     DesignSetup setup;
-    setup.targets = {Target{}}, setup.phases = PhaseReach(), setup.like = Profile();
+    setup.targets = {Target{}}, setup.phases = PhaseReach(), setup.measured = Profile();
     setup.max_pressure = setup.threshold = setup.model.body.hardness = 1;
     setup.limits = {1, 1, 1, 1};
     DesignSetup other = setup;
     other.targets[0].name = "elsewhere/target.csv";
     CHECK(description(other) == description(setup));
     // A new member does not compile before it has a name here.
-    auto& [model, targets, max_pressure, threshold, bounds, phases, limits, like, similarity, ridges,
+    auto& [model, targets, max_pressure, threshold, bounds, phases, limits, measured, similarity, ridges,
            errors] = other;
     auto& [grid, body, loading, contact, accuracy] = model;
     auto& [nodes, length, periodic, from, rows, width, from_y] = grid;
@@ -67,7 +67,7 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     each_affects(accuracy, length, from, width, from_y, modulus, hardness, tolerance, memory_limit, H_from,
                  H_to, gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope,
                  height, radius, noise, noise_length, tilt, similarity, *max_pressure, *threshold,
-                 targets[0].weight, like->spacing, nodes, rows, steps, ridges, layering.poissons_ratio);
+                 targets[0].weight, measured->spacing, nodes, rows, steps, ridges, layering.poissons_ratio);
     other.model.body.kernel = Kernel::periodic;
     CHECK(description(other) != description(setup));
 }

@@ -33,12 +33,12 @@ TEST_CASE("a verification agrees with four separate solutions") {
 
 TEST_CASE("a measured profile has similarity 1 to its response in any load steps") {
     DesignSetup setup = nested_setup();
-    setup.like = sample(three_waves(), setup.model.grid);
-    setup.targets = {target_like(*setup.like, setup.model, "itself")};
+    setup.measured = sample(three_waves(), setup.model.grid);
+    setup.targets = {target_like(*setup.measured, setup.model, "itself")};
     const Verification verified = Verifier(setup).of(three_waves());
     CHECK(verified.similarity == Approx(1));
     CHECK(verified.more_steps == Approx(1));
-    setup.like.reset(); // then only its response in few steps is known
+    setup.measured.reset(); // then only its response in few steps is known
     CHECK(Verifier(setup).of(three_waves()).more_steps < 0.999);
 }
 

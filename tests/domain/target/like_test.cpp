@@ -58,7 +58,7 @@ TEST_CASE("a design like a profile has more nodes if its contact fractions need 
     const auto nodes_of = [&](Index nodes, std::vector<Quantity> quantities, Index points,
                               std::optional<Index> given = {}) {
         const Profile profile = waves(nodes);
-        const DesignSetup setup = like(profile, model_of(profile), "p", quantities, points, given);
+        const DesignSetup setup = design_like(profile, model_of(profile), "p", quantities, points, given);
         CHECK(setup.targets.size() == quantities.size());
         return std::pair(setup.model.grid.nodes, setup.targets.back().y[0]);
     };

@@ -13,7 +13,7 @@ TourInstance tour_instance(std::vector<Town> towns, double best) {
     instance.genes = towns.size();
     instance.best = instance.scale = best;
     instance.evaluate = [towns = std::move(towns)](const ga::Permutation& tour) {
-        return Answer{{tour_length(towns, tour.order)}};
+        return Evaluation{{tour_length(towns, tour.order)}};
     };
     return instance;
 }
@@ -50,7 +50,7 @@ BitsInstance knapsack_instance(std::size_t things, std::uint64_t seed) {
                 excess += weights[i];
                 value += values[i];
             }
-        return Answer{{static_cast<double>(-value)}, {static_cast<double>(std::max(0, excess))}};
+        return Evaluation{{static_cast<double>(-value)}, {static_cast<double>(std::max(0, excess))}};
     };
     return instance;
 }

@@ -14,7 +14,7 @@ using Points = std::vector<ga::Point>;
 
 struct FrontProblem {
     std::size_t genes, objectives;
-    Answer (*evaluate)(const Reals&);
+    Evaluation (*evaluate)(const Reals&);
     Points (*front)();
     double reach = 0; ///< genes after the first lie in [-reach, reach]; 0: in [0, 1]
 };
@@ -33,33 +33,33 @@ double convex(double f1, double g) { return g * (1 - std::sqrt(f1 / g)); }
 double concave(double f1, double g) { return g * (1 - f1 / g * f1 / g); }
 double broken(double f1, double g) { return convex(f1, g) - f1 * std::sin(10 * pi * f1); }
 
-Answer zdt1(const Reals& x) { return {{x[0], convex(x[0], linear_g(x))}}; }
-Answer zdt2(const Reals& x) { return {{x[0], concave(x[0], linear_g(x))}}; }
-Answer zdt3(const Reals& x) { return {{x[0], broken(x[0], linear_g(x))}}; }
-Answer zdt4(const Reals& x) {
+Evaluation zdt1(const Reals& x) { return {{x[0], convex(x[0], linear_g(x))}}; }
+Evaluation zdt2(const Reals& x) { return {{x[0], concave(x[0], linear_g(x))}}; }
+Evaluation zdt3(const Reals& x) { return {{x[0], broken(x[0], linear_g(x))}}; }
+Evaluation zdt4(const Reals& x) {
     const double g = 1 + 10 * static_cast<double>(x.size() - 1) +
                      sum_from(1, x, [](double xi) { return xi * xi - 10 * std::cos(4 * pi * xi); });
     return {{x[0], convex(x[0], g)}};
 }
-Answer zdt6(const Reals& x) {
+Evaluation zdt6(const Reals& x) {
     const double f1 = 1 - std::exp(-4 * x[0]) * std::pow(std::sin(6 * pi * x[0]), 6);
     const double g = 1 + 9 * std::pow((linear_g(x) - 1) / 9, 0.25);
     return {{f1, concave(f1, g)}};
 }
 
-Answer dtlz1(const Reals& x) {
+Evaluation dtlz1(const Reals& x) {
     const double g = sum_from(
         2, x, [](double xi) { return 100 * (1 + (xi - 0.5) * (xi - 0.5) - std::cos(20 * pi * (xi - 0.5))); });
     const double size = 0.5 * (1 + g);
     return {{size * x[0] * x[1], size * x[0] * (1 - x[1]), size * (1 - x[0])}};
 }
-Answer dtlz2(const Reals& x) {
+Evaluation dtlz2(const Reals& x) {
     const double g = sum_from(2, x, [](double xi) { return (xi - 0.5) * (xi - 0.5); });
     const double a = x[0] * pi / 2, b = x[1] * pi / 2;
     return {
         {(1 + g) * std::cos(a) * std::cos(b), (1 + g) * std::cos(a) * std::sin(b), (1 + g) * std::sin(a)}};
 }
-Answer dtlz7(const Reals& x) {
+Evaluation dtlz7(const Reals& x) {
     double g = 1;
     for (std::size_t i = 2; i < x.size(); ++i)
         g += 9 * x[i] / static_cast<double>(x.size() - 2);

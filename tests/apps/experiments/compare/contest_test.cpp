@@ -17,7 +17,7 @@ RealInstance sphere() {
         double sum = 0;
         for (const double xi : x)
             sum += (xi - 1) * (xi - 1);
-        return Answer{{sum}};
+        return Evaluation{{sum}};
     };
     return instance;
 }

@@ -99,7 +99,7 @@ TEST_CASE("the knapsack's optimum is that of all its packings") {
             std::vector<bool> taken(14);
             for (unsigned i = 0; i < 14; ++i)
                 taken[i] = set >> i & 1;
-            const Answer value = instance.evaluate(taken);
+            const Evaluation value = instance.evaluate(taken);
             if (violated(value) == 0)
                 lowest = std::min(lowest, value.objectives[0]);
         }

@@ -15,10 +15,10 @@ std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 
 /// A surface that is manufactured with errors in its heights. Eq. 11 does not rescale these heights, and
 /// displacement counts from their first touch. The surface is loaded as far as in the search.
-class MadeSurface {
+class SurfaceWithErrors {
   public:
     /// The surface of a genome from in_final_form().
-    MadeSurface(DesignSetup setup, Genome genome);
+    SurfaceWithErrors(DesignSetup setup, Genome genome);
 
     const Profile& surface() const { return surface_; } ///< the surface without errors
     /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws
@@ -45,7 +45,7 @@ struct CommonErrors {
     /// The lower of two similarities; 1 without errors. The first is the mean of the lowest tenth of the
     /// similarities under noise. This mean is near the similarity that 95 % of the draws keep, and changes
     /// smoothly. The second is the lowest similarity over the tilts.
-    double similarity(const MadeSurface& made) const;
+    double similarity(const SurfaceWithErrors& made) const;
 };
 
 } // namespace rough

@@ -1,4 +1,4 @@
-#include "domain/problem/made.hpp"
+#include "domain/problem/making_errors.hpp"
 
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
@@ -36,11 +36,11 @@ DesignSetup without_eq_11(DesignSetup setup) {
 
 } // namespace
 
-MadeSurface::MadeSurface(DesignSetup setup, Genome genome)
+SurfaceWithErrors::SurfaceWithErrors(DesignSetup setup, Genome genome)
     : setup_(without_eq_11(setup)), genome_(std::move(genome)), surface_(sample(genome_, setup.model.grid)),
       loadings_(loadings_of_made(setup, setup_)) {}
 
-double MadeSurface::similarity(const Eigen::VectorXd& errors) const {
+double SurfaceWithErrors::similarity(const Eigen::VectorXd& errors) const {
     Profile made = surface_;
     made.heights += errors;
     std::vector<Response> responses;
@@ -49,7 +49,7 @@ double MadeSurface::similarity(const Eigen::VectorXd& errors) const {
             responses.push_back(respond(made, setup_.model.body,
                                         up_to_full_contact(loading, made, setup_.model),
                                         setup_.model.contact));
-        return rough::similarity(setup_, scored(setup_, std::move(responses)));
+        return rough::similarity(setup_, design_response(setup_, std::move(responses)));
     } catch (const std::exception&) {
         if (is_stopped(setup_.model.contact))
             throw ga::Stopped{"stop requested"};
@@ -57,7 +57,7 @@ double MadeSurface::similarity(const Eigen::VectorXd& errors) const {
     }
 }
 
-ga::Sensitivity MadeSurface::misfits(const Eigen::VectorXd& errors, const Rows& plain) const {
+ga::Sensitivity SurfaceWithErrors::misfits(const Eigen::VectorXd& errors, const Rows& plain) const {
     Profile made = surface_;
     made.heights += errors;
     const auto in_genes = [&](const Eigen::MatrixXd& by_heights) {
@@ -94,7 +94,7 @@ CommonErrors::CommonErrors(const DesignSetup& setup) {
             tilts.insert(tilts.end(), {errors.tilt * tilt, -errors.tilt * tilt});
 }
 
-double CommonErrors::similarity(const MadeSurface& made) const {
+double CommonErrors::similarity(const SurfaceWithErrors& made) const {
     std::vector<double> with_noise{1}, with_tilts{1};
     for (const Eigen::VectorXd& heights : tilts)
         with_tilts.push_back(made.similarity(heights));

@@ -10,13 +10,13 @@ Setting resistivity_setting();
 
 /// Reads a target file for a model; a conductance with --resistivity. Throws rough::InputError if the file
 /// cannot be read, or if the model that it records differs.
-rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model);
+rough::Target target_from(const Settings& settings, const std::string& file, const rough::Model& model);
 
 /// One line for each given flag without effect: for another kernel, or for other targets than these from
 /// files. One line for each target that holds for another datum or length than it records
 /// (rough::carried_over).
 std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
-                                  const std::vector<rough::Target>& goals = {});
+                                  const std::vector<rough::Target>& targets = {});
 
 /// The target files of a setting, with commas between; those in an .ini file are relative to it. Throws
 /// rough::InputError if none is given.

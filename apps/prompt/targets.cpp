@@ -1,4 +1,4 @@
-#include "apps/prompt/goals.hpp"
+#include "apps/prompt/targets.hpp"
 
 #include <muParser.h>
 
@@ -15,24 +15,24 @@ const std::map<std::string, std::string> flag_of{{"kernel", "kernel"},
                                                  {"strip_width_mm", "strip-width"}};
 
 /// Throws rough::InputError that names all differences, and the flags that remove them.
-void expect_same_model(const rough::Target& goal, const rough::Model& model) {
-    const auto differences = recorded_differences(goal, model);
+void expect_same_model(const rough::Target& target, const rough::Model& model) {
+    const auto differences = recorded_differences(target, model);
     for (const auto& [key, recorded, actual] : differences)
         if ((key == "datum_mm" && model.grid.is_2d()) || (key == "width_mm" && !model.grid.is_2d()))
-            rough::refuse(goal.name, ": recorded with ", key, " ", recorded,
+            rough::refuse(target.name, ": recorded with ", key, " ", recorded,
                           model.grid.is_2d()
                               ? "; give a target of a map, which has none"
                               : "; give a target of a profile, or --nodes and --length as pairs");
     std::string flags;
     for (const auto& [key, recorded, actual] : differences) {
-        const auto length = goal.recorded.find("length_mm");
-        const bool is_length = length != goal.recorded.end() && length->second == recorded;
+        const auto length = target.recorded.find("length_mm");
+        const bool is_length = length != target.recorded.end() && length->second == recorded;
         if (!(key == "datum_mm" && is_length)) // the datum is the length unless it is given
             flags += " --" + flag_of.at(key) + " " + recorded;
     }
     if (!differences.empty())
         rough::refuse(
-            goal.name, ": recorded with ", in_words(differences),
+            target.name, ": recorded with ", in_words(differences),
             "; use the recorded model, as the target depends on it:", flags.empty() ? " no --datum" : flags);
 }
 
@@ -44,7 +44,7 @@ Setting resistivity_setting() {
         "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i");
 }
 
-rough::Target goal_from(const Settings& settings, const std::string& file, const rough::Model& model) {
+rough::Target target_from(const Settings& settings, const std::string& file, const rough::Model& model) {
     rough::TargetScales scales;
     if (model.grid.is_2d())
         scales.nominal_area = model.grid.nominal_area();
@@ -52,13 +52,13 @@ rough::Target goal_from(const Settings& settings, const std::string& file, const
         scales.conductance_to_stiffness = 0.5 * model.body.effective_modulus * settings.number("resistivity");
     if (settings.knows("shear-strength"))
         settings.take("shear-strength", scales.shear_strength);
-    rough::Target goal = placing(settings, "", [&] { return rough::read_target(file, scales); });
-    expect_same_model(goal, model);
-    return goal;
+    rough::Target target = placing(settings, "", [&] { return rough::read_target(file, scales); });
+    expect_same_model(target, model);
+    return target;
 }
 
 std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
-                                  const std::vector<rough::Target>& goals) {
+                                  const std::vector<rough::Target>& targets) {
     std::vector<std::string> notes;
     const auto note = [&](const char* flag, const std::string& why) {
         if (settings.given(flag))
@@ -69,14 +69,14 @@ std::vector<std::string> notes_on(const Settings& settings, const rough::Model& 
         note("strip-width", "the kernel is " + kernel);
     if (kernel != rough::name_of(rough::Kernel::free))
         note("datum", "the kernel is " + kernel);
-    const auto conducts = [](const rough::Target& goal) {
-        return rough::read_target_table(goal.name).place_of("conductance") >= 0;
+    const auto conducts = [](const rough::Target& target) {
+        return rough::read_target_table(target.name).place_of("conductance") >= 0;
     };
-    if (std::ranges::none_of(goals, conducts))
+    if (std::ranges::none_of(targets, conducts))
         note("resistivity", "no target is a conductance");
-    for (const rough::Target& goal : goals)
-        if (const auto carried = carried_over(goal, model); !carried.empty())
-            notes.push_back("note: " + goal.name + ": recorded with " + in_words(carried) +
+    for (const rough::Target& target : targets)
+        if (const auto carried = carried_over(target, model); !carried.empty())
+            notes.push_back("note: " + target.name + ": recorded with " + in_words(carried) +
                             ": an interface's stiffness does not depend on the datum" +
                             (carried.front().key == "length_mm"
                                  ? ", and on the length only weakly, at light loads"
