@@ -139,14 +139,13 @@ py::dict tolerance_of(Design& design) {
     return result;
 }
 
-py::dict trust_of(const Design& design, double noise, double tilt, double hardness, std::uint64_t seed,
-                  int threads) {
+py::dict trust_of(const Design& design, double noise, double tilt, std::optional<double> hardness,
+                  std::uint64_t seed, int threads) {
     rough::TrustOptions options = design.trust_options;
     rough::DesignSetup setup = design.setup;
     setup.errors.noise = noise;
     setup.errors.tilt = tilt;
-    if (hardness > 0)
-        options.hardness = hardness;
+    options.hardness = hardness;
     options.seed = seed;
     options.threads = threads;
     rough::Trust trust;
@@ -231,7 +230,7 @@ void add_design(py::module_& module) {
             "tolerance", &tolerance_of,
             R"(Required precision of the machine, computed when it is first read: `tolerance` of result.json as
 a dictionary, with the curve of similarities under noise. Lengths in mm.)")
-        .def("trust", &trust_of, py::kw_only(), "noise"_a = 0.0, "tilt"_a = 0.0, "hardness"_a = 0.0,
+        .def("trust", &trust_of, py::kw_only(), "noise"_a = 0.0, "tilt"_a = 0.0, "hardness"_a = py::none(),
              "seed"_a = 1, "threads"_a = 0,
              R"(Checks the answer on finer grids, in more load steps, with another datum, under height noise
 (mm rms) or a tilt (mm over the length) and on other bodies: `trust` of result.json as a dictionary.)")

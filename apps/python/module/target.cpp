@@ -22,7 +22,7 @@ Target target_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const std
 }
 
 Target target_like(const py::object& like, const Spacing& spacing, const std::string& quantity,
-                   rough::Index points, double last, const py::kwargs& given) {
+                   rough::Index points, std::optional<double> last, const py::kwargs& given) {
     Keywords keywords(given, "Target.like");
     const bool is_genome = py::isinstance<rough::Genome>(like);
     rough::Profile surface = is_genome ? rough::Profile() : surface_from(like, spacing, "Target.like");
@@ -50,10 +50,11 @@ x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: 
         .def_static(
             "read", [](const std::filesystem::path& file) { return rough::read_target(file); }, "file"_a,
             "Reads a target file (CSV).")
-        .def_static("like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
-                    "quantity"_a = "stiffness", "points"_a = 20, "last"_a = 0.0,
-                    "The response of a surface at evenly spaced points up to `last` (0: its whole load);\n"
-                    "model keywords as in contact().")
+        .def_static(
+            "like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
+            "quantity"_a = "stiffness", "points"_a = 20, "last"_a = py::none(),
+            "The response of a surface at evenly spaced points up to `last` (default: its whole load);\n"
+            "model keywords as in contact().")
         .def_readonly("x", &Target::x)
         .def_readonly("y", &Target::y)
         .def_property_readonly("quantity", [](const Target& t) { return rough::name_of(t.quantity); })

@@ -14,7 +14,7 @@ Profile waves(Index nodes = 128) {
 }
 
 Model model_of(const Profile& profile) {
-    return {.grid = {profile.nodes(), profile.spacing * double(profile.nodes() - 1)}};
+    return completed({.grid = {profile.nodes(), profile.spacing * double(profile.nodes() - 1)}});
 }
 
 } // namespace
@@ -31,7 +31,7 @@ TEST_CASE("a target like a profile is the profile's curve at even points") {
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * curve.to).last() ==
           0.25 * curve.to);
     CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * curve.to).last() == curve.to);
-    const Target band = target_like(profile, model, "waves", Quantity::stiffness, 5, 0, Resolution::on);
+    const Target band = target_like(profile, model, "waves", Quantity::stiffness, 5, {}, Resolution::on);
     CHECK((band.upper - band.lower).cwiseQuotient(band.y).maxCoeff() < 0.02);
 }
 
