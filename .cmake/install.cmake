@@ -6,14 +6,14 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(RUGOSA_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/rugosa)
 set(RUGOSA_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/rugosa)
 # Users write <rugosa/domain.hpp> and <rugosa/ga.hpp>; the headers themselves begin at ga/ and domain/.
-target_include_directories(rugosa_ga INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-                                               $<INSTALL_INTERFACE:${RUGOSA_HEADERS}>)
+target_include_directories(rugosa_base INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+                                                 $<INSTALL_INTERFACE:${RUGOSA_HEADERS}>)
 if(NOT PROJECT_IS_TOP_LEVEL)
-    target_include_directories(rugosa_ga INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/.cmake/include>)
+    target_include_directories(rugosa_base INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/.cmake/include>)
 endif()
 
-# Public are all headers of ga, and of domain those that domain/domain.hpp includes, with what they include.
-set(public domain/domain.hpp)
+# Public are all headers of ga, and of domain those that its umbrella headers include, with what they include.
+set(public domain/domain.hpp domain/scan/map.hpp domain/scan/scan.hpp)
 set(unread ${public})
 while(unread)
     list(POP_FRONT unread header)
@@ -36,14 +36,18 @@ foreach(header IN LISTS public)
 endforeach()
 
 install(TARGETS rugosa RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS rugosa_domain EXPORT domainTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT domainTargets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE})
-install(FILES .cmake/include/rugosa/domain.hpp DESTINATION ${RUGOSA_HEADERS})
+foreach(library contact scan domain)
+    install(TARGETS rugosa_${library} EXPORT ${library}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT ${library}Targets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE})
+    install(FILES .cmake/include/rugosa/${library}.hpp DESTINATION ${RUGOSA_HEADERS})
+endforeach()
 
 # The engine's headers are the component ga, which also is a package without the rest.
-install(TARGETS rugosa_ga EXPORT gaTargets)
-install(EXPORT gaTargets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE} COMPONENT ga)
+foreach(library base ga)
+    install(TARGETS rugosa_${library} EXPORT ${library}Targets)
+    install(EXPORT ${library}Targets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE} COMPONENT ga)
+endforeach()
 configure_package_config_file(.cmake/rugosaConfig.cmake.in rugosaConfig.cmake INSTALL_DESTINATION ${RUGOSA_PACKAGE})
 write_basic_package_version_file(rugosaConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(DIRECTORY ga DESTINATION ${RUGOSA_HEADERS} COMPONENT ga FILES_MATCHING PATTERN "*.hpp")

@@ -11,7 +11,7 @@ foreach(kind IN LISTS kinds)
     file(CONFIGURE OUTPUT ${source} CONTENT "#include \"domain/numerics/vector_loops.inc\"
 constinit const rough::VectorLoops rough::@kind@_loops = rough::loops_of(\"@kind@\");
 " @ONLY)
-    target_sources(rugosa_domain PRIVATE ${source})
+    target_sources(rugosa_contact PRIVATE ${source})
     set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
                                 COMPILE_OPTIONS "-O3;-ffp-contract=fast;${flags_of_${kind}}")
 endforeach()

@@ -11,7 +11,7 @@ namespace app {
 /// A line profile from a file: a genome, which has a height at every x, or a measured scan.
 struct Source : rough::Scan {
     std::optional<rough::Genome> genome = {}; ///< nothing for a scan
-    double length = rough::standard_length;   ///< of a genome's profile, mm; not used for a scan
+    double length = rough::standard_length;   ///< length of a genome's profile, mm; not used for a scan
 
     /// The grid of a scan, or 512 nodes for a genome. `periodic` is for the periodic kernel.
     rough::Grid grid(bool periodic = false) const;

@@ -77,7 +77,7 @@ struct ReportedResponse {
 /// (reduced.hpp). Otherwise all load steps of a map are solved.
 ReportedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a sum of waves within model.accuracy (relative, 0 to 1) of the response on the model's
-/// grid, at the displacements of that grid's profile. `whole` is the surface on this grid. Chooses waves,
+/// grid. Displacements are those of that grid's profile, `whole`. Chooses waves,
 /// grids, rows and the solver's tolerance, which is never above the given one. It solves the model as given
 /// if `accuracy` is 0 or no cheaper choice is accurate enough. Throws InputError on an accuracy out of range,
 /// and on an accuracy with a hardness or layers. Also throws what respond() throws.

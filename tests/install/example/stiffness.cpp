@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <iostream>
 #include <iterator>
-#include <rugosa/domain.hpp>
+#include <rugosa/contact.hpp>
 
 int main() {
     const std::vector<double> heights(std::istream_iterator<double>(std::cin), {}); // mm

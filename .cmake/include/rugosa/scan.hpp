@@ -1,0 +1,4 @@
+#pragma once
+
+#include "domain/scan/map.hpp"
+#include "domain/scan/scan.hpp"
