@@ -200,8 +200,9 @@ Morphed morph(const DesignSetup& given, const Genome& genome, const std::vector<
 
     Morphed result;
     result.before = similarity(problem.setup(), genome);
-    const DesignOutcome outcome = problem.evaluate(search.at(x));
-    result.genome = folded(outcome.genome);
+    const Genome found = search.at(x);
+    const DesignOutcome outcome = problem.evaluate(found);
+    result.genome = folded(problem.final_genome(found, outcome));
     result.after = outcome.similarity;
     for (std::size_t t = 0; t < outcome.misfits.size(); ++t)
         for (Index k = 0; k < outcome.misfits[t].size(); ++k)

@@ -51,8 +51,8 @@ class Verifier {
 
   private:
     void verify(const Genome& genome, Verification& result) const;
-    std::vector<Response> on_fine_area(const Genome& genome,
-                                       const std::vector<std::vector<char>>& to_solve) const;
+    std::vector<Response> on_fine_map(const Genome& genome,
+                                      const std::vector<std::vector<char>>& to_solve) const;
 
     DesignSetup setup_;
     int threads_;
