@@ -181,7 +181,9 @@ struct Emit : Operator {
             std::vector<Slope<P>> slopes;
             for (const std::size_t i : chosen) {
                 const auto& each = population[i];
-                slopes.push_back({each.genome, each.fitness.objective_name(), Sensitive<P>, {}, {}, {}});
+                const std::size_t objective = context.objective_index(each.fitness.objective());
+                slopes.push_back({each.genome, each.fitness.objective_name(),
+                                  context.problem().objectives()[objective].level, Sensitive<P>, {}, {}, {}});
             }
             EvaluationRequest<P> request;
             for (auto& slope : slopes)
