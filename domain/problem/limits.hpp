@@ -48,7 +48,7 @@ struct MakingLimits {
 /// A limit and the genome's value.
 struct Margin {
     std::string name; ///< "shortest_wave_mm", "slope", "height_mm", "radius_mm"
-    double limit;     ///< the limit; 0 or infinity if there is none
+    double limit;     ///< the limit; 0 or infinity: no limit
     double value;     ///< the genome's value, or a bound of it that errs on the safe side
     bool is_lower;    ///< whether the limit is a lower limit
     /// Whether the value keeps the limit.

@@ -47,9 +47,9 @@ struct DesignSetup {
     MakingErrors errors = {.noise_length = model.grid.length / 60};
 };
 
-/// Throws InputError on a model that is not complete or has no solution, on fewer than 16 nodes along an
-/// axis, and on a map with an accuracy or a strip. Unless only phases move, also throws it on a shortest
-/// wavelength below a node spacing or above the longest.
+/// Throws InputError on a model that is not complete or has no solution. Also throws it on fewer than 16
+/// nodes along an axis, and on a map with an accuracy or a strip. Unless only phases move, throws it on a
+/// shortest wavelength below a node spacing or above the longest.
 ///
 /// Throws it, too, if targets are missing, invalid, recorded for another model, or beyond max_pressure. Also
 /// throws it on a target against displacement under Eq. 11, and on a threshold that has no point on one side.
@@ -72,8 +72,8 @@ DesignSetup as_reported(DesignSetup searched);
 /// up to the model's last load. Unless `resolution` is off, they have the band of target_like(). It is cut at
 /// 5 % from the profile's response on either side, because the design must also be near the measured curve.
 ///
-/// The grid gets `nodes` nodes. Default: 512; for contact area, the profile's number of nodes (512 to 4096),
-/// or more if fewer than 32 nodes would touch at the first point. A map keeps its nodes.
+/// The grid gets `nodes` nodes. The default is 512. For contact area it is the profile's number of nodes (512
+/// to 4096), or more if fewer than 32 nodes would touch at the first point. A map keeps its nodes.
 DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
                         const std::vector<Quantity>& quantities = {Quantity::stiffness,
                                                                    Quantity::area_at_pressure},

@@ -128,11 +128,12 @@ ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& b
                 d_last[state.nodes[i]] -= state.tangent[static_cast<Index>(i)] / state.tangent.sum();
             d_last[highest] += 1;
         } else {
+            const double reach = reach_of(loading, body.kernel);
             if (body.kernel == Kernel::periodic)
-                d_last.setConstant(-loading.reach / static_cast<double>(nodes));
+                d_last.setConstant(-reach / static_cast<double>(nodes));
             else
-                d_last[lowest] -= loading.reach;
-            d_last[highest] += loading.reach;
+                d_last[lowest] -= reach;
+            d_last[highest] += reach;
         }
     }
 

@@ -48,14 +48,14 @@ inline std::string missed_by(const rough::SearchRun& run) {
 struct DesignRecord {
     ga::Stopwatch clock;
     rough::Unreachable unreachable; ///< reasons and bound of the exact tests
-    std::vector<StageRecord> stages;
-    Summary summary;
+    std::vector<StageRecord> stages = {};
+    Summary summary = {};
     bool interrupted = false;
     double seconds = 0;
-    Origin origin;
+    Origin origin = {};
 };
 
-/// What a design is to match, from a target or a scan.
+/// Targets of a design and the model in which they hold, from target files or a scan.
 struct DesignRequest {
     ga::Stopwatch clock = {};
     rough::DesignSetup setup = {};          ///< with the targets, the model and the scan

@@ -95,7 +95,7 @@ rough::SearchOptions options_from(const Settings& settings, const rough::DesignS
                                                            usual_variant(setup, settings.has("database")))};
     if (setup.model.grid.is_2d())
         options.alternatives = 1;
-    take(settings, bindings_of(options));
+    take(settings, app::bindings_of(options));
     return options;
 }
 
