@@ -42,7 +42,7 @@ TEST_CASE("a log has one row per stage with the population's fitness") {
     REQUIRE(rows.size() == 1 + 2 + 10 * 5 + 1);
     CHECK(
         rows[0] ==
-        "path,generation,individuals,best,median,diversity,requested,evaluations,gradients,failures,seconds");
+        "path,generation,individuals,best,median,diversity,requested,evaluations,gradients,failures,price,seconds");
     CHECK(rows[1].starts_with("v/sample.1,,20,,,1,0,0,0,0,"));
     CHECK(rows[2].starts_with("v/score.1,,20,-"));
     CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));

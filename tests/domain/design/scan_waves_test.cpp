@@ -1,6 +1,7 @@
 #include "domain/design/search.hpp"
 #include "domain/design/starts.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "domain/profile/preparation.hpp"
 #include "tests/catch.hpp"
 
 #include <numbers>
