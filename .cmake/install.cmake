@@ -43,9 +43,11 @@ foreach(library contact scan domain)
     install(FILES .cmake/include/rugosa/${library}.hpp DESTINATION ${RUGOSA_HEADERS})
 endforeach()
 
-# The engine's headers are the component ga, which also is a package without the rest.
+# The engine is the component ga, which also is a package without the rest.
 foreach(library base ga)
-    install(TARGETS rugosa_${library} EXPORT ${library}Targets)
+    install(TARGETS rugosa_${library} EXPORT ${library}Targets
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ga
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ga)
     install(EXPORT ${library}Targets NAMESPACE rugosa:: DESTINATION ${RUGOSA_PACKAGE} COMPONENT ga)
 endforeach()
 configure_package_config_file(.cmake/rugosaConfig.cmake.in rugosaConfig.cmake INSTALL_DESTINATION ${RUGOSA_PACKAGE})

@@ -1,6 +1,6 @@
 # cmake --build BUILD --target package: rugosa_VERSION_amd64.deb (program, libraries, headers, manual pages),
-# python3-rugosa_VERSION_amd64.deb (the Python module) and librugosa-ga-dev_VERSION_all.deb (the engine's headers
-# without the rest), by CPack.
+# python3-rugosa_VERSION_amd64.deb (the Python module) and librugosa-ga-dev_VERSION_amd64.deb (the engine's library
+# and headers without the rest), by CPack.
 set(documents ${CMAKE_INSTALL_DATADIR}/doc)
 
 # Manual pages from --help, by help2man.
@@ -57,7 +57,7 @@ surface, and returns a profile or a map with that behaviour for printing.
 .
 The package has the program, its genetic-algorithm engine and its contact
 solvers as C++ libraries, and examples of experiments.")
-# The package of the program has the engine's headers, too.
+# The package of the program has the engine's library and headers, too.
 install(CODE "execute_process(COMMAND \${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --component ga
                               --prefix \${CMAKE_INSTALL_PREFIX} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
 install(FILES ${policy} DESTINATION ${documents}/librugosa-ga-dev COMPONENT ga_documents)
@@ -65,14 +65,13 @@ set(CPACK_COMPONENT_GA_GROUP engine)
 set(CPACK_COMPONENT_GA_DOCUMENTS_GROUP engine)
 set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME librugosa-ga-dev)
 set(CPACK_DEBIAN_ENGINE_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_ENGINE_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_ENGINE_PACKAGE_DEPENDS "libboost-dev (>= 1.74), nlohmann-json3-dev (>= 3.11)")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS "g++, cmake, libeigen3-dev, libnlopt-cxx-dev")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_CONFLICTS rugosa) # which has the same headers
-set(CPACK_DEBIAN_ENGINE_DESCRIPTION "engine for genetic algorithms as pipelines (headers)
-Header-only C++ engine in which an algorithm is a pipeline of operators, in
+set(CPACK_DEBIAN_ENGINE_DESCRIPTION "engine for genetic algorithms as pipelines
+C++ engine in which an algorithm is a pipeline of operators, in
 code or as text: selection, crossover, mutation, refinement, islands, niches,
 CMA-ES and many objectives, with the same result for any number of threads.")
 if(RUGOSA_PYTHON)

@@ -3,7 +3,7 @@
 #include "domain/errors.hpp"
 #include "domain/text/words.hpp"
 #include "ga/refinement/levenberg_marquardt.hpp"
-#include "ga/refinement/nlopt.hpp"
+#include "ga/refinement/nlopt_search.hpp"
 
 #include <cstdio>
 #include <numbers>

@@ -30,7 +30,8 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
     if (!frame.resumed()) {
         numbers.resize(2 + rules.size());
         const double requested = context.counters().requested_price;
-        // price of evaluations and seconds at the start, price at the last look, generation of the last progress
+        // price of evaluations and seconds at the start, price at the last look, generation of the last
+        // progress
         numbers[0] = {requested, context.seconds(), requested, 0};
     }
     expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 4 &&
@@ -41,8 +42,7 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
         paying |= rule.text.starts_with(AfterEvaluations::words().name);
     }
     const auto ended = [&] {
-        const BlockProgress<G> now{frame->next,
-                                   context.counters().requested_price - numbers[0][0],
+        const BlockProgress<G> now{frame->next, context.counters().requested_price - numbers[0][0],
                                    context.seconds() - numbers[0][1], frame->population};
         bool end = false;
         for (std::size_t i = 0; i < rules.size(); ++i)

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "ga/base/bounded_json.hpp"
 #include "ga/base/held_folder.hpp"
 #include "ga/pipeline/run.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <bit>
-#include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
 #include <fstream>
 
 namespace ga {
@@ -17,108 +15,44 @@ namespace ga {
 inline const std::string seal_mark = "rugosa checkpoint 2\n";
 
 /// The mark, length and fingerprint for a content.
-inline std::string seal_of(std::string_view bytes) {
-    const Fingerprint print = fingerprint(bytes);
-    std::string seal = seal_mark;
-    for (const std::uint64_t word : {static_cast<std::uint64_t>(bytes.size()), print.high, print.low})
-        for (int shift = 0; shift < 64; shift += 8)
-            seal += static_cast<char>(word >> shift & 0xff);
-    return seal;
-}
+std::string seal_of(std::string_view bytes);
 
 /// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is
 /// damaged.
-inline std::string opened(const std::filesystem::path& file) {
-    std::ifstream stream(held_path(file), std::ios::binary);
-    const std::string all{std::istreambuf_iterator<char>(stream), {}};
-    const std::size_t head = seal_of({}).size();
-    if (!stream.is_open() || all.size() < head ||
-        all.compare(0, head, seal_of(std::string_view(all).substr(head))) != 0)
-        throw UsageError("checkpoint '" + file.string() +
-                         "' is damaged or not a checkpoint; give a file that this version wrote");
-    return all.substr(head);
-}
+std::string opened(const std::filesystem::path& file);
 
 /// Writes a sealed file and keeps the previous one as "FILE.before". The new file is completely on disk
 /// before it is renamed to this name. Symbolic links are not followed. Returns the error in words, or an
 /// empty text.
-inline std::string seal(const std::filesystem::path& name, std::string_view bytes) {
-    const std::filesystem::path file = held_path(name), draft = file.string() + ".tmp",
-                                before = file.string() + ".before";
-    ::unlink(draft.c_str());
-    std::FILE* const stream = std::fopen(draft.c_str(), "wbxe"); // x: a new file, e: not for child processes
-    if (!stream)
-        return std::strerror(errno);
-    std::string error;
-    const std::string head = seal_of(bytes);
-    if (std::fwrite(head.data(), 1, head.size(), stream) < head.size() ||
-        std::fwrite(bytes.data(), 1, bytes.size(), stream) < bytes.size() || std::fflush(stream) != 0 ||
-        ::fsync(::fileno(stream)) != 0)
-        error = std::strerror(errno);
-    if (std::fclose(stream) != 0 && error.empty())
-        error = std::strerror(errno);
-    if (!error.empty()) {
-        ::unlink(draft.c_str());
-        return error;
-    }
-    ::unlink(before.c_str());
-    if (::link(file.c_str(), before.c_str()) != 0)
-        ::rename(file.c_str(), before.c_str()); // if the file system has no hard links
-    if (::rename(draft.c_str(), file.c_str()) != 0) {
-        error = std::strerror(errno);
-        ::unlink(draft.c_str());
-        return error;
-    }
-    const std::filesystem::path folder = file.parent_path();
-    if (const int at = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        at >= 0) {
-        ::fsync(at); // so that the name outlasts a loss of power
-        ::close(at);
-    }
-    return "";
-}
+std::string seal(const std::filesystem::path& name, std::string_view bytes);
 
 /// Reads CBOR. Throws UsageError, with the file's name, if it nests too deep (bounded_json), and nlohmann's
 /// exceptions if it is not CBOR.
-inline nlohmann::json read_cbor(const std::string& bytes, const std::filesystem::path& file) {
-    auto read = bounded_json(bytes, nlohmann::json::input_format_t::cbor);
-    if (read.is_discarded())
-        throw UsageError("checkpoint '" + file.string() + "' nests too deep; give one that a run wrote");
-    return read;
-}
+nlohmann::json read_cbor(const std::string& bytes, const std::filesystem::path& file);
 
 using nlohmann::json;
 
 ///@{ Write and read the parts of a checkpoint without loss. Reading throws nlohmann's exceptions on other
 /// JSON.
-inline void to_json(json& j, const Permutation& permutation) { j = permutation.order; }
-inline void from_json(const json& j, Permutation& permutation) { read_part(j, permutation.order); }
+void to_json(json& j, const Permutation& permutation);
+void from_json(const json& j, Permutation& permutation);
 
-inline void to_json(json& j, const Counters& c) {
-    j = {c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price, c.price};
-}
-inline void from_json(const json& j, Counters& c) {
-    read_parts(j, c.requested, c.evaluations, c.remembered, c.gradients, c.failures, c.requested_price,
-               c.price);
-}
+void to_json(json& j, const Counters& c);
+void from_json(const json& j, Counters& c);
+
+/// A fitness without its levels; null for an unscored one. read_scored() reads it.
+json scored(const Fitness& fitness);
+/// The fitness that scored() has written.
+Fitness read_scored(const json& scored);
 
 template <class G>
 void to_json(json& j, const Individual<G>& individual) {
-    const Fitness& fitness = individual.fitness;
-    json scored;
-    if (fitness.has_failed())
-        scored = {fitness.objective(), fitness.reason()};
-    else if (fitness.several())
-        scored = {fitness.objective(), fitness.values(), fitness.violation(), fitness.violations()};
-    else if (fitness.known())
-        scored = {fitness.objective(),  fitness.value(),     fitness.violation(),
-                  fitness.violations(), fitness.minimises(), fitness.replicates()};
     j = {individual.genome,
          individual.identity,
          std::vector<Identity>(individual.parents.begin(), individual.parents.end()),
-         std::move(scored),
+         scored(individual.fitness),
          individual.origin ? json(*individual.origin) : json(),
-         fitness.levels()};
+         individual.fitness.levels()};
 }
 template <class G>
 void from_json(const json& j, Individual<G>& individual) {
@@ -127,22 +61,7 @@ void from_json(const json& j, Individual<G>& individual) {
     individual.parents = parents.size() == 2   ? Parents(parents[0], parents[1])
                          : parents.size() == 1 ? Parents(parents[0])
                                                : Parents();
-    individual.fitness = {};
-    if (const json& scored = j.at(3); !scored.is_null()) {
-        const Name policy(scored.at(0).get<std::string>());
-        std::size_t replicates = 1;
-        if (scored.size() == 2)
-            individual.fitness = Fitness::failed(policy, reason(scored.at(1).get<std::string>()));
-        else if (scored.size() == 4)
-            individual.fitness = Fitness(policy, scored.at(1).get<Point>());
-        else {
-            individual.fitness = Fitness(policy, scored.at(1).get<double>(), scored.at(4).get<bool>());
-            read_part(scored.at(5), replicates);
-        }
-        if (scored.size() > 2)
-            individual.fitness =
-                individual.fitness.constrained(scored.at(3), scored.at(2).get<double>()).averaged(replicates);
-    }
+    individual.fitness = read_scored(j.at(3));
     std::uint8_t levels = 0;
     read_part(j.at(5), levels);
     individual.fitness.set_levels(levels);

@@ -26,77 +26,22 @@ class Log {
     template <Problem P>
     Observer<typename P::Genome> observer(const P& problem) {
         return [this, &problem](const Event<typename P::Genome>& event) {
-            const Summary of = summary(problem, event.population);
-            const auto cell = [](const std::optional<double>& value) {
-                return value ? number(*value) : std::string();
-            };
-            const Counters& counters = event.counters;
-            std::string generation;
-            for (const std::size_t each : event.generation)
-                generation += (generation.empty() ? "" : ".") + std::to_string(each);
-            std::string row = event.path + "," + generation;
-            for (const std::string& text :
-                 {std::to_string(of.individuals), cell(of.best), cell(of.median), number(of.diversity),
-                  std::to_string(counters.requested), std::to_string(counters.evaluations),
-                  std::to_string(counters.gradients), std::to_string(counters.failures),
-                  number(counters.price), number(event.seconds)})
-                row += "," + text;
-            append(row + "\n");
+            append(event.path, event.generation, summary(problem, event.population), event.counters,
+                   event.seconds);
         };
     }
 
     /// Completes the table. If the run had already ended before it was resumed, its table is complete.
-    void close() {
-        if (position == 0)
-            append("");
-        stream_.close();
-        std::error_code error;
-        if (trouble.empty() && std::filesystem::exists(part_, error))
-            std::filesystem::rename(part_, file_, error);
-        if (trouble.empty() && (error || !std::filesystem::exists(file_, error)))
-            trouble = cannot_be_written();
-    }
+    void close();
 
   private:
-    std::string cannot_be_written() const {
-        return "log '" + name_.string() + "' cannot be written; the run continued without it";
-    }
-    void append(const std::string& text) {
-        if (!trouble.empty())
-            return;
-        const std::uint64_t whole = position;
-        if (!stream_.is_open()) {
-            if (position > 0)
-                take_up();
-            stream_.open(part_, position > 0 ? std::ios::app : std::ios::trunc);
-            if (position == 0)
-                put("path,generation,individuals,best,median,diversity,requested,evaluations,gradients,"
-                    "failures,price,seconds\n");
-        }
-        put(text);
-        stream_.flush();
-        if (!stream_) {
-            trouble = cannot_be_written();
-            position = whole;
-        }
-    }
+    std::string cannot_be_written() const;
+    void append(const std::string& path, const std::vector<std::size_t>& generation, const Summary& of,
+                const Counters& counters, double seconds);
+    void append(const std::string& text);
     /// Cuts the table after the row of the checkpoint. An interrupted run has already renamed it.
-    void take_up() {
-        std::error_code error;
-        if (!std::filesystem::exists(part_))
-            std::filesystem::rename(file_, part_, error);
-        if (!error && std::filesystem::file_size(part_, error) < position)
-            error = std::make_error_code(std::errc::invalid_seek);
-        if (!error)
-            std::filesystem::resize_file(part_, position, error);
-        if (error)
-            throw UsageError("log '" + name_.string() + "' cannot be continued (" + error.message() +
-                             "); use the one that was written with the checkpoint");
-    }
-    void put(const std::string& text) {
-        stream_ << text;
-        position += text.size();
-    }
+    void take_up();
+    void put(const std::string& text);
 
     std::filesystem::path name_, file_, part_;
     std::ofstream stream_;

@@ -56,52 +56,24 @@ struct Parameter {
                (kind == Kind::number || value == std::floor(value));
     }
     /// The permitted values in words; `in_full` includes the largest whole number, which few users need.
-    [[gnu::cold]] std::string expected(bool in_full = false) const {
-        if (is_text())
-            return kind == Kind::word ? "a name" : "names";
-        std::string text = kind == Kind::whole ? "a whole number" : "a number";
-        if (lower > -no_limit)
-            text += lower == above_zero ? " above 0" : " from " + ga::number(lower);
-        if (upper < (kind == Kind::whole && !in_full ? max_whole : no_limit))
-            text +=
-                " to " + (kind == Kind::whole ? std::to_string(static_cast<long>(upper)) : ga::number(upper));
-        return text;
-    }
+    std::string expected(bool in_full = false) const;
 };
 
 /// A parameter that takes a real number in [lower, upper].
-[[gnu::cold]] inline Parameter number(std::string name, std::optional<std::string> standard, double lower,
-                                      double upper, std::string meaning) {
-    return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
-}
+Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
+                 std::string meaning);
 /// A real number whose default is the value that a new operator has.
-inline Parameter number(std::string name, double lower, double upper, std::string meaning) {
-    return number(std::move(name), std::nullopt, lower, upper, std::move(meaning)).optional();
-}
+Parameter number(std::string name, double lower, double upper, std::string meaning);
 /// A parameter that takes a whole number, `lower` or more.
-[[gnu::cold]] inline Parameter whole(std::string name, std::optional<std::string> standard, double lower,
-                                     std::string meaning) {
-    return {std::move(name), Parameter::Kind::whole, std::move(standard),
-            lower,           Parameter::max_whole,   std::move(meaning)};
-}
+Parameter whole(std::string name, std::optional<std::string> standard, double lower, std::string meaning);
 /// A whole number whose default is the value that a new operator has.
-inline Parameter whole(std::string name, double lower, std::string meaning) {
-    return whole(std::move(name), std::nullopt, lower, std::move(meaning)).optional();
-}
+Parameter whole(std::string name, double lower, std::string meaning);
 /// A parameter that takes a word.
-[[gnu::cold]] inline Parameter word(std::string name, std::optional<std::string> standard,
-                                    std::string meaning) {
-    return {std::move(name), Parameter::Kind::word, std::move(standard), -no_limit,
-            no_limit,        std::move(meaning)};
-}
+Parameter word(std::string name, std::optional<std::string> standard, std::string meaning);
 /// A word whose default is the value that a new operator has.
-inline Parameter word(std::string name, std::string meaning) {
-    return word(std::move(name), std::nullopt, std::move(meaning)).optional();
-}
+Parameter word(std::string name, std::string meaning);
 /// A parameter that takes all remaining words.
-[[gnu::cold]] inline Parameter word_list(std::string name, std::string meaning) {
-    return {std::move(name), Parameter::Kind::words, std::nullopt, -no_limit, no_limit, std::move(meaning)};
-}
+Parameter word_list(std::string name, std::string meaning);
 
 /// An operator's name and purpose, for text and listing.
 struct Words {
@@ -135,46 +107,14 @@ struct BoundParameter {
     Pointer value;       ///< pointer to the value
 
     /// The value as text; may be empty.
-    [[gnu::cold]] std::string in_words() const {
-        return std::visit(
-            [](const auto* at) -> std::string {
-                using Value = std::remove_cvref_t<decltype(*at)>;
-                if constexpr (std::is_same_v<Value, double>)
-                    return number(*at);
-                else if constexpr (std::is_arithmetic_v<Value>)
-                    return std::to_string(*at);
-                else if constexpr (std::is_same_v<Value, std::string>)
-                    return *at;
-                else {
-                    std::string text;
-                    for (const auto& each : *at)
-                        text += (text.empty() ? "" : " ") + each;
-                    return text;
-                }
-            },
-            value);
-    }
+    std::string in_words() const;
     /// The value if it is a number.
-    std::optional<double> as_number() const {
-        return std::visit(
-            [](const auto* at) -> std::optional<double> {
-                if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(*at)>>)
-                    return static_cast<double>(*at);
-                else
-                    return std::nullopt;
-            },
-            value);
-    }
+    std::optional<double> as_number() const;
 };
 
 /// The fields, whose optional parameters get the values of a new operator, `usual`, as defaults.
-[[gnu::cold]] inline std::vector<BoundParameter> with_defaults(std::vector<BoundParameter> fields,
-                                                               const std::vector<BoundParameter>& usual) {
-    for (std::size_t i = 0; i < fields.size(); ++i)
-        if (fields[i].parameter.is_of_operator)
-            fields[i].parameter.standard = usual[i].in_words();
-    return fields;
-}
+std::vector<BoundParameter> with_defaults(std::vector<BoundParameter> fields,
+                                          const std::vector<BoundParameter>& usual);
 /// The parameters of an object that describes itself, with pointers to its values.
 template <class T>
 [[gnu::cold]] std::vector<BoundParameter> bound_parameters(T& described) {
@@ -189,17 +129,7 @@ template <class T>
     return with_defaults(fields_in(described), fields_in(usual));
 }
 /// The values of these parameters, as they are written after the name in a pipeline's text.
-[[gnu::cold]] inline std::string values_in_words(const std::vector<BoundParameter>& fields) {
-    std::string text;
-    for (const BoundParameter& field : fields) {
-        const std::string words = field.in_words();
-        if (words.empty() || (field.parameter.is_quiet && field.parameter.standard == words))
-            continue;
-        text +=
-            (text.empty() ? "" : " ") + (field.parameter.is_keyed ? field.parameter.name + "=" : "") + words;
-    }
-    return text;
-}
+std::string values_in_words(const std::vector<BoundParameter>& fields);
 /// The text of an object that describes itself, as in a pipeline: "tournament 2 size=5".
 template <Described T>
 [[gnu::cold]] std::string text_of(T described) {
@@ -216,12 +146,7 @@ template <class T>
     return parameters;
 }
 /// Throws UsageError if a value of the stage called `name` is out of range.
-[[gnu::cold]] inline void check_values(const std::vector<BoundParameter>& fields, const std::string& name) {
-    for (const BoundParameter& field : fields)
-        if (const auto given = field.as_number(); given && !field.parameter.allows(*given))
-            throw UsageError("stage '" + name + "': " + field.parameter.name + " is '" + field.in_words() +
-                             "'; give " + field.parameter.expected(*given > field.parameter.upper));
-}
+void check_values(const std::vector<BoundParameter>& fields, const std::string& name);
 /// Throws UsageError if a value of an object that describes itself is out of range, or as its validate()
 /// does.
 template <class T>

@@ -20,51 +20,20 @@ struct CheckState {
     bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
 
     /// Throws UsageError, with the stage's name, if individuals may be unscored.
-    [[gnu::cold]] void need_score(const std::string& stage) const {
-        if (!scored)
-            throw UsageError("stage '" + stage + "' needs a scored population; put score before it");
-    }
+    void need_score(const std::string& stage) const;
     /// Throws UsageError, with the stage's name, if the fitness has several objectives.
-    [[gnu::cold]] void need_one_objective(const std::string& stage) const {
-        need_score(stage);
-        if (several_objectives())
-            throw UsageError("stage '" + stage +
-                             "' needs one objective's fitness, the population is ranked by '" + *scored +
-                             "'; put score before it");
-    }
+    void need_one_objective(const std::string& stage) const;
     /// Throws UsageError, with the stage's name and purpose, if the stage is not in a block of generations.
-    [[gnu::cold]] void need_generation(const std::string& stage,
-                                       const std::string& does = "reads the start of a generation") const {
-        if (!in_generation)
-            throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");
-    }
+    void need_generation(const std::string& stage,
+                         const std::string& does = "reads the start of a generation") const;
     /// Throws UsageError if a stage that learns is not in a block of generations.
-    [[gnu::cold]] void need_repetition(const std::string& stage) const {
-        need_generation(stage, "learns from one generation to the next");
-    }
+    void need_repetition(const std::string& stage) const;
     /// Throws UsageError, with the stage's name, if the stage is not in a block of generations. Also throws
     /// it if the generation's start and the population are scored under different policies.
-    [[gnu::cold]] void need_comparable_start(const std::string& stage) const {
-        need_generation(stage);
-        need_score(stage);
-        if (scored != start_scored)
-            throw UsageError("stage '" + stage + "' compares the population, scored by '" + *scored +
-                             "', with the generation's start, " +
-                             (start_scored ? "scored by '" + *start_scored + "'" : "unscored") +
-                             "; score both by the same objective");
-    }
+    void need_comparable_start(const std::string& stage) const;
     /// The name of an objective; an empty name stands for the problem's first. Throws UsageError if the name
     /// is unknown.
-    [[gnu::cold]] std::string objective(const std::string& stage, const std::string& name) const {
-        if (name.empty())
-            return objectives.front();
-        if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())
-            return name;
-        std::string list;
-        for (const auto& each : objectives)
-            list += (list.empty() ? "" : ", ") + each;
-        throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " + list);
-    }
+    std::string objective(const std::string& stage, const std::string& name) const;
 };
 
 /// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace ga {
@@ -19,12 +19,7 @@ class Name {
   public:
     Name() = default;
     /// The name of this text. Stores the text if it is new. Any thread may call it.
-    Name(const std::string& text) {
-        static std::mutex guard;
-        static std::set<std::string> names;
-        const std::lock_guard lock(guard);
-        text_ = &*names.insert(text).first;
-    }
+    Name(const std::string& text);
     const std::string& text() const { return *text_; } ///< the text; not for an empty name
     /// Whether both names are equal.
     bool operator==(const Name&) const = default;
@@ -39,17 +34,7 @@ using Reason = std::shared_ptr<const std::string>;
 inline Reason reason(std::string words) { return std::make_shared<const std::string>(std::move(words)); }
 /// The reason from the exception that is being handled. Call it in a catch block. Stopped is not a failure
 /// and is thrown again.
-[[gnu::cold]] inline Reason reason_caught() {
-    try {
-        throw;
-    } catch (const Stopped&) {
-        throw;
-    } catch (const std::exception& error) {
-        return reason(error.what());
-    } catch (...) {
-        return reason("an exception of another type than std::exception");
-    }
-}
+Reason reason_caught();
 
 /// Values of several objectives, higher is better.
 using Point = std::vector<double>;
@@ -67,26 +52,10 @@ class Fitness {
     Fitness(Name policy, Point values)
         : policy_(policy), detail_(std::make_shared<const Detail>(Detail{std::move(values), nullptr, {}})) {}
     /// A failed evaluation under a policy. Its violation is infinite.
-    static Fitness failed(Name policy, Reason why) {
-        Fitness fitness(policy, -std::numeric_limits<double>::infinity());
-        fitness.violation_ = std::numeric_limits<double>::infinity();
-        fitness.detail_ = std::make_shared<const Detail>(Detail{{}, std::move(why), {}});
-        return fitness;
-    }
+    static Fitness failed(Name policy, Reason why);
     /// A copy with one violation per constraint, 0 or less if the constraint holds. `sum` is the sum of the
     /// violations beyond the levels, if it was computed before.
-    Fitness constrained(std::vector<double> violations, std::optional<double> sum = {}) const {
-        Fitness fitness = *this;
-        if (std::any_of(violations.begin(), violations.end(), [](double each) { return each > 0; })) {
-            for (double& each : violations)
-                each = std::max(each, 0.0);
-            fitness.detail_ = std::make_shared<const Detail>(
-                Detail{several() ? detail_->values : Point(), nullptr, std::move(violations)});
-        }
-        fitness = fitness.relaxed({});
-        fitness.violation_ = sum.value_or(fitness.violation_);
-        return fitness;
-    }
+    Fitness constrained(std::vector<double> violations, std::optional<double> sum = {}) const;
     /// A copy that is the mean of a number of replicates.
     Fitness averaged(std::size_t replicates) const {
         Fitness fitness = *this;
@@ -94,13 +63,7 @@ class Fitness {
         return fitness;
     }
     /// A copy in which each constraint holds up to its level; missing levels are 0.
-    Fitness relaxed(const std::vector<double>& levels) const {
-        Fitness fitness = *this;
-        fitness.violation_ = 0;
-        for (std::size_t k = 0; k < violations().size(); ++k)
-            fitness.violation_ += std::max(0.0, violations()[k] - (k < levels.size() ? levels[k] : 0));
-        return fitness;
-    }
+    Fitness relaxed(const std::vector<double>& levels) const;
 
     bool known() const { return policy_ != Name(); } ///< whether the individual was scored under any policy
     /// Whether the individual was scored under this policy.
@@ -164,11 +127,7 @@ class Fitness {
         if (!known() || (one && several()))
             refuse();
     }
-    [[gnu::cold, gnu::noinline]] void refuse() const {
-        throw UsageError(known()
-                             ? "fitness under '" + policy_.text() + "' has several values"
-                             : "an individual's fitness was read before it was scored; put score before it");
-    }
+    void refuse() const;
 
     double value_ = 0, violation_ = 0;
     Name policy_;

@@ -5,6 +5,7 @@
 #include "ga/pipeline/stage.hpp"
 #include "ga/refinement/levenberg_marquardt.hpp"
 #include "ga/refinement/mma.hpp"
+#include "ga/refinement/nlopt.hpp"
 
 namespace ga {
 

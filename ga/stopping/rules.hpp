@@ -119,8 +119,8 @@ struct AfterGenerations : StoppingRule {
     }
 };
 
-/// Ends when the price of evaluations requested since the block began reaches n evaluations of level 0. If the
-/// problem has one level, it ends after n evaluations. Those answered from memory count.
+/// Ends when the price of evaluations requested since the block began reaches n evaluations of level 0. If
+/// the problem has one level, it ends after n evaluations. Those answered from memory count.
 struct AfterEvaluations : StoppingRule {
     long n = 1; ///< number of evaluations, >= 1
 

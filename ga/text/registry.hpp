@@ -20,41 +20,8 @@ class Arguments {
     /// the parameters.
     /// @param stage  name of the stage in messages
     /// @param where  name of the text in messages
-    [[gnu::cold]] Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
-                            const std::string& stage, std::size_t column, std::string where)
-        : where_(std::move(where)) {
-        for (const auto& argument : given) {
-            const auto parameter = std::ranges::find_if(parameters, [&](const Parameter& each) {
-                return !argument.key.empty() ? each.name == argument.key
-                                             : each.kind == Parameter::Kind::words || !has(each.name);
-            });
-            if (parameter == parameters.end())
-                throw TextError(where_, argument.column,
-                                argument.key.empty() ? "stage '" + stage + "' has no place for '" +
-                                                           argument.value + "'; remove it"
-                                                     : "stage '" + stage + "' has no '" + argument.key + "'" +
-                                                           suggestion(argument.key, names(parameters)));
-            if (has(parameter->name) && parameter->kind != Parameter::Kind::words)
-                throw TextError(where_, argument.column,
-                                "'" + parameter->name + "' is given twice; give it once");
-            const std::optional<double> value = parsed(argument.value);
-            if (!parameter->is_text() && !(value && parameter->allows(*value)))
-                throw TextError(where_, argument.column,
-                                "stage '" + stage + "': " + parameter->name + " is '" + argument.value +
-                                    "'; give " + parameter->expected(value && *value > parameter->upper));
-            values_[parameter->name].push_back(argument);
-        }
-        for (const auto& parameter : parameters) {
-            if (has(parameter.name))
-                continue;
-            if (!parameter.standard)
-                throw TextError(where_, column,
-                                "stage '" + stage + "' lacks '" + parameter.name + "'; give " +
-                                    parameter.expected());
-            if (!parameter.standard->empty())
-                values_[parameter.name] = {{"", *parameter.standard, column}};
-        }
-    }
+    Arguments(const std::vector<Parameter>& parameters, const std::vector<ArgumentText>& given,
+              const std::string& stage, std::size_t column, std::string where);
 
     /// Whether a parameter was given or has a default.
     bool has(const std::string& name) const { return values_.count(name) > 0; }
@@ -65,12 +32,7 @@ class Arguments {
     /// The value of a word.
     const std::string& word(const std::string& name) const { return values_.at(name).front().value; }
     /// All words of a parameter that takes several.
-    std::vector<std::string> words(const std::string& name) const {
-        std::vector<std::string> words;
-        for (const auto& argument : values_.at(name))
-            words.push_back(argument.value);
-        return words;
-    }
+    std::vector<std::string> words(const std::string& name) const;
     /// Assigns the values to an object with these parameters and validates it.
     template <class T>
     [[gnu::cold]] void fill(T& described) const {
@@ -79,42 +41,14 @@ class Arguments {
             described.validate();
     }
     /// Throws the error for the value of a parameter, with its column.
-    [[noreturn]] void refuse(const std::string& name, const std::string& message) const {
-        throw TextError(where_, values_.at(name).front().column, message);
-    }
+    [[noreturn]] void refuse(const std::string& name, const std::string& message) const;
 
     /// The text as a number; none if it is not entirely a number.
-    static std::optional<double> parsed(const std::string& text) {
-        double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size())
-            return std::nullopt;
-        return value;
-    }
+    static std::optional<double> parsed(const std::string& text);
 
   private:
-    [[gnu::cold]] void put(const std::vector<BoundParameter>& fields) const {
-        for (const BoundParameter& field : fields)
-            if (has(field.parameter.name))
-                std::visit(
-                    [&](auto* at) {
-                        using Value = std::remove_cvref_t<decltype(*at)>;
-                        if constexpr (std::is_same_v<Value, std::string>)
-                            *at = word(field.parameter.name);
-                        else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
-                            *at = words(field.parameter.name);
-                        else
-                            *at = static_cast<Value>(number(field.parameter.name));
-                    },
-                    field.value);
-    }
+    void put(const std::vector<BoundParameter>& fields) const;
 
-    static std::vector<std::string> names(const std::vector<Parameter>& parameters) {
-        std::vector<std::string> names;
-        for (const auto& each : parameters)
-            names.push_back(each.name);
-        return names;
-    }
     std::string where_;
     std::map<std::string, std::vector<ArgumentText>> values_;
 };

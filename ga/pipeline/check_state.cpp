@@ -1,0 +1,48 @@
+#include "ga/pipeline/stage.hpp"
+
+namespace ga {
+
+void CheckState::need_score(const std::string& stage) const {
+    if (!scored)
+        throw UsageError("stage '" + stage + "' needs a scored population; put score before it");
+}
+
+void CheckState::need_one_objective(const std::string& stage) const {
+    need_score(stage);
+    if (several_objectives())
+        throw UsageError("stage '" + stage +
+                         "' needs one objective's fitness, the population is ranked by '" + *scored +
+                         "'; put score before it");
+}
+
+void CheckState::need_generation(const std::string& stage, const std::string& does) const {
+    if (!in_generation)
+        throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");
+}
+
+void CheckState::need_repetition(const std::string& stage) const {
+    need_generation(stage, "learns from one generation to the next");
+}
+
+void CheckState::need_comparable_start(const std::string& stage) const {
+    need_generation(stage);
+    need_score(stage);
+    if (scored != start_scored)
+        throw UsageError("stage '" + stage + "' compares the population, scored by '" + *scored +
+                         "', with the generation's start, " +
+                         (start_scored ? "scored by '" + *start_scored + "'" : "unscored") +
+                         "; score both by the same objective");
+}
+
+std::string CheckState::objective(const std::string& stage, const std::string& name) const {
+    if (name.empty())
+        return objectives.front();
+    if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())
+        return name;
+    std::string list;
+    for (const auto& each : objectives)
+        list += (list.empty() ? "" : ", ") + each;
+    throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " + list);
+}
+
+} // namespace ga
