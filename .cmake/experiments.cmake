@@ -1,9 +1,9 @@
 # Writes the list of all kinds of experiments into a C++ file, RUGOSA_EXPERIMENTS_SOURCE: what the functions
-# `Experiment NAME_experiment() {` in the sources of apps/experiments return.
+# `Experiment NAME_experiment() {` in the sources of experiments/ return.
 set(RUGOSA_EXPERIMENTS_SOURCE ${PROJECT_BINARY_DIR}/experiments.cpp)
 set(names "")
 foreach(source ${APP_SOURCES})
-    if(source MATCHES "/apps/experiments/")
+    if(source MATCHES "^${PROJECT_SOURCE_DIR}/experiments/")
         set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
         file(STRINGS ${source} functions REGEX "^Experiment [a-z_]+_experiment\\(\\) {$")
         list(TRANSFORM functions REPLACE "^Experiment ([a-z_]+).*" "\\1")

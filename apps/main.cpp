@@ -1,6 +1,6 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
-#include "apps/experiments/compare/contest.hpp"
+#include "apps/experiments/experiment.hpp"
 #include "apps/report/render.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -92,9 +92,11 @@ int flushed(int code) {
 
 int run(app::Words words) {
     try {
-        if (app::cluster::join({{"designs", app::designs_under},
-                                {"responses", app::responses_under},
-                                {"races", app::races_under}}))
+        app::cluster::Kinds kinds{{"designs", app::designs_under}, {"responses", app::responses_under}};
+        for (const app::Experiment& experiment : app::experiments())
+            if (experiment.work)
+                kinds.emplace(experiment.kind, experiment.work);
+        if (app::cluster::join(std::move(kinds)))
             return 0;
         return flushed(dispatch(std::move(words)));
     } catch (...) {

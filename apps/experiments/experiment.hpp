@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/cluster/cluster.hpp"
 #include "apps/prompt/settings.hpp"
 #include "apps/prompt/terminal.hpp"
 #include "apps/report/csv.hpp"
@@ -39,12 +40,13 @@ struct Experiment {
     bool resumes = false; ///< writes checkpoints to the folder `checkpoints`
     /// The short command takes an .ini file, --seed and --threads, and writes report.html.
     bool takes_file = false;
+    cluster::Work (*work)(const nlohmann::json& setting) = nullptr; ///< work of other ranks for it
 
     std::vector<Setting> all_settings() const; ///< with the common keys of the section [experiment]
 };
 
-/// All kinds of experiments: the results of all functions `Experiment NAME_experiment() {` in the sources of
-/// apps/experiments, which CMake lists.
+/// All kinds of experiments: the results of all functions `Experiment NAME_experiment() {` in the folders of
+/// experiments/, which CMake lists.
 const std::vector<Experiment>& experiments();
 const Experiment& experiment_named(const std::string& kind);
 

@@ -92,7 +92,8 @@ TEST_CASE("a run has the same bits on 1, 2 and 3 ranks", "[ranks]") {
     const Case cases[] = {
         {"design", design, of_run},
         {"run",
-         "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 64 --set database.pairs=3 "
+         "run '" RUGOSA_SOURCE
+         "/experiments/paper/paper.ini' --pictures off --nodes 64 --set database.pairs=3 "
          "--set paper.sweep-points=0 --out o",
          of_run},
         {"compare", "compare --problems bbob5-1,zdt1,knapsack50,tsp14 --budget 200 --seeds 2 --out o",

@@ -6,7 +6,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini'";
+const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper/paper.ini'";
 const std::string coarse =
     " --pictures off --set model.nodes=64 --set database.pairs=6 --set paper.sweep-points=2";
 

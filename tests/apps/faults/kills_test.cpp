@@ -34,7 +34,8 @@ std::vector<Work> all_work() {
         "--pipeline 'shape 8 | score | best 4 | refine lm 4 | repeat 12 { tournament 2 | cross uniform | "
         "mutate 0.1 | score | refine lm 4 | elite 1 } | best 2 | score verified' --out o";
     const std::string run =
-        "run '" RUGOSA_SOURCE "/experiments/paper.ini' --pictures off --nodes 32 --set database.pairs=20 "
+        "run '" RUGOSA_SOURCE
+        "/experiments/paper/paper.ini' --pictures off --nodes 32 --set database.pairs=20 "
         "--set paper.sweep-points=0 --set 'variants.own=score | best 5 | repeat 20 { tournament 2 | cross "
         "uniform | mutate 0.1 | score | elite 2 }' --out o";
     const std::string optimise = "optimise --genes bits:40 --evaluate \"'" +

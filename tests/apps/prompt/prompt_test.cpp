@@ -42,7 +42,7 @@ struct Wrong {
     std::vector<std::string> named; ///< parts of the message: the place, the value, the fix
 };
 
-const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper.ini' ";
+const std::string paper = "run '" RUGOSA_SOURCE "/experiments/paper/paper.ini' ";
 
 const std::vector<Wrong> wrong_uses{
     {"", {"no subcommand", "contact", "--help"}},

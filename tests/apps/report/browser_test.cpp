@@ -74,21 +74,21 @@ std::string scan_text() {
 } // namespace
 
 TEST_CASE("every page is readable on a phone and a desktop, light and dark, and fetches nothing", "[long]") {
-    const PageCase made =
-        GENERATE(PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
-                 PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
-                 PageCase{"run '" + experiments + "paper.ini' --out r", "r/report.html", 11, 30},
-                 PageCase{"run '" + experiments +
-                              "variants.ini' --set experiment.budget=60 --set experiment.seeds=1 --out r",
-                          "r/report.html", 2, 4},
-                 PageCase{"design --target '" + experiments +
-                              "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
-                              "--out r",
-                          "r/report.html", 2, 3},
-                 PageCase{"design --like scan.txt --pipeline 'sample 20 | score | best 3' --out r",
-                          "r/report.html", 2, 4},
-                 PageCase{"chart --quick --out r", "r/chart.html", 1, 12},
-                 PageCase{"stability --scene spike --out r", "r/stability.html", 0, 0});
+    const PageCase made = GENERATE(
+        PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
+        PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
+        PageCase{"run '" + experiments + "paper/paper.ini' --out r", "r/report.html", 11, 30},
+        PageCase{"run '" + experiments +
+                     "compare/variants.ini' --set experiment.budget=60 --set experiment.seeds=1 --out r",
+                 "r/report.html", 2, 4},
+        PageCase{"design --target '" + experiments +
+                     "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
+                     "--out r",
+                 "r/report.html", 2, 3},
+        PageCase{"design --like scan.txt --pipeline 'sample 20 | score | best 3' --out r", "r/report.html", 2,
+                 4},
+        PageCase{"chart --quick --out r", "r/chart.html", 1, 12},
+        PageCase{"stability --scene spike --out r", "r/stability.html", 0, 0});
     const Folder folder;
     folder.write("scan.txt", scan_text());
     INFO("rugosa " << made.command);

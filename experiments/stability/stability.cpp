@@ -1,0 +1,208 @@
+#include "experiments/stability/stability.hpp"
+
+#include "apps/experiments/experiment.hpp"
+#include "domain/contact/kernel.hpp"
+#include "domain/numerics/statistics.hpp"
+
+namespace app {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr rough::Index max_small = 256; ///< nodes of a small grid
+constexpr double seconds_per_cell = 30; ///< also for the solver that verifies it
+/// Largest numbers of nodes of a map on which `nnls`, and `nested` and `polonsky-keer`, are tried. On larger
+/// maps they would take minutes.
+constexpr rough::Index max_nnls = 1000, max_every = 100'000;
+
+/// The lowest and highest pressure, stiffness and number of contact nodes that a load step may have.
+using Span = std::array<std::pair<double, double>, 3>;
+
+/// How a load step differs from its reference, or "".
+std::string difference(const rough::LoadStep& step, std::size_t j, const Span& span, double tolerance,
+                       double node_slack) {
+    const std::array<std::pair<const char*, double>, 3> results{
+        {{"pressure", step.pressure},
+         {"stiffness", step.tangent_stiffness},
+         {"number of contact nodes", static_cast<double>(step.contact_nodes)}}};
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        const auto& [what, given] = results[k];
+        const auto& [lowest, highest] = span[k];
+        const double slack = k == 2 ? node_slack : tolerance * std::max(std::abs(lowest), std::abs(highest));
+        if (given >= lowest - slack && given <= highest + slack)
+            continue;
+        rough::PlainStream line;
+        line.precision(12);
+        line << what << " of step " << j + 1 << " is " << given << ", but the reference has " << lowest;
+        if (highest > lowest)
+            line << " to " << highest;
+        return line.str();
+    }
+    return "";
+}
+
+/// The scenes of a name on all kernels, bred ones, or all of them.
+std::vector<ContactScene> scenes_from(const Settings& settings, const Conditions& conditions) {
+    if (settings.has("stability.search"))
+        return bred_scenes(settings.whole("stability.search"), conditions.origin.seed,
+                           conditions.origin.threads, conditions.stop);
+    if (const std::string name = settings.text("stability.scene"); is_bred(name))
+        return {bred_scene(name)};
+    std::vector<ContactScene> scenes = stability_scenes(settings.is_on("stability.large"));
+    if (!settings.has("stability.scene"))
+        return scenes;
+    std::vector<std::string> names;
+    for (const ContactScene& scene : scenes)
+        if (std::ranges::find(names, scene.name) == names.end())
+            names.push_back(scene.name);
+    const std::string name = names[settings.one_of("stability.scene", names)];
+    std::erase_if(scenes, [&](const ContactScene& scene) { return scene.name != name; });
+    return scenes;
+}
+
+/// Whether a solver would take minutes on a scene.
+bool takes_minutes(const ContactScene& scene, rough::Solver solver) {
+    const bool is_every = solver == rough::Solver::nested || solver == rough::Solver::polonsky_keer;
+    const rough::Index nodes = scene.profile.is_2d() ? scene.profile.nodes() : 0;
+    return (solver == rough::Solver::nnls && nodes > max_nnls) || (is_every && nodes > max_every);
+}
+
+ContactTrial verified_trial(const ContactScene& scene, rough::Solver solver) {
+    if (takes_minutes(scene, solver))
+        return {Outcome::refused, "not tried, because it would take minutes", {}};
+    rough::ContactOptions options;
+    options.solver = solver;
+    ContactTrial trial = try_contact(scene, options, seconds_per_cell);
+    verify(scene, trial);
+    return trial;
+}
+
+Findings run_stability(const Settings& settings, const Conditions& conditions) {
+    const std::vector<std::string>& methods = rough::solver_names();
+    Findings found;
+    Csv& table = found.table("stability.csv",
+                             "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
+    json scenes = json::array(), messages = json::array();
+    std::map<std::string, long> missed; // trials without success of scenes that have a solution, by method
+    for (const ContactScene& scene : scenes_from(settings, conditions)) {
+        if (conditions.stop)
+            break;
+        const std::string& kernel = name_of(scene.body.kernel);
+        scenes.push_back({{"scene", scene.name}, {"kernel", kernel}});
+        std::map<std::string, std::size_t> known; // equal messages of a scene appear once
+        for (std::size_t m = 0; m < methods.size(); ++m) {
+            conditions.progress.show(scene.name + " (" + kernel + "): " + methods[m]);
+            const ContactTrial trial = verified_trial(scene, static_cast<rough::Solver>(m));
+            const std::string& outcome = name_of(trial.outcome);
+            const bool solved = trial.outcome == Outcome::solved;
+            const auto residuals = rough::column(trial.curve.steps, &rough::LoadStep::kkt_residual);
+            table.row(scene.name, kernel, methods[m], outcome,
+                      residuals.empty() ? std::nullopt : std::optional(std::ranges::max(residuals)),
+                      trial.curve.iterations, trial.seconds, trial.message);
+            scenes.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
+                                              {"failure", solved ? "" : outcome}});
+            if (solved)
+                continue;
+            missed[methods[m]] += scene.has_solution;
+            const auto [entry, is_new] = known.emplace(trial.message, messages.size());
+            if (is_new)
+                messages.push_back({{"scene", scene.name},
+                                    {"kernel", kernel},
+                                    {"methods", methods[m]},
+                                    {"outcome", outcome},
+                                    {"message", trial.message}});
+            else
+                messages[entry->second]["methods"].get_ref<std::string&>() += ", " + methods[m];
+        }
+    }
+    if (scenes.empty())
+        return {};
+    const auto trials = [&](Outcome outcome, const std::string& method) {
+        return std::ranges::count_if(table.rows(), [&](const json& row) {
+            return row["outcome"] == name_of(outcome) && (method.empty() || row["method"] == method);
+        });
+    };
+    found.summary = std::to_string(table.rows().size()) + " trials of a solver on a scene";
+    for (const std::string& method : methods)
+        found.result["methods"].push_back({{"method", method}, {"missed", missed[method]}});
+    for (const Outcome outcome :
+         {Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong}) {
+        const std::string& name = name_of(outcome);
+        found.summary +=
+            (outcome == Outcome::solved ? ": " : ", ") + std::to_string(trials(outcome, "")) + " " + name;
+        found.result["outcomes"].push_back(name);
+        for (json& row : found.result["methods"])
+            row["outcomes"].push_back(trials(outcome, row["method"]));
+    }
+    found.result.update(
+        {{"summary", found.summary}, {"scenes", scenes}, {"messages", messages}, {"runs", table.rows()}});
+    found.code = trials(Outcome::wrong, "") > 0 ? 3 : 0;
+    return found;
+}
+
+} // namespace
+
+void verify(const ContactScene& scene, ContactTrial& trial) {
+    const double tolerance = trial.tolerance;
+    const bool by_load = !scene.pressures.empty(), small = !by_load && scene.profile.nodes() <= max_small;
+    const double iterative = std::max(tolerance, 10 * rough::ContactOptions().tolerance);
+    const double largest = largest_displacement(scene.profile, scene.body);
+    const double range = scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff();
+    for (std::size_t j = 0; j < scene.steps() && trial.outcome == Outcome::solved; ++j) {
+        rough::LoadStep given = trial.curve.steps[j];
+        if (by_load) // the reference at the displacement found must carry the load
+            given.pressure = scene.pressures[j];
+        const double displacement = by_load ? given.displacement : scene.displacements[j]; // 0 is first touch
+        ContactScene verifying = scene;
+        verifying.pressures.clear();
+        verifying.displacements = {displacement};
+        if (small || by_load) { // a node that just touches may or may not count
+            // First touch is compared at a small displacement, which the solvers do not treat apart.
+            const double at = displacement > 0 ? displacement : 1e-9 * range,
+                         share = small ? tolerance : iterative;
+            verifying.displacements = {at * (1 - share), std::min(at, largest),
+                                       std::min(at * (1 + share), largest)};
+        }
+        rough::ContactCurve reference;
+        for (std::size_t m = 1; m < rough::solver_names().size(); ++m) {
+            const auto solver = static_cast<rough::Solver>(m);
+            if (reference.steps.empty() && solver != trial.curve.solver &&
+                (small || solver != rough::Solver::nnls) && !takes_minutes(scene, solver)) {
+                rough::ContactOptions options;
+                options.solver = solver;
+                reference = try_contact(verifying, options, seconds_per_cell).curve;
+            }
+        }
+        if (reference.steps.empty())
+            continue;
+        const auto span = [&](auto value) {
+            const auto values = rough::column(reference.steps, value);
+            return std::pair(std::ranges::min(values), std::ranges::max(values));
+        };
+        const Span expected{
+            span([&](const rough::LoadStep& step) { return displacement > 0 ? step.pressure : 0; }),
+            span([](const rough::LoadStep& step) { return step.tangent_stiffness; }),
+            span([](const rough::LoadStep& step) { return static_cast<double>(step.contact_nodes); })};
+        trial.message =
+            difference(given, j, expected, small && is_direct(reference.solver) ? tolerance : iterative,
+                       by_load ? 1e-3 * static_cast<double>(scene.profile.nodes()) : 0);
+        if (!trial.message.empty())
+            trial.outcome = Outcome::wrong;
+    }
+}
+
+Experiment stability_experiment() {
+    return {
+        .kind = "stability",
+        .settings = {{"stability.scene", "", "only the scene of this name"},
+                     ga::whole(
+                         "stability.search", "", 1,
+                         "number of maps that a genetic algorithm presses to find the ten on which auto "
+                         "fails or works hardest; only these are tried"),
+                     {"stability.large", "", "also maps of 256 x 256 and 1024 x 1024 nodes (an hour)", true}},
+        .files = {"stability.csv"},
+        .run = run_stability};
+}
+
+} // namespace app

@@ -1,0 +1,185 @@
+#include "apps/prompt/model_settings.hpp"
+#include "domain/contact/kernel.hpp"
+#include "experiments/stability/stability.hpp"
+#include "tests/apps/results.hpp"
+#include "tests/domain/contact/oracle.hpp"
+
+using namespace app::testing;
+
+TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones solve whatever has a solution") {
+    for (const app::ContactScene& scene : app::stability_scenes()) {
+        if (scene.profile.nodes() > 1000)
+            continue; // rugosa stability tries them
+        for (std::size_t method = 0; method < rough::solver_names().size(); ++method) {
+            rough::ContactOptions options;
+            options.solver = static_cast<rough::Solver>(method);
+            app::ContactTrial trial = try_contact(scene, options, 30);
+            verify(scene, trial);
+            INFO(scene.name << ", " << rough::name_of(scene.body.kernel) << ", "
+                            << rough::solver_names()[method] << ": " << trial.message);
+            CHECK(trial.outcome != app::Outcome::wrong);
+            const bool direct =
+                options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;
+            if (direct)
+                CHECK((trial.outcome == app::Outcome::solved) == scene.has_solution);
+        }
+    }
+}
+
+TEST_CASE("the oracle in extended precision agrees with the curves of the stability scenes") {
+    for (const app::ContactScene& scene : app::stability_scenes()) {
+        if (scene.profile.nodes() > 1000 || !scene.has_solution)
+            continue;
+        INFO(scene.name << ", " << rough::name_of(scene.body.kernel));
+        const rough::ContactCurve curve = try_contact(scene, {}).curve;
+        const double largest = largest_displacement(scene.profile, scene.body), tolerance = 1e-9;
+        for (const rough::LoadStep& step : curve.steps) {
+            // First touch is compared at a small displacement. A node that just touches may count or not.
+            const double range = scene.profile.heights.maxCoeff() - scene.profile.heights.minCoeff(),
+                         at = step.displacement > 0 ? step.displacement : 1e-9 * range;
+            const rough::Oracle oracle = consult_oracle(
+                scene.profile, scene.body, {at * (1 - tolerance), std::min(at * (1 + tolerance), largest)});
+            const auto expect_between = [&](double found, double low, double high) {
+                const double slack = tolerance * std::max(std::abs(low), std::abs(high));
+                CHECK(found >= std::min(low, high) - slack);
+                CHECK(found <= std::max(low, high) + slack);
+            };
+            if (step.displacement > 0)
+                expect_between(step.pressure, oracle.pressure[0], oracle.pressure[1]);
+            expect_between(step.tangent_stiffness, oracle.tangent_stiffness[0], oracle.tangent_stiffness[1]);
+            CHECK(step.contact_nodes >= oracle.contact_nodes[0]);
+            CHECK(step.contact_nodes <= oracle.contact_nodes[1]);
+        }
+    }
+}
+
+namespace {
+
+app::ContactScene parabola(rough::Index nodes) {
+    app::ContactScene scene;
+    scene.profile = {Eigen::VectorXd(nodes), 1.0 / static_cast<double>(nodes - 1)};
+    for (rough::Index i = 0; i < nodes; ++i)
+        scene.profile.heights[i] = -std::pow(static_cast<double>(i) * scene.profile.spacing - 0.47, 2);
+    scene.body = completed(rough::Body{}, 1);
+    scene.displacements = {0.02, 0.05, 0.1};
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE(
+    "stability's verifier passes what is wrong by half a tolerance and names what is wrong by twice it") {
+    constexpr double tolerance = 1e-4;
+    for (const rough::Index nodes : {40, 300}) { // with and without displacements to either side
+        const app::ContactScene scene = parabola(nodes);
+        rough::ContactOptions options;
+        options.solver = rough::Solver::nested;
+        app::ContactTrial right = try_contact(scene, options);
+        right.tolerance = tolerance;
+        const auto verified = [&](auto corrupt) {
+            app::ContactTrial trial = right;
+            corrupt(trial.curve.steps[1]);
+            verify(scene, trial);
+            return trial;
+        };
+        for (const double sign : {-tolerance, tolerance}) {
+            INFO(nodes << " nodes, " << sign);
+            const auto stiffness = [&](double by) {
+                return verified([&](rough::LoadStep& step) { step.tangent_stiffness *= 1 + sign * by; });
+            };
+            const auto pressure = [&](double by) {
+                return verified([&](rough::LoadStep& step) { step.pressure *= 1 + sign * by; });
+            };
+            CHECK(stiffness(0.5).outcome == app::Outcome::solved);
+            CHECK(stiffness(2).outcome == app::Outcome::wrong);
+            CHECK(pressure(0.5).outcome == app::Outcome::solved);
+            // Verified a tolerance to either side, which moves the pressure by K Delta/P of it.
+            const rough::LoadStep& step = right.curve.steps[1];
+            CHECK_THAT(pressure(2 + step.tangent_stiffness * step.displacement / step.pressure).message,
+                       Catch::Contains("pressure of step 2"));
+            CHECK_THAT(
+                verified([&](rough::LoadStep& one) { one.contact_nodes += sign > 0 ? 1 : -1; }).message,
+                Catch::Contains("contact nodes of step 2"));
+        }
+        app::ContactTrial refused = right;
+        refused.outcome = app::Outcome::refused;
+        refused.curve.steps[0].pressure *= 2;
+        verify(scene, refused);
+        CHECK(refused.outcome == app::Outcome::refused);
+    }
+}
+
+TEST_CASE("under a load a displacement, a stiffness or a load that is off is named") {
+    for (const rough::Kernel kernel : {rough::Kernel::free, rough::Kernel::periodic}) {
+        rough::Body body;
+        body.kernel = kernel;
+        const app::ContactScene scene = app::map_scene("map", body, {24, 20}, {0.8, 6, 1}, 0.3);
+        const app::ContactTrial right = try_contact(scene, {});
+        const auto message = [&](auto corrupt) {
+            app::ContactScene verified = scene;
+            app::ContactTrial trial = right;
+            corrupt(trial.curve.steps[0], verified.pressures[0]);
+            verify(verified, trial);
+            CHECK((trial.outcome == app::Outcome::wrong) == !trial.message.empty());
+            return trial.message;
+        };
+        CHECK(message([](const rough::LoadStep&, double) {}).empty());
+        for (const double off : {0.999, 1.001}) {
+            CHECK_THAT(message([&](rough::LoadStep& step, double) { step.displacement *= off; }),
+                       Catch::Contains("pressure of step 1"));
+            CHECK_THAT(message([&](const rough::LoadStep&, double& load) { load *= off; }),
+                       Catch::Contains("pressure of step 1"));
+            CHECK_THAT(message([&](rough::LoadStep& step, double) { step.tangent_stiffness *= off; }),
+                       Catch::Contains("stiffness of step 1"));
+        }
+    }
+}
+
+TEST_CASE("first touch is verified by zero pressure and the stiffness of the touching nodes") {
+    app::ContactScene scene = parabola(40);
+    scene.displacements = {0, 0.05};
+    const app::ContactTrial right = try_contact(scene, {});
+    for (const auto& [pressure, stiffness] : {std::pair(0.0, 1.0), {0.0, 1 + 2e-6}, {1e-15, 1.0}}) {
+        app::ContactTrial trial = right;
+        trial.curve.steps[0].pressure += pressure;
+        trial.curve.steps[0].tangent_stiffness *= stiffness;
+        trial.tolerance = 1e-6;
+        verify(scene, trial);
+        CHECK((trial.outcome == app::Outcome::solved) == (pressure == 0 && stiffness == 1));
+    }
+}
+
+TEST_CASE("rugosa stability writes its table and its page") {
+    const Folder folder;
+    const auto ended = rugosa("stability --scene spike --out s", folder.path());
+    CHECK(ended.code == 0);
+    CHECK(ended.err.empty());
+    const std::string table = rough::read_whole(folder / "s" / "stability.csv");
+    CHECK(table.rfind("scene,kernel,method,outcome,kkt_residual,iterations,seconds,message\n", 0) == 0);
+    CHECK(std::ranges::count(table, '\n') == 16);
+    const std::string page = rough::read_whole(folder / "s" / "stability.html");
+    CHECK(found(page, "(<tr><td>spike</td>)").size() == 3); // one row per kernel
+}
+
+TEST_CASE("a bred scene is pressed again from its name, and wrong names are refused") {
+    const std::vector<double> genes{300, 350, 900, 600, 500, 123.4, 400, 700, 500, 300, 800};
+    const std::string name = app::bred_name(genes);
+    CHECK(name == "bred 0.3,0.35,0.9,0.6,0.5,0.123,0.4,0.7,0.5,0.3,0.8");
+    const app::ContactScene scene = app::bred_scene(name), again = app::bred_scene(scene.name);
+    CHECK(again.profile.heights == scene.profile.heights);
+    CHECK(again.pressures == scene.pressures);
+    CHECK(again.body.hardness == scene.body.hardness);
+    CHECK(scene.steps() == 2);
+    CHECK_THROWS_WITH(app::bred_scene("bred 0.3,0.35"), "a bred scene has 2 genes; give 11");
+    CHECK_THROWS_WITH(app::bred_scene("bred 0.3,x"), "'x' is not a gene; give numbers from 0 to 1");
+}
+
+TEST_CASE("rugosa stability breeds scenes, and every solver tries the worst") {
+    const Folder folder;
+    const auto ended = rugosa("stability --search 10 --out s", folder.path());
+    CAPTURE(ended.err);
+    CHECK(ended.code == 0);
+    const std::string table = rough::read_whole(folder / "s" / "stability.csv");
+    CHECK(std::ranges::count(table, '\n') == 1 + 10 * 5);
+    CHECK_THAT(table, Catch::Contains("bred 0."));
+}
