@@ -226,6 +226,91 @@ void add_problems(Findings& found, const Group& group, const Contest& contest) {
     }
 }
 
+double similarity_of(const Reached& run) { return run.surface.at("similarity_worst"); }
+
+/// The run whose lowest similarity is the median of all runs, or the next below.
+const Reached& median_run(const std::vector<Reached>& runs) {
+    const auto order = rough::ascending(rough::column(runs, similarity_of));
+    return runs[order[(runs.size() - 1) / 2]];
+}
+
+/// The median over the runs of the best precision so far, with its interval, against the evaluations.
+void add_progress(Findings& found, const Bout& bout) {
+    constexpr int moments = 60;
+    constexpr double first = 10;
+    Csv& table = found.table("progress.csv", "problem,variant,evaluations,precision,lower,upper", 6);
+    for (std::size_t v = 0; v < bout.variants.size(); ++v)
+        for (int i = 0; i < moments; ++i) {
+            const double at = first * std::pow(static_cast<double>(bout.budget) / first, i / (moments - 1.0));
+            const auto best = rough::column(bout.runs[v], [&](const Reached& run) {
+                double precision = HUGE_VAL;
+                for (const auto& [evaluations, after] : run.found)
+                    if (static_cast<double>(evaluations) <= at)
+                        precision = after;
+                return precision;
+            });
+            const rough::Interval interval = rough::median_interval(best);
+            if (std::isfinite(interval.upper))
+                table.row(bout.problem.name, bout.variants[v].first, at, rough::median(best), interval.lower,
+                          interval.upper);
+        }
+}
+
+/// Heights and last contact pressure of a designed map, on at most 128 x 128 nodes.
+void add_map(Findings& found, const Bout& bout, const json& designed) {
+    Csv& table = found.table("surfaces.csv", "problem,x_mm,y_mm,height_mm,pressure_MPa", 6);
+    const rough::Model& model = bout.problem.setup->model;
+    const rough::Grid& grid = model.grid;
+    const rough::Profile surface = sample(rough::genome_from_json(designed["genome"], "genome"), grid);
+    rough::ContactOptions options = model.contact;
+    options.states = true;
+    const auto state =
+        solve_contact(surface, model.body, {designed["last_displacement_mm"]}, options).states[0];
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(surface.nodes());
+    pressure(state.nodes) = state.pressure;
+    const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
+    for (rough::Index j = 0; j < grid.rows; j += every)
+        for (rough::Index i = 0; i < grid.nodes; i += every)
+            table.row(bout.problem.name, static_cast<double>(i) * grid.spacing(),
+                      static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
+                      pressure[j * grid.nodes + i]);
+}
+
+/// Adds the set-up of a roughness problem and the answers of its variants, the best median first.
+void add_surfaces(Findings& found, const Bout& bout) {
+    Csv& table = found.table("answers.csv",
+                             "problem,variant,similarity_worst,lower,upper,curves,gradients,seconds", 6);
+    const std::string& problem = bout.problem.name;
+    const rough::DesignSetup& setup = *bout.problem.setup;
+    json of_problem = model_json(setup.model);
+    of_problem.update({{"max_pressure_MPa", setup.max_pressure ? json(*setup.max_pressure) : json()},
+                       {"target", target_json(setup.targets[0])},
+                       {"is_2d", setup.model.grid.is_2d()},
+                       {"ridges", setup.ridges}});
+    found.result["problems"][problem].update(of_problem);
+    of_problem["problem"] = problem;
+    found.result["surfaces"].push_back(of_problem);
+    const auto medians = rough::column(bout.runs, [](const std::vector<Reached>& runs) {
+        return -rough::median(rough::column(runs, similarity_of));
+    });
+    const auto order = rough::ascending(medians);
+    for (const std::size_t v : order) {
+        const std::string& name = bout.variants[v].first;
+        const auto similarities = rough::column(bout.runs[v], similarity_of);
+        const rough::Interval interval = rough::median_interval(similarities);
+        const json& middle = median_run(bout.runs[v]).surface;
+        json& one = found.result["problems"][problem]["variants"][name];
+        one.update(middle);
+        one["median_lowest"] = rough::median(similarities);
+        one["median_lowest_interval"] = {interval.lower, interval.upper};
+        table.row(problem, name, rough::median(similarities), interval.lower, interval.upper,
+                  middle["curves"], middle["gradients"], middle["seconds"]);
+    }
+    add_progress(found, bout);
+    if (setup.model.grid.is_2d())
+        add_map(found, bout, median_run(bout.runs[order[0]]).surface);
+}
+
 } // namespace
 
 long successes(const std::vector<Reached>& runs, std::size_t target) {
@@ -263,11 +348,17 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
 }
 
 Findings findings_of(const Contest& contest) {
-    Findings found{.result = {{"seeds", contest.seeds}, {"budget", contest.budget}}};
+    Findings found{.result = {{"seeds", contest.seeds},
+                              {"budget", contest.budget},
+                              {"curves", contest.curves},
+                              {"surfaces", json::array()}}};
     for (Group& group : groups_of(contest)) {
         add_shares(found, group, contest);
         add_standing(found, group, add_tests(found, group));
         add_problems(found, group, contest);
+        for (const Bout* bout : group.bouts)
+            if (bout->problem.setup)
+                add_surfaces(found, *bout);
         found.summary += (found.summary.empty() ? "best on " : ", on ") + group.name + " " +
                          found.result["groups"][group.name]["standing"][0]["variant"].get<std::string>();
     }

@@ -16,13 +16,15 @@ struct Benchmark {
     /// Throws ga::UsageError on a variant that cannot work here.
     std::function<void(const std::string& variant)> check;
     std::function<Reached(const std::string& variant, int instance, const Attempt&)> run;
+    std::optional<rough::DesignSetup> setup = {}; ///< of roughness
 };
 
 /// Problems by the names of problems or groups. Names are bbobN (BBOB's functions in N dimensions), bbobN-F,
-/// zdt, dtlz, knapsack, tsp, their problems, and roughness, which needs the setup of a design. Throws
-/// rough::InputError on other names.
+/// zdt, dtlz, knapsack, tsp, their problems, and roughness: one problem for each of the given setups. If
+/// there are several, the names of their targets follow, as in roughness-drawn. Throws rough::InputError on
+/// other names.
 std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
-                                  const std::optional<rough::DesignSetup>& roughness);
+                                  const std::vector<rough::DesignSetup>& roughness);
 
 /// The 51 precisions of COCO, evenly on a logarithmic scale. From 1e2 to 1e-8 they include every decade.
 std::vector<double> precisions(double from, double to);
@@ -45,6 +47,7 @@ struct Contest {
     Origin origin;      ///< its seed is the first seed and the number of the first instance
     long seeds = 0;     ///< runs of each variant on each problem
     std::string budget; ///< as given
+    long curves = 0;    ///< budget of a run on roughness
     std::vector<Bout> bouts;
 };
 
@@ -61,7 +64,7 @@ void write_coco_runs(const Contest& contest, const std::filesystem::path& folder
 
 /// result.json, runs.csv, ert.csv, ecdf.csv and tests.csv. In these the area of a run is its mean share of
 /// reached targets, over the evaluations on a logarithmic scale. At 1 all targets are reached at once, at 0
-/// none ever. Ranks and tests compare areas.
+/// none ever. Ranks and tests compare areas. For roughness also answers.csv, progress.csv and surfaces.csv.
 Findings findings_of(const Contest& contest);
 
 } // namespace app

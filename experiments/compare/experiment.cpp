@@ -22,13 +22,21 @@ std::vector<Setting> compare_settings() {
         {"compare.budget", "", "evaluations of a run: 20000, or 1e4*D of a genome of D genes [1e4*D]"},
         ga::whole("compare.curves", "1000", 1, "budget of a run on roughness: curves and gradients")
             .up_to(1e9),
-        {"compare.target", "", "target curve (CSV) of roughness"},
+        {"compare.target", "", "target curves (CSV) of roughness, separated by commas"},
         max_pressure_setting("compare."),
+        positive("compare.shortest-wave", "", "shortest wave on roughness, mm [8 node spacings]"),
+        ga::whole("compare.ridges", "", 1,
+                  "ridges of each chromosome on roughness [1; on a map 8 directions]")
+            .up_to(64),
         {"compare.coco", "", "write the runs on BBOB's functions to coco/, for cocopp and IOHanalyzer", true},
         {"compare.quick", "", "few problems, 5 seeds and 1e3*D evaluations, unless these are given", true}};
     for (const auto& [kind, usual] : usual_contestants())
         settings.push_back({kind + ".*", "", "a variant on problems of this kind of genome"});
-    return joined({settings, model_settings("model.")});
+    std::vector<Setting> model = model_settings("model.");
+    for (Setting& setting : model)
+        if (setting.name == "model.nodes") // several grids, separated by commas
+            setting.takes = ga::word_list({}, {});
+    return joined({settings, model, {accuracy_setting("model.")}});
 }
 
 std::string text_of(const Settings& settings, const std::string& key, const char* usual, const char* quick) {
@@ -93,14 +101,32 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
     return given.empty() ? usual : given;
 }
 
-std::optional<rough::DesignSetup> roughness_from(const Settings& settings) {
-    if (!settings.has("compare.target"))
-        return {};
-    rough::DesignSetup setup{.model = model_from(settings, "model."),
-                             .targets = {rough::read_target(settings.path("compare.target"))}};
-    settings.take("compare.max-pressure", setup.max_pressure);
-    placing(settings, "compare.", [&] { validate(setup); });
-    return setup;
+/// The setup of every target on every grid of model.nodes. A name is the target's, with the grid from the
+/// second on.
+std::vector<rough::DesignSetup> roughness_from(const Settings& settings) {
+    std::vector<std::string> grids = rough::listed(settings.text("model.nodes"));
+    if (grids.empty())
+        grids.emplace_back();
+    std::vector<rough::DesignSetup> setups;
+    std::set<std::string> names;
+    for (const std::string& nodes : grids)
+        for (const std::filesystem::path& path : settings.paths("compare.target")) {
+            rough::DesignSetup setup{
+                .model = surface_model_from(settings.with({{"model.nodes", nodes}}, model_settings("model.")),
+                                            "model."),
+                .targets = {rough::read_target(path)}};
+            settings.take("model.accuracy", setup.model.accuracy);
+            settings.take("compare.ridges", setup.ridges);
+            setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);
+            settings.take("compare.max-pressure", setup.max_pressure);
+            settings.take("compare.shortest-wave", setup.limits.shortest_wave);
+            placing(settings, "compare.", [&] { validate(setup); });
+            if (!names.insert(setup.targets[0].name).second)
+                settings.refuse("compare.target", "'", setup.targets[0].name,
+                                "' is given as a name twice; choose another name");
+            setups.push_back(std::move(setup));
+        }
+    return setups;
 }
 
 Contest contest_from(const Settings& settings, const Origin& origin) {
@@ -109,6 +135,7 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     contest.seeds = settings.is_on("compare.quick") ? 5 : 15;
     settings.take("compare.seeds", contest.seeds);
     contest.budget = text_of(settings, "compare.budget", "1e4*D", "1e3*D");
+    contest.curves = settings.whole("compare.curves");
     std::vector<Benchmark> problems;
     const auto roughness = roughness_from(settings);
     try {
@@ -121,8 +148,7 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     for (Benchmark& problem : problems) {
         Bout bout;
         bout.variants = contestants_of(settings, problem.kind);
-        bout.budget = problem.kind == "surfaces" ? settings.whole("compare.curves")
-                                                 : budget_from(settings, contest.budget, problem.genes);
+        bout.budget = problem.setup ? contest.curves : budget_from(settings, contest.budget, problem.genes);
         for (const auto& [name, text] : bout.variants)
             try {
                 problem.check(text);
@@ -142,16 +168,13 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
 }
 
 /// The work of a rank: runs a race and returns a Reached. `setting` has the names of the problems, and the
-/// setup of roughness or null.
+/// setups of roughness.
 cluster::Work races_under(const json& setting) {
-    const json& roughness = setting.at("roughness");
-    return [problems = benchmarks(setting.at("problems"),
-                                  roughness.is_null() ? std::nullopt
-                                                      : std::optional(roughness.get<rough::DesignSetup>()))](
-               const json& race) -> json {
-        return problems.at(race.at(0))
-            .run(race.at(1), race.at(2), {race.at(3), race.at(4), &Interrupt::flag()});
-    };
+    return
+        [problems = benchmarks(setting.at("problems"), setting.at("roughness"))](const json& race) -> json {
+            return problems.at(race.at(0))
+                .run(race.at(1), race.at(2), {race.at(3), race.at(4), &Interrupt::flag()});
+        };
 }
 
 /// Does all runs, on threads and ranks. Unfinished problems are removed.
@@ -171,18 +194,18 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
     }
     std::mutex guard;
     long ended = 0;
-    const auto roughness = roughness_from(settings);
     const cluster::Job job{
         .kind = "compare",
-        .setting = {{"problems", names}, {"roughness", roughness ? json(*roughness) : json()}},
+        .setting = {{"problems", names}, {"roughness", roughness_from(settings)}},
         .threads = contest.origin.threads,
         .count = places.size(),
         .task =
             [&](std::size_t i) {
                 const Bout& bout = contest.bouts[places[i].bout];
                 const std::uint64_t number = contest.origin.seed + places[i].seed;
-                return json::array({places[i].bout, bout.variants[places[i].variant].second,
-                                    instance_of(number), ga::fold(number, bout.problem.name), bout.budget});
+                return json::array(
+                    {places[i].bout, bout.variants[places[i].variant].second, instance_of(number),
+                     ga::fold(number, bout.problem.setup ? "roughness" : bout.problem.name), bout.budget});
             },
         .take =
             [&](std::size_t i, const json& reached) {
@@ -223,7 +246,8 @@ Findings run_compare(const Settings& settings, const Conditions& conditions) {
 Experiment compare_experiment() {
     return {.kind = "compare",
             .settings = compare_settings(),
-            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "coco"},
+            .files = {"runs.csv", "ert.csv", "ecdf.csv", "tests.csv", "answers.csv", "progress.csv",
+                      "surfaces.csv", "coco"},
             .run = run_compare,
             .takes_file = true,
             .work = races_under};

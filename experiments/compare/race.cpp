@@ -40,8 +40,10 @@ Tally::Tally(const std::vector<double>& targets, const Attempt& attempt)
 
 void Tally::note(long evaluations, double precision) {
     reached_.spent = evaluations;
+    const bool is_better = precision < reached_.precision;
     reached_.precision = std::min(reached_.precision, precision);
-    if (reached_.found.empty() || (next_ < targets_.size() && reached_.precision <= targets_[next_]))
+    if (reached_.found.empty() ||
+        (is_better && (next_ == targets_.size() || reached_.precision <= targets_[next_])))
         reached_.found.emplace_back(evaluations, reached_.precision);
     while (next_ < targets_.size() && reached_.precision <= targets_[next_])
         reached_.evaluations[next_++] = static_cast<double>(evaluations);

@@ -56,17 +56,21 @@ struct Reached {
     std::vector<double> evaluations; ///< at which each target was reached; NaN if it was missed
     double precision = HUGE_VAL;     ///< best precision
     long spent = 0;                  ///< number of evaluations
-    /// Evaluations and the best precision after them: the first, and whenever a target was reached.
+    /// Evaluations and the best precision after them: the first, whenever a target was reached, and every
+    /// improvement after the last target.
     std::vector<std::pair<long, double>> found = {};
+    /// The designed surface of a run on roughness, with the keys of a variant in result.json: its
+    /// similarities, its cost and its genome. A map also has `last_displacement_mm`. Null on other problems.
+    nlohmann::json surface = {};
 };
 /// @cond
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reached, evaluations, precision, spent, found)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reached, evaluations, precision, spent, found, surface)
 /// @endcond
 
 /// Records when a run reaches its targets.
 class Tally {
   public:
-    /// @param targets  falling precisions; the run is over after the last one
+    /// @param targets  falling precisions
     Tally(const std::vector<double>& targets, const Attempt& attempt);
 
     /// Records the precision after a number of evaluations.

@@ -1,6 +1,8 @@
 #include "apps/report/csv.hpp"
 #include "tests/apps/results.hpp"
 
+#include <map>
+
 using namespace app::testing;
 using nlohmann::json;
 
@@ -86,6 +88,72 @@ TEST_CASE("the roughness problem is compared by curves, with similarity for prec
             CHECK(run["precision"] > 0);
             CHECK(run["precision"] < 1);
         }
+}
+
+TEST_CASE("searches are compared by verified similarity on each target and grid") {
+    const Folder folder;
+    const json result =
+        result_of(folder, "run '" RUGOSA_SOURCE "/experiments/compare/surface.ini' --set compare.curves=120 "
+                          "--set 'model.nodes=16x16, 32' --set model.steps=6 --set compare.shortest-wave=0.2 "
+                          "--set compare.seeds=2 --set surfaces.cco=");
+    const json &map = result["problems"]["roughness-drawn"],
+               &profile = result["problems"]["roughness-drawn-32"];
+    CHECK(map["nodes"] == json({16, 16}));
+    CHECK(profile["nodes"] == 32);
+    CHECK(profile["target"]["points"].size() == 20);
+    for (const json& problem : {map, profile}) {
+        REQUIRE(problem["variants"].size() == 2);
+        for (const auto& [name, variant] : problem["variants"].items()) {
+            INFO(problem["problem"] << " " << name);
+            CHECK(variant["genome"]["series"].size() >= 1);
+            CHECK(variant["similarity_worst"] <= variant["similarity"]);
+            CHECK(variant["median_lowest_interval"][0] <= variant["median_lowest"]);
+            CHECK(variant["median_lowest"] <= variant["median_lowest_interval"][1]);
+            CHECK(variant["curves"].get<long>() + variant["gradients"].get<long>() <= 120);
+        }
+    }
+    CHECK(result["groups"]["roughness-drawn"]["standing"].size() == 2);
+    const std::string page = rough::read_whole(folder / "r" / "report.html");
+    CHECK_THAT(page, Catch::Contains("<image") && Catch::Contains("<svg") && !Catch::Contains("No picture"));
+    // A variant's median precision never rises, and is within its interval.
+    std::map<std::string, double> last;
+    for (const auto& row : app::csv_rows(rough::read_whole(folder / "r" / "progress.csv"))) {
+        if (row[0] != "roughness-drawn-32")
+            continue;
+        const double precision = std::stod(row[3]);
+        CHECK(std::stod(row[4]) <= precision);
+        CHECK(precision <= std::stod(row[5]));
+        if (last.contains(row[1]))
+            CHECK(precision <= last[row[1]]);
+        last[row[1]] = precision;
+    }
+    REQUIRE(last.size() == 2);
+    for (const auto& [name, precision] : last)
+        CHECK(precision >= profile["variants"][name]["median_precision"].get<double>() - 1e-6);
+}
+
+TEST_CASE("a search that cannot work is refused before any run starts") {
+    const Folder folder;
+    const std::string race = "run '" RUGOSA_SOURCE "/experiments/compare/variants.ini' --set "
+                             "compare.curves=1000000000 --out s --set ";
+    for (const std::string pipeline : {"bets", "'score | elite 1'"})
+        check_refused(rugosa(race + "surfaces.mine=" + pipeline, folder.path(), "timeout 200"),
+                      "surfaces.mine");
+    const std::string drawn = RUGOSA_SOURCE "/experiments/targets/drawn.csv";
+    check_refused(rugosa(race + "'compare.target=" + drawn + ", " + drawn + "'", folder.path()),
+                  "given as a name twice");
+    CHECK_FALSE(std::filesystem::exists(folder / "s"));
+}
+
+TEST_CASE("names of files, folders and pipelines may have bytes that are not UTF-8") {
+    const Folder folder;
+    folder.write("t\xE9.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n5e-6,0.12\n1e-5,0.14\n");
+    folder.write("e\xE9.ini", "[experiment]\nkind = compare\n[compare]\nproblems = roughness\nseeds = 1\n"
+                              "curves = 20\ntarget = t\xE9.csv\n[model]\nnodes = 32, 48\n"
+                              "[surfaces]\nw\xE9 = sample 4 | score | best 1\n");
+    done(folder, "run e\xE9.ini --pictures off --out r\xE9");
+    CHECK(result_in(folder / "r\xE9")["problems"]["roughness-t\xEF\xBF\xBD"]["variants"].count(
+              "w\xEF\xBF\xBD") == 1);
 }
 
 TEST_CASE("runs on BBOB's functions are written as COCO has them, a folder for each variant") {

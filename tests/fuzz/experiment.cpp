@@ -4,9 +4,9 @@
 #include "tests/fuzz/reader.hpp"
 
 FUZZ(experiment) {
-    static const std::vector<app::Setting> known = app::experiment_named("variants").all_settings();
+    static const std::vector<app::Setting> known = app::experiment_named("compare").all_settings();
     const app::Settings settings = app::read_ini(fuzz::as_file(bytes), known, {});
     app::model_from(settings, "model.");
     settings.whole<std::uint64_t>("experiment.seed");
-    settings.names_under("variants.");
+    settings.names_under("surfaces.");
 }

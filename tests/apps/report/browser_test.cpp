@@ -79,8 +79,8 @@ TEST_CASE("every page is readable on a phone and a desktop, light and dark, and 
         PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
         PageCase{"run '" + experiments + "paper/paper.ini' --out r", "r/report.html", 11, 30},
         PageCase{"run '" + experiments +
-                     "compare/variants.ini' --set experiment.budget=60 --set experiment.seeds=1 --out r",
-                 "r/report.html", 2, 4},
+                     "compare/variants.ini' --set compare.curves=60 --set compare.seeds=1 --out r",
+                 "r/report.html", 4, 4},
         PageCase{"design --target '" + experiments +
                      "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
                      "--out r",

@@ -134,21 +134,6 @@ TEST_CASE("a run does not follow a symbolic link out of its folder, and --force 
     CHECK(fs::is_symlink(desk / "o/.writable")); // not a result: kept
 }
 
-TEST_CASE("target names that are paths or names of result files are refused") {
-    const Desk desk;
-    const std::string target = rough::read_whole(desk / "target.csv");
-    for (const char* name : {"...csv", "..csv", "result.json.csv", "copy/target.csv"}) {
-        fs::create_directory(desk / "copy");
-        desk.write(name, target);
-        desk.write("e.ini",
-                   "[experiment]\nkind = variants\nseeds = 1\nbudget = 10\n[model]\nnodes = 32\n[targets]\n"
-                   "files = target.csv, " +
-                       std::string(name) + "\n[variants]\na = sample 2 | score | best 1\n");
-        check_refused(rugosa("run e.ini --out a/b", desk.path()), "given as a name");
-        CHECK_FALSE(fs::exists(desk / "a/result.json"));
-    }
-}
-
 TEST_CASE("a folder in use by one run is refused to another") {
     const Desk desk;
     const app::OutputFolder one((desk / "o").string(), "", {});
