@@ -286,8 +286,7 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
 
     nlohmann::json values = account_json(found.result.account);
     values["warnings"] = found.warnings;
-    if (found.is_measured)
-        values["resolution"] = resolution_json(found);
+    values["resolution"] = found.is_measured ? resolution_json(found) : nlohmann::json();
     if (files.page.empty())
         return write_json(files.account, values);
     const rough::Profile& surface = found.surface;

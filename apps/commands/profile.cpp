@@ -214,8 +214,7 @@ nlohmann::json numbers_of(const SurfaceReport& of, const Settings& settings, con
                     {"lambda_s_mm", cut_off("lambda-s")},
                     {"lambda_c_mm", cut_off("lambda-c")},
                     {"version", RUGOSA_VERSION}});
-    if (!of.warning.empty())
-        numbers["warning"] = of.warning;
+    numbers["warning"] = of.warning;
     numbers["print"] = print_note(*of.surface, extrusion);
     for (const rough::SurfaceParameter& one : of.rows)
         numbers[one.key()] = one.value;

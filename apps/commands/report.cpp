@@ -25,7 +25,11 @@ int report(const Settings& given, const std::string&) {
     const PageSource source = page_source(given.text("folder"));
     const std::filesystem::path page =
         given.has("out") ? expect_page(given.text("out"), source, given) : page_of(source);
-    rough::write_atomically(page, render(source, {.templates = given.text("templates")}));
+    std::set<std::string> missing;
+    rough::write_atomically(page,
+                            render(source, {.templates = given.text("templates"), .missing = &missing}));
+    for (const std::string& tag : missing)
+        say("note: the result has no value for the tag " + tag);
     tell(page.string());
     return 0;
 }

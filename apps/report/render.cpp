@@ -165,11 +165,17 @@ class Context : public kainjow::mustache::context<std::string> {
         const std::size_t bar = name.find('|');
         const std::string key = name.substr(0, bar);
         const std::string filter = bar == std::string::npos ? "" : name.substr(bar + 1);
-        const data* const value = key.starts_with("figures.")  ? figure(key.substr(8))
-                                  : key.starts_with("tables.") ? table(key.substr(7))
-                                                               : plain(key);
-        if (!value)
+        const data* value = key.starts_with("figures.")  ? figure(key.substr(8))
+                            : key.starts_with("tables.") ? table(key.substr(7))
+                                                         : plain(key);
+        if (!value) // a key of null is null
+            if (const data* const of = plain(key.substr(0, key.rfind('.'))); of && of->is_false())
+                value = of;
+        if (!value) {
+            if (rendering_.missing)
+                rendering_.missing->insert(name);
             return nullptr;
+        }
         if (filter == "items")
             return value->get("|items");
         if (filter == "some")
@@ -229,9 +235,10 @@ class Context : public kainjow::mustache::context<std::string> {
             const data* const value = get(name.substr(at + 1));
             shown = name.substr(0, at) + (value && value->is_string() ? value->string_value() : "");
         }
-        return kept(
-            data(figure_svg(figure_script(shown, "figure" + std::to_string(++figures_), source_,
-                                          {rendering_.templates, rendering_.seconds - clock_.seconds()}))));
+        FigureScript script =
+            figure_script(shown, "figure" + std::to_string(++figures_), source_, rendering_);
+        script.seconds -= clock_.seconds();
+        return kept(data(rendering_.seconds > 0 ? figure_svg(script) : ""));
     }
 
     static data filtered(const std::string& text, const std::string& filter) {

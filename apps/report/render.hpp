@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 namespace app {
@@ -17,15 +18,17 @@ struct PageSource {
 
 /// Options of rendering.
 struct Rendering {
-    std::filesystem::path templates = {}; ///< folder of files used instead of the built-in ones; "": none
-    double seconds = 600;                 ///< maximum time for all pictures
+    std::filesystem::path templates = {};     ///< folder of files used instead of the built-in ones; "": none
+    double seconds = 600;                     ///< maximum time for all pictures; 0: none is drawn
+    std::set<std::string>* missing = nullptr; ///< gets the tags whose keys the values do not have
 };
 
-/// Renders KIND.mustache of apps/report/templates: one self-contained page in light and dark.
+/// Renders KIND.mustache of apps/report/templates or of an experiment: one self-contained page in light and
+/// dark.
 ///
 /// A tag is looked up in the values. There are also these tags:
 /// - `{{#tables.NAME}}` repeats for each row of NAME.csv. The tag of a cell is the name of its column.
-/// - `{{{figures.NAME}}}` is the picture that apps/report/figures/NAME.gp draws from the tables. In
+/// - `{{{figures.NAME}}}` is the picture that NAME.gp draws from the tables. In
 ///   `figures.NAME:TEXT`, TEXT is the script's variable `arg`; `@KEY` at its end is replaced by a value.
 /// - `{{KEY|FILTER}}` formats a value. For numbers: `3` (digits, the default), `percent`, `brief`, `length`
 ///   (from mm) and `pressure` (from MPa) in a suitable unit. For sections: `is:A` (also `is:A,B`),
@@ -48,7 +51,8 @@ PageSource page_source(const std::filesystem::path& place);
 /// folder, by the kind.
 std::filesystem::path page_of(const PageSource& source);
 
-/// The files of apps/report/templates and apps/report/figures, by name; .cmake/templates.cmake writes them.
+/// Templates, figures and texts that are built in, by the names of their files; .cmake/templates.cmake writes
+/// them.
 const std::map<std::string, std::string>& builtin_files();
 
 /// A picture to draw: a gnuplot script and its variables.

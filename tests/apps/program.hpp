@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/folder.hpp"
@@ -28,6 +29,28 @@ inline void check_refused(const Ended& ended, const std::string& words) {
     CHECK_THAT(ended.err, Catch::Contains(words));
 }
 
+/// Checks that the values of each page that was written since a time have every key that its template names.
+inline void check_pages(const std::filesystem::path& where, std::filesystem::file_time_type since) {
+    std::error_code none;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(where, none)) {
+        const std::filesystem::path page = entry.path();
+        if (page.extension() != ".html" || !entry.is_regular_file(none) ||
+            entry.last_write_time(none) < since)
+            continue;
+        auto place = page;
+        if (!std::filesystem::is_regular_file(place.replace_extension(".json"), none))
+            place = page.parent_path();
+        std::set<std::string> missing;
+        try {
+            render(page_source(place), {.seconds = 0, .missing = &missing});
+        } catch (const rough::InputError&) {
+            continue; // another kind of page
+        }
+        INFO(page.string());
+        CHECK(missing == std::set<std::string>());
+    }
+}
+
 constexpr int killed = 128 + SIGKILL; ///< exit code of a killed program
 
 /// Runs the built program in a folder by a shell, after the words `by`, e.g. "timeout -s KILL 0.1".
@@ -37,12 +60,14 @@ inline Ended rugosa(const std::string& words, const std::filesystem::path& where
     const std::string command = "cd '" + where.string() + "' && " + by + " '" RUGOSA_PROGRAM "' " + words +
                                 " >'" + (logs / "out").string() + "' 2>'" + (logs / "err").string() +
                                 "' </dev/null";
+    const auto started = std::filesystem::file_time_type::clock::now();
     const auto start = std::chrono::steady_clock::now();
     const int status = std::system(command.c_str());
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     INFO(words);
     CHECK((code == 0 || code == 2 || code == 3 || code == 130 || code == killed)); // no other is documented
+    check_pages(where, started);
     return {code, rough::read_whole(logs / "out"), rough::read_whole(logs / "err"), passed.count()};
 }
 

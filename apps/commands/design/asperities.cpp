@@ -112,12 +112,11 @@ Summary summary_of(const CapRun& run) {
     for (const rough::HeightTolerance& one : run.tolerance)
         tolerated += (tolerated.empty() ? "errors of the heights that keep the law: " : ", ") +
                      readable(1000 * one.rms) + " µm rms within " + percent(one.error);
-    summary.facts = {{"errors", "Errors", errors}};
-    if (!tolerated.empty())
-        summary.facts.push_back({"tolerance", "Tolerance", tolerated});
-    summary.facts.push_back(
+    summary.facts = {
+        {"errors", "Errors", errors},
+        {"tolerance", "Tolerance", tolerated},
         {"time", "Time",
-         readable(run.found.seconds) + " s of search, " + readable(verified.seconds) + " s of verification"});
+         readable(run.found.seconds) + " s of search, " + readable(verified.seconds) + " s of verification"}};
     return summary;
 }
 

@@ -103,7 +103,7 @@ json design_json(const DesignRun& run) {
 
     json& answer = result["variants"][run.found.name];
     answer["stopped"] = run.found.stopped;
-    answer["alternatives"] = json::array();
+    answer["alternatives"] = answer["front"] = answer["made"] = json::array();
     for (const auto& alternative : run.found.alternatives)
         answer["alternatives"].push_back(answer_json(alternative));
     for (const rough::Compromise& one : run.found.front) // similarities in the order of `targets`
@@ -121,12 +121,9 @@ json design_json(const DesignRun& run) {
                                      {"holds", margin.holds()}});
     result["limits_given"] = run.limits_given;
     answer["within_limits"] = run.found.best.within_limits;
-    if (run.morphed)
-        answer["morph"] = morph_json(run);
-    if (run.tolerance)
-        answer["tolerance"] = tolerance_json(*run.tolerance);
-    if (run.trust)
-        answer["trust"] = trust_json(*run.trust);
+    answer["morph"] = run.morphed ? morph_json(run) : json();
+    answer["tolerance"] = run.tolerance ? tolerance_json(*run.tolerance) : json();
+    answer["trust"] = run.trust ? trust_json(*run.trust) : json();
     return result;
 }
 

@@ -158,7 +158,8 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
             std::filesystem::remove(ga::held_path(folder / kept));
     tell_notes(run.found.notes);
     for (const Fact& fact : run.summary.facts)
-        say(fact.name + ": " + fact.text);
+        if (!fact.text.empty())
+            say(fact.name + ": " + fact.text);
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(run.clock.seconds()) + " s)" +
         (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues the search" : ""));
     return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;

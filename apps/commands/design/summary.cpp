@@ -357,7 +357,6 @@ Summary summary_of(const DesignRun& run) {
                      {"making", "Can be made", making(run)},
                      {"carries_over", "Valid", carries_over(run)},
                      {"obstacles", "Obstacles", summary.found ? "" : obstacles(run)}};
-    std::erase_if(summary.facts, [](const Fact& fact) { return fact.text.empty(); });
     return summary;
 }
 
