@@ -32,7 +32,8 @@ inline void check_refused(const Ended& ended, const std::string& words) {
 /// Checks that the values of each page that was written since a time have every key that its template names.
 inline void check_pages(const std::filesystem::path& where, std::filesystem::file_time_type since) {
     std::error_code none;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(where, none)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             where, std::filesystem::directory_options::skip_permission_denied, none)) {
         const std::filesystem::path page = entry.path();
         if (page.extension() != ".html" || !entry.is_regular_file(none) ||
             entry.last_write_time(none) < since)
