@@ -28,8 +28,8 @@ struct Roughness {
     std::shared_ptr<rough::ResponseMemory> memory;
 };
 
-/// A search for a surface: evaluations are curves and gradients, precision is 1 less the similarity. It goes
-/// on after its last target, so that all answers are verified alike.
+/// A search for a surface: evaluations are curves and gradients, precision is 1 less the similarity. It
+/// continues after its last target, so that all answers are verified alike.
 Reached raced(const Roughness& roughness, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt) {
     Tally tally(targets, attempt);

@@ -16,7 +16,7 @@ struct Benchmark {
     /// Throws ga::UsageError on a variant that cannot work here.
     std::function<void(const std::string& variant)> check;
     std::function<Reached(const std::string& variant, int instance, const Attempt&)> run;
-    std::optional<rough::DesignSetup> setup = {}; ///< of roughness
+    std::optional<rough::DesignSetup> setup = {}; ///< null unless it is a roughness problem
 };
 
 /// Problems by the names of problems or groups. Names are bbobN (BBOB's functions in N dimensions), bbobN-F,
