@@ -1,3 +1,4 @@
+#include "domain/numerics/statistics.hpp"
 #include "experiments/compare/problems/problems.hpp"
 
 #include <cstdlib>
