@@ -1,8 +1,10 @@
 #include "domain/profile/preparation.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/numerics/connected.hpp"
 #include "domain/numerics/fourier.hpp"
 
+#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/QR>
 
 #include <cmath>
@@ -195,8 +197,8 @@ double middle(Iterator first, Iterator end) {
 struct Predicted {
     double median, line;
 };
-/// Predicts a node's height from its left (`step` -1) or right (1). The outermost `min_aside` nodes are never
-/// outliers, so that either side has nodes that predict.
+/// Predicts a node's height from its left (`step` -1) or right (1). The outermost `min_aside` nodes are
+/// tested otherwise, so that either side has nodes that predict.
 Predicted predicted(const Eigen::VectorXd& heights, Index node, Index step,
                     const std::vector<bool>& is_outlier) {
     std::array<double, side> z, line, distance;
@@ -225,6 +227,26 @@ double usual_step(const Eigen::VectorXd& steps, Index node) {
     return middle(near.begin(), near.end());
 }
 
+/// The step between the levels of heights that were digitised, and perhaps levelled afterwards; 0 without
+/// levels. A removed line changes all steps, but no second difference. So these are near multiples of the
+/// step, of which many are 0 and many are not.
+double digital_step(const Eigen::VectorXd& heights) {
+    const Index n = heights.size() - 2;
+    Eigen::VectorXd bends = (heights.head(n) - 2 * heights.segment(1, n) + heights.tail(n)).cwiseAbs();
+    std::sort(bends.begin(), bends.end());
+    constexpr double gap = 20, near = 0.1, least_share = 0.05;
+    const auto least = static_cast<Index>(std::ceil(least_share * static_cast<double>(n)));
+    for (Index k = n - least; k >= least; --k)
+        if (bends[k] > gap * bends[k - 1]) {
+            const Index past =
+                std::upper_bound(bends.begin() + k, bends.end(), 1.5 * bends[k]) - bends.begin();
+            const double step = bends.segment(k, past - k).mean();
+            const Eigen::ArrayXd levels = bends.tail(n - k).array() / step;
+            return (levels > 1 / near || (levels - levels.round()).abs() <= near).all() ? step : 0;
+        }
+    return 0;
+}
+
 } // namespace
 
 std::vector<Index> outliers(const Eigen::VectorXd& heights) {
@@ -235,7 +257,8 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
     Eigen::VectorXd in_order = steps;
     const double usual = middle(in_order.begin(), in_order.end()),
                  range = heights.maxCoeff() - heights.minCoeff();
-    const double resolved = (steps.array() > 1e-9 * range).select(steps.array(), range).minCoeff();
+    const double resolved = std::max((steps.array() > 1e-9 * range).select(steps.array(), range).minCoeff(),
+                                     digital_step(heights));
 
     std::vector<bool> is_outlier(static_cast<std::size_t>(nodes), false);
     // 1 if the node stands out above its neighbours, -1 below, else 0. Flanks are compared only with the
@@ -266,10 +289,21 @@ std::vector<Index> outliers(const Eigen::VectorXd& heights) {
                         break;
                     is_outlier[static_cast<std::size_t>(i)] = true;
                 }
+    // A node at an end has few neighbours on one side. It is an outlier if it is as far from all other
+    // heights as these are from each other.
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (Index i = min_aside; i < nodes - min_aside; ++i)
+        if (!is_outlier[static_cast<std::size_t>(i)])
+            lowest = std::min(lowest, heights[i]), highest = std::max(highest, heights[i]);
     std::vector<Index> found;
-    for (Index i = 0; i < nodes; ++i)
-        if (is_outlier[static_cast<std::size_t>(i)])
+    for (Index i = 0; i < nodes; ++i) {
+        const bool at_end = i < min_aside || i >= nodes - min_aside;
+        const double beyond = std::max(heights[i] - highest, lowest - heights[i]);
+        if (is_outlier[static_cast<std::size_t>(i)] ||
+            (at_end && beyond > highest - lowest && beyond > 3 * resolved &&
+             beyond > 2 * particle_steps * std::max(usual, usual_step(steps, i))))
             found.push_back(i);
+    }
     return found;
 }
 
@@ -288,6 +322,98 @@ Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& 
                                             static_cast<double>(right - left);
     }
     return heights;
+}
+
+MissingPoints missing_points(const Profile& surface) {
+    MissingPoints missing;
+    for (Index i = 0; i < surface.nodes(); ++i)
+        if (std::isnan(surface.heights[i]))
+            missing.nodes.push_back(i);
+    if (missing.nodes.empty())
+        return missing;
+    missing.share = static_cast<double>(missing.nodes.size()) / static_cast<double>(surface.nodes());
+    const Index largest = group_sizes(missing.nodes, surface.shape(), false).front();
+    missing.largest_hole =
+        static_cast<double>(largest) * surface.spacing * (surface.is_2d() ? surface.row_spacing : 1);
+    return missing;
+}
+
+namespace {
+
+/// Continues a map's heights into its holes by Laplace's equation.
+void continue_into(Eigen::VectorXd& heights, const MissingPoints& missing, const Profile& map) {
+    const auto count = static_cast<Index>(missing.nodes.size());
+    std::vector<Index> unknown(static_cast<std::size_t>(map.nodes()), -1);
+    for (Index k = 0; k < count; ++k)
+        unknown[static_cast<std::size_t>(missing.nodes[static_cast<std::size_t>(k)])] = k;
+    const double along = 1, across = std::pow(map.spacing / map.row_spacing, 2);
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd known = Eigen::VectorXd::Zero(count);
+    for (Index k = 0; k < count; ++k) {
+        const Index node = missing.nodes[static_cast<std::size_t>(k)];
+        double sum = 0;
+        each_neighbour(node, map.shape(), false, [&](Index other) {
+            const double weight = std::abs(other - node) == 1 ? along : across;
+            sum += weight;
+            if (const Index at = unknown[static_cast<std::size_t>(other)]; at >= 0)
+                entries.emplace_back(k, at, -weight);
+            else
+                known[k] += weight * heights[other];
+        });
+        entries.emplace_back(k, k, sum);
+    }
+    Eigen::SparseMatrix<double> laplacian(count, count);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(laplacian);
+    solver.setTolerance(1e-13);
+    const Eigen::VectorXd found = solver.solve(known);
+    for (Index k = 0; k < count; ++k)
+        heights[missing.nodes[static_cast<std::size_t>(k)]] = found[k];
+}
+
+} // namespace
+
+void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d, const std::string& where) {
+    if (missing.share > max_share || missing.share == 1)
+        throw InputError(line_of(where, ": ", in_words(missing, is_2d), ", more than the share ", max_share,
+                                 " that may be filled; measure again, or cut the holes off"),
+                         "max-filled");
+}
+
+Profile filled(Profile surface, const MissingPoints& missing, double max_share) {
+    if (!missing)
+        return surface;
+    expect_fillable(missing, max_share, surface.is_2d());
+    if (!surface.is_2d()) {
+        surface.heights = interpolated(std::move(surface.heights), missing.nodes);
+        return surface;
+    }
+    const auto [columns, rows] = surface.shape();
+    const auto powers = [&, wide = columns](Index node) {
+        return Eigen::Vector3d(1, static_cast<double>(2 * (node % wide)) / static_cast<double>(wide) - 1,
+                               static_cast<double>(2 * (node / wide)) / static_cast<double>(rows) - 1);
+    };
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+    for (Index i = 0; i < surface.nodes(); ++i)
+        if (const Eigen::Vector3d of = powers(i); !std::isnan(surface.heights[i])) {
+            moments += of * of.transpose();
+            sums += surface.heights[i] * of;
+        }
+    const Eigen::Vector3d plane = moments.completeOrthogonalDecomposition().solve(sums);
+    Eigen::VectorXd rest(surface.nodes());
+    for (Index i = 0; i < surface.nodes(); ++i)
+        rest[i] = surface.heights[i] - plane.dot(powers(i));
+    continue_into(rest, missing, surface);
+    for (const Index node : missing.nodes)
+        surface.heights[node] = rest[node] + plane.dot(powers(node));
+    return surface;
+}
+
+std::string in_words(const MissingPoints& missing, bool is_2d) {
+    const std::size_t count = missing.nodes.size();
+    return line_with_digits(3, count, " missing point", count == 1 ? "" : "s", " (", 100 * missing.share,
+                            " %), largest hole ", missing.largest_hole, is_2d ? " mm²" : " mm");
 }
 
 } // namespace rough

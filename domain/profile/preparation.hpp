@@ -33,10 +33,39 @@ Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
 /// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md,
 /// step 4. Particles of up to four nodes are found together with their flanks. Much wider particles count as
-/// surface. The three nodes at each end are not tested, nor are profiles of under 16 nodes.
+/// surface. Profiles of under 16 nodes are not tested.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 
 /// The heights, with those at `nodes` (increasing) interpolated linearly from the nearest other nodes.
 Eigen::VectorXd interpolated(Eigen::VectorXd heights, const std::vector<Index>& nodes);
+
+/// Share of filled points above which a result is doubtful.
+constexpr double doubtful_fill = 0.05;
+
+/// The points of a surface that have no height.
+struct MissingPoints {
+    std::vector<Index> nodes = {}; ///< indices, increasing
+    double share = 0;              ///< their number divided by that of all points, 0 to 1
+    /// Size of the largest hole, which is connected along x or y: mm on a line, mm^2 on a map.
+    double largest_hole = 0;
+
+    explicit operator bool() const { return !nodes.empty(); } ///< whether there is one
+};
+/// The points whose height is NaN.
+MissingPoints missing_points(const Profile& surface);
+
+/// The surface with heights at its missing points. On a line they are interpolated linearly from the nearest
+/// measured points. On a map the least-squares plane of the measured heights is removed. The difference is
+/// continued by Laplace's equation: a filled height is the weighted mean of its neighbours. Throws InputError
+/// as expect_fillable().
+Profile filled(Profile surface, const MissingPoints& missing, double max_share = 1);
+
+/// Throws InputError if all points of a surface are missing, or if their share is above `max_share`. `where`
+/// begins the message.
+void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d,
+                     const std::string& where = "surface");
+
+/// "12 missing points (1.2 %), largest hole 0.5 mm²", on a line in mm.
+std::string in_words(const MissingPoints& missing, bool is_2d);
 
 } // namespace rough
