@@ -365,6 +365,32 @@ Texture texture(const Profile& map, bool periodic) {
     return result;
 }
 
+namespace {
+
+/// Area of the surface through the nodes over that of the map, less 1. In each cell it is the mean area of
+/// the two pairs of triangles, which the two diagonals make.
+double developed_area(const Profile& map, bool periodic) {
+    const auto [columns, rows] = map.shape();
+    const Eigen::Map<const Eigen::ArrayXXd> z(map.heights.data(), columns, rows);
+    const Index last = periodic ? 0 : 1;
+    const double dx = map.spacing, dy = map.row_spacing;
+    double sum = 0;
+    for (Index j = 0; j + last < rows; ++j)
+        for (Index i = 0; i + last < columns; ++i) {
+            const Index right = (i + 1) % columns, up = (j + 1) % rows;
+            const double x[]{(z(right, j) - z(i, j)) / dx, (z(right, up) - z(i, up)) / dx},
+                y[]{(z(i, up) - z(i, j)) / dy, (z(right, up) - z(right, j)) / dy};
+            for (const double a : x)
+                for (const double b : y) { // sqrt(1 + g^2) - 1
+                    const double square = a * a + b * b;
+                    sum += square / (std::sqrt(1 + square) + 1) / 4;
+                }
+        }
+    return sum / static_cast<double>((columns - last) * (rows - last));
+}
+
+} // namespace
+
 ArealParameters areal_parameters(const Profile& map, bool periodic) {
     const auto [columns, rows] = map.shape();
     if (!map.is_2d() || columns < min_nodes || rows < min_nodes)
@@ -389,8 +415,7 @@ ArealParameters areal_parameters(const Profile& map, bool periodic) {
         {"Sv", "mm", "deepest pit", Sv},
         {"Sz", "mm", "maximum height", Sp + Sv},
         {"Sdq", "", "root mean square gradient", std::sqrt(squares.mean())},
-        {"Sdr", "", "developed area over the map's, less 1", // sqrt(1 + g^2) - 1
-         (squares / ((1 + squares).sqrt() + 1)).mean()},
+        {"Sdr", "", "area of the surface (triangles) over the map's, less 1", developed_area(map, periodic)},
         {"Sal", "mm", "autocorrelation length, to 0.2", t.Sal},
         {"Str", "",
          t.Str_is_bound ? "texture aspect ratio, at most" : "texture aspect ratio: 0 one lay, 1 none", t.Str},

@@ -72,8 +72,8 @@ struct Texture {
 Texture texture(const Profile& map, bool periodic = false);
 
 /// Parameters of a map about its mean plane. They are Sa, Sq, Ssk, Sku, Sp, Sv, Sz, Sdq, Sdr, Sal, Str, Std,
-/// Smr, Smc10, Sk, Spk, Svk, Smrk1, Smrk2. Sdq and Sdr use the seven-point formula. Smr is taken at the mean
-/// plane. Smc10 is the height that a tenth of the nodes exceed.
+/// Smr, Smc10, Sk, Spk, Svk, Smrk1, Smrk2. Sdq uses the seven-point formula, Sdr the triangles between the
+/// nodes. Smr is taken at the mean plane. Smc10 is the height that a tenth of the nodes exceed.
 struct ArealParameters : SurfaceParameters {
     bool Str_is_bound = false; ///< as in Texture
 };
