@@ -97,6 +97,7 @@ struct ContactResult {
     rough::ReportedResponse result;
     std::vector<std::string> notes;          ///< on the input, and on limits of the model; "": none
     bool is_measured;                        ///< a scan or map, not a genome
+    std::vector<rough::Index> filled = {};   ///< nodes of a scan or map that were missing
     std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
     rough::ResolutionBand band = {};         ///< for a scan or map
     std::string unresolved = {};             ///< warning of a scan or map; "": every contact is resolved
@@ -116,6 +117,8 @@ void add_doubts(ContactResult& found, const Settings& settings) {
         found.band = resolution_band(found.surface, found.model, response, resolution_from(settings));
         found.unresolved = resolution_warning(response);
     }
+    if (!pressed.filled.empty())
+        pressed.notes.push_back(fill_note(pressed.surface, pressed.filled, pressed.model));
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::ranges::find(touching, node) != touching.end();
     };
@@ -184,7 +187,8 @@ ContactResult map_result(const Settings& settings) {
     model.contact.tolerance = result.account.tolerance;
     if (is_measured && model.grid.periodic)
         scene.notes.push_back(jump_note(scene.map));
-    return {std::move(scene.map), std::move(model), std::move(result), std::move(scene.notes), is_measured};
+    return {std::move(scene.map),   std::move(model), std::move(result),
+            std::move(scene.notes), is_measured,      std::move(scene.missing)};
 }
 
 /// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
@@ -210,8 +214,13 @@ ContactResult line_result(const Settings& settings) {
                              : source.genome      ? jump_note(*source.genome, model.grid.length, range)
                                                   : jump_note(profile);
     const std::string read = source.genome ? wave_note(*source.genome, model.grid) : source.account;
-    return {std::move(profile), std::move(model), std::move(result),
-            {read, jump},       !source.genome,   std::move(source.outliers)};
+    return {std::move(profile),
+            std::move(model),
+            std::move(result),
+            {read, jump},
+            !source.genome,
+            std::move(source.missing.nodes),
+            std::move(source.outliers)};
 }
 
 /// A written file as the page links to it.

@@ -9,6 +9,7 @@
 #include "domain/mwm/waves.hpp"
 #include "domain/profile/roughness.hpp"
 #include "domain/profile/spectrum.hpp"
+#include "domain/scan/map.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <cstdio>
@@ -71,8 +72,9 @@ using Table = std::pair<std::string, std::function<std::string()>>;
 
 /// The description of a profile or a map.
 struct SurfaceReport {
-    std::string kind; ///< profile or surface, as its files are called
-    std::shared_ptr<const rough::Profile> surface;
+    std::string kind;                               ///< profile or surface, as its files are called
+    std::shared_ptr<const rough::Profile> surface;  ///< missing points are filled
+    std::shared_ptr<const rough::Profile> measured; ///< the same, with NaN at points that are not filled
     rough::Spectrum spectrum;
     std::string account;
     std::string warning = {};                  ///< warning about a scan or map; "": none
@@ -85,14 +87,34 @@ struct SurfaceReport {
     std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
 };
 
+/// The surface with NaN at its missing points, unless --fill was given.
+std::shared_ptr<const rough::Profile> with_holes(const std::shared_ptr<const rough::Profile>& surface,
+                                                 const rough::MissingPoints& missing,
+                                                 const Settings& settings) {
+    if (!missing || settings.is_on("fill"))
+        return surface;
+    rough::Profile holed = *surface;
+    holed.heights(missing.nodes).setConstant(std::nan(""));
+    return std::make_shared<const rough::Profile>(std::move(holed));
+}
+
+/// Adds the missing points to the numbers.
+void add_missing(SurfaceReport& all, const rough::MissingPoints& missing) {
+    all.numbers["missing"] = {
+        {"points", missing.nodes.size()},
+        {"share", missing.share},
+        {all.surface->is_2d() ? "largest_hole_mm2" : "largest_hole_mm", missing.largest_hole}};
+}
+
 SurfaceReport described_profile(const Settings& settings) {
     if (settings.has("profile") && settings.given("length"))
         rough::refuse("--length: given with a scan; omit it, as a scan has a length");
-    const Source source = source_from(settings);
+    const Source source = source_from(settings, "profile", true);
     rough::Grid grid = source.grid();
     settings.take("nodes", grid.nodes);
     settings.take("length", grid.length);
-    const auto profile = std::make_shared<const rough::Profile>(source.on(grid));
+    const auto profile = std::make_shared<const rough::Profile>(source.on(grid)),
+               measured = with_holes(profile, source.missing, settings);
     std::string account = source.account, jump;
     std::vector<rough::SpectralLine> lines;
     if (source.genome) {
@@ -111,6 +133,7 @@ SurfaceReport described_profile(const Settings& settings) {
     const rough::Roughness r = rough::roughness(*profile, is_roughness ? settings.number("lambda-c") : 0);
     SurfaceReport all{.kind = "profile",
                       .surface = profile,
+                      .measured = measured,
                       .spectrum = continuous_spectrum(*profile),
                       .account = account + (jump.empty() ? "" : "\n" + jump),
                       .warning = source.genome ? "" : resolution_warning(*profile, false),
@@ -125,13 +148,14 @@ SurfaceReport described_profile(const Settings& settings) {
                       .pictures = {{"profile.svg", "profile-heights"}, {"spectrum.svg", "spectrum:mm³"}}};
     all.tables = {{"heights.csv",
                    [=] {
-                       return csv({"x_mm", "height_mm"}, {positions(*profile), profile->heights});
+                       return csv({"x_mm", "height_mm"}, {positions(*measured), measured->heights});
                    }},
                   {"heights-drawn.csv", [=] { return heights_csv(*profile); }},
                   {"spectrum.csv", [s = all.spectrum] {
                        return csv({"wave_number_rad_per_mm", "density_mm3"}, {s.wave_number, s.density});
                    }}};
     all.unlisted = {"heights-drawn.csv", "lines.csv"};
+    add_missing(all, source.missing);
     if (!lines.empty()) {
         double m0 = 0, m2 = 0, m4 = 0; // exact, over lengths that all waves divide
         Csv table("wave_number_rad_per_mm,power_mm2");
@@ -169,12 +193,14 @@ void add_requested(SurfaceReport& all, rough::Profile map, const Settings& setti
 
 SurfaceReport described_map(const Settings& settings) {
     const bool periodic = settings.is_on("periodic"), measured = settings.has("surface");
-    rough::Map read = measured ? surface_from(settings) : sampled_from(settings, periodic);
-    const auto map = std::make_shared<const rough::Profile>(std::move(read.heights));
+    rough::Map read = measured ? surface_from(settings, "surface", true) : sampled_from(settings, periodic);
+    const auto map = std::make_shared<const rough::Profile>(std::move(read.heights)),
+               holed = with_holes(map, read.missing, settings);
     const rough::ArealParameters areal = areal_parameters(*map, periodic);
     const auto [nodes, rows] = map->shape();
     SurfaceReport all{.kind = "surface",
                       .surface = map,
+                      .measured = holed,
                       .spectrum = continuous_spectrum(*map, periodic),
                       .account = (measured ? settings.text("surface") + ": " : "") + read.account,
                       .warning = measured ? resolution_warning(*map, periodic) : "",
@@ -189,14 +215,17 @@ SurfaceReport described_map(const Settings& settings) {
                                   {"Str_is_bound", areal.Str_is_bound}},
                       .tables = {},
                       .pictures = {{"heights.svg", "map:height"}, {"spectrum.svg", "spectrum:mm⁴"}}};
-    all.tables = {{"heights.txt", [=] { return matrix(*map); }},
-                  {"surface.vtk", [=] { return vtk(*map); }},
-                  {"map.csv", [=] { return map_csv(*map, {"height_mm"}, {below_highest(*map)}); }},
-                  {"spectrum.csv", [s = all.spectrum] {
-                       return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
-                                  {s.wave_number, s.density, s.power});
-                   }}};
+    all.tables = {
+        {"heights.txt", [=] { return matrix(*holed); }},
+        {"surface.vtk", [=] { return vtk(*holed); }},
+        {"map.csv",
+         [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); }},
+        {"spectrum.csv", [s = all.spectrum] {
+             return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
+                        {s.wave_number, s.density, s.power});
+         }}};
     all.unlisted = {"map.csv"};
+    add_missing(all, read.missing);
     add_requested(all, *map, settings);
     return all;
 }
@@ -260,8 +289,8 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
         if (std::ranges::find(of.unlisted, name) == of.unlisted.end())
             files.push_back(name);
     }
-    write(of.kind + ".x3p", x3p(*of.surface));
-    write(of.kind + ".sur", sur(*of.surface));
+    write(of.kind + ".x3p", x3p(*of.measured));
+    write(of.kind + ".sur", sur(*of.measured));
     write("bearing.csv", bearing_csv(of.surface->heights));
     write("spectrum-drawn.csv", drawn_csv({"wave_number_rad_per_mm", "density"},
                                           {of.spectrum.wave_number, of.spectrum.density}, true));

@@ -58,6 +58,8 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     if (!source.account.empty())
         say(source.account);
     const rough::Model model = model_from(settings, source);
+    if (source.missing)
+        say(fill_note(source.on(model.grid), source.missing.nodes, model));
     rough::Model loaded = model;
     std::optional<double> last;
     settings.take("to", last);

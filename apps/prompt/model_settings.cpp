@@ -100,10 +100,10 @@ Bindings bindings_of(ModelParameters& of) {
 Bindings bindings_of(rough::ScanOptions& options) {
     return {
         {{"unit", "",
-          "unit of a scan's columns without one in their header, or mm,um for x and heights; one of " +
+          "unit of columns without one in their header, or mm,um for x (and y) and heights; one of " +
               std::string(rough::known_lengths) + " [mm]"},
          options.unit},
-        {positive("spacing", "", "distance of the points of a scan with one column, in the given unit")
+        {positive("spacing", "", "distance of the points of heights without x, in the given unit")
              .several('x'),
          options.spacing},
         {ga::whole("row", "", 1,
@@ -121,7 +121,12 @@ Bindings bindings_of(rough::ScanOptions& options) {
         {positive("lambda-c", "",
                   "cut-off of the filter that removes longer wavelengths (ISO 16610-21), mm [none]"),
          options.lambda_c},
-        {Setting("fill", "", "replace a scan's missing heights by linear interpolation", true), options.fill},
+        {Setting("fill", "",
+                 "fill missing points: along a line by interpolation, on a map by Laplace's equation", true),
+         options.fill},
+        {ga::number("max-filled", ga::number(options.max_filled), 0, 1,
+                    "largest share of the points that may be filled"),
+         options.max_filled},
     };
 }
 
@@ -314,65 +319,66 @@ rough::Resolution resolution_from(const Settings& settings) {
     return static_cast<rough::Resolution>(settings.choice("resolution"));
 }
 
-Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
-                 const std::string& prefix) {
+namespace {
+
+/// The options that the settings describe.
+rough::ScanOptions scan_options(const Settings& settings, const std::string& prefix, bool keep_missing) {
     rough::ScanOptions options;
-    take(settings, bindings_of(options), prefix);
+    take(settings.with({{prefix + "spacing", ""}}), bindings_of(options), prefix);
+    if (settings.has(prefix + "spacing")) {
+        options.spacing = settings.numbers(prefix + "spacing").front();
+        options.row_spacing = settings.numbers(prefix + "spacing").back();
+    }
     for (const std::string& unit : rough::listed(options.unit))
         rough::length_unit_named(unit, settings.place(prefix + "unit"));
+    options.keep_missing = keep_missing && !options.fill;
+    return options;
+}
+
+} // namespace
+
+Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
+                 const std::string& prefix, bool keep_missing) {
+    rough::ScanOptions options = scan_options(settings, prefix, keep_missing);
     options.nodes = nodes;
     return {placing(settings, prefix, [&] { return rough::open_scan(file, options); })};
 }
 
-Source source_from(const Settings& settings, const std::string& scan) {
+Source source_from(const Settings& settings, const std::string& scan, bool keep_missing) {
     rough::Index nodes = 0;
     settings.take("nodes", nodes);
     if (!settings.has("genome"))
-        return scan_from(settings.text(scan), settings, nodes);
+        return scan_from(settings.text(scan), settings, nodes, "", keep_missing);
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");
     return open_genome(settings.text("genome"));
 }
 
+std::string fill_note(const rough::Profile& surface, const std::vector<rough::Index>& filled,
+                      const rough::Model& model) {
+    const double share = static_cast<double>(filled.size()) / static_cast<double>(surface.nodes());
+    return (share > rough::doubtful_fill ? "warning: " + percent(share) + " of the points are filled; "
+                                         : "") +
+           in_words(fill_effect(surface, filled, model));
+}
+
 Setting map_setting() {
-    return {"surface", "",
-            "measured map instead of a genome: X3P, SDF, SUR, GSF; a text matrix, one line per row along x, "
-            "with --spacing DX or DXxDY; or columns x, y, height"};
+    return {
+        "surface", "",
+        "measured map instead of a genome: X3P, SDF, SUR, GSF, GWY; a text matrix, one line per row along x, "
+        "with --spacing DX or DXxDY; or columns x, y, height"};
 }
 
 std::vector<Setting> surface_settings() {
     return {{"genome", "", "genome file (JSON) of the profile"},
-            {"profile", "", "measured profile instead of a genome: text, SDF, SUR, GSF or X3P"},
+            {"profile", "", "measured profile instead of a genome: text, XLSX, SDF, PRO, GSF or X3P"},
             map_setting()};
 }
 
-rough::Map surface_from(const Settings& settings, const std::string& flag) {
-    expect_none(settings, {"nodes", "length", "row", "fill", "outliers"},
+rough::Map surface_from(const Settings& settings, const std::string& flag, bool keep_missing) {
+    expect_none(settings, {"nodes", "length", "row", "outliers"},
                 "given with --" + flag + "; omit it, as it is for profiles only");
-    rough::MapLayout layout{settings.text("unit")};
-    if (settings.has("spacing")) {
-        layout.spacing = settings.numbers("spacing").front();
-        layout.row_spacing = settings.numbers("spacing").back();
-    }
-    if (!layout.unit.empty())
-        rough::length_unit_named(layout.unit, settings.place("unit"));
-    const auto form = static_cast<rough::Detrend>(settings.choice("detrend"));
-    rough::Map map = placing(settings, "", [&] { return rough::read_map(settings.text(flag), layout); });
-    rough::Profile& surface = map.heights;
-    surface.heights = placing(settings, "", [&] { return detrended(surface, form); });
-    const auto [columns, rows] = surface.shape();
-    map.account = "a map of " + std::to_string(columns) + " x " + std::to_string(rows) + " heights (" +
-                  map.account + "), " +
-                  (form == rough::Detrend::none   ? "used as it is"
-                   : form == rough::Detrend::line ? "its plane removed"
-                                                  : "its form removed: " + name_of(form));
-    for (const bool is_long : {false, true})
-        if (const char* name = is_long ? "lambda-c" : "lambda-s"; settings.has(name)) {
-            const Eigen::VectorXd passed = low_passed(surface, settings.number(name));
-            surface.heights = is_long ? (surface.heights - passed).eval() : passed;
-            map.account += std::string(", waves ") + (is_long ? "over " : "under ") +
-                           readable(settings.number(name)) + " mm removed";
-        }
-    return map;
+    const rough::ScanOptions options = scan_options(settings, "", keep_missing);
+    return placing(settings, "", [&] { return rough::read_map(settings.text(flag), options); });
 }
 
 bool asks_for_map(const Settings& settings, const std::string& prefix) {
@@ -424,6 +430,7 @@ MapScene map_from(const Settings& settings, const std::string& map) {
         scene.map = std::move(read.heights);
         scene.model = model_of(scene.map, settings);
         const rough::Grid& grid = scene.model.grid;
+        scene.missing = std::move(read.missing.nodes);
         scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) +
                               " mm");
     } else {

@@ -3,8 +3,8 @@
 #include "apps/prompt/settings.hpp"
 #include "domain/accuracy/resolution.hpp"
 #include "domain/mwm/sampling.hpp"
-#include "domain/scan/map.hpp"
 #include "domain/scan/scan.hpp"
+#include "domain/text/unit.hpp"
 
 namespace app {
 
@@ -77,13 +77,18 @@ std::vector<Setting> scan_settings(const std::string& prefix = "");
 Setting resolution_setting();
 rough::Resolution resolution_from(const Settings& settings);
 
-/// Opens a scan and resamples it to `nodes` nodes; 0 keeps the number of its points.
+/// Opens a scan and resamples it to `nodes` nodes; 0 keeps the number of its points. Missing points are
+/// refused without --fill, unless `keep_missing` is set.
 Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
-                 const std::string& prefix = "");
+                 const std::string& prefix = "", bool keep_missing = false);
 
 /// Opens the file of --genome, or else of --`scan`, resampled to --nodes if they are given. Throws
 /// rough::InputError if settings of a scan are given with a genome.
-Source source_from(const Settings& settings, const std::string& scan = "profile");
+Source source_from(const Settings& settings, const std::string& scan = "profile", bool keep_missing = false);
+
+/// The effect of filled points on the contact, in words, with a warning if they are more than 5 %.
+std::string fill_note(const rough::Profile& surface, const std::vector<rough::Index>& filled,
+                      const rough::Model& model);
 
 /// --surface: a measured map.
 Setting map_setting();
@@ -106,17 +111,19 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings);
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix = "");
 
 /// The map of the flag, without its form (--detrend, by default its plane) and the wavelengths that
-/// --lambda-s and --lambda-c remove.
-rough::Map surface_from(const Settings& settings, const std::string& flag = "surface");
+/// --lambda-s and --lambda-c remove. Missing points as by scan_from().
+rough::Map surface_from(const Settings& settings, const std::string& flag = "surface",
+                        bool keep_missing = false);
 
 /// The heights of --genome on the map of --nodes and --length, which is periodic or not.
 rough::Map sampled_from(const Settings& settings, bool periodic);
 
 /// A map and the model under which it is pressed.
 struct MapScene {
-    rough::Profile map;             ///< heights, mm
-    rough::Model model;             ///< complete, with the map's grid
-    std::vector<std::string> notes; ///< how the map was read or sampled, one line each
+    rough::Profile map;                     ///< heights, mm
+    rough::Model model;                     ///< complete, with the map's grid
+    std::vector<rough::Index> missing = {}; ///< nodes whose heights were missing and are filled
+    std::vector<std::string> notes;         ///< how the map was read or sampled, one line each
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
 MapScene map_from(const Settings& settings, const std::string& map = "surface");

@@ -207,4 +207,27 @@ OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers
     return {};
 }
 
+FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model) {
+    Model few = model;
+    if (few.loading.pressures.empty())
+        few.loading.steps = 2;
+    const Response of_filled = respond(surface, few);
+    Profile lowest = surface;
+    lowest.heights(filled).setConstant(surface.heights.minCoeff());
+    for (Index step = of_filled.steps(); step-- > 0;)
+        try {
+            few.loading.pressures = {of_filled.pressure[step]};
+            return {of_filled.contact_fraction[step], respond(lowest, few).contact_fraction[0],
+                    of_filled.pressure[step]};
+        } catch (const InputError&) { // beyond the full contact of the other surface
+        }
+    return {};
+}
+
+std::string in_words(const FillEffect& effect) {
+    return line_with_digits(4, "filled points: at ", effect.pressure, " MPa the contact is ",
+                            100 * effect.filled, " %, and ", 100 * effect.lowest,
+                            " % with the holes as lowest points");
+}
+
 } // namespace rough

@@ -86,4 +86,16 @@ struct OutlierCost {
 OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 
+/// Two contact fractions of a surface at one mean pressure: its missing points are filled, or as low as its
+/// lowest point.
+struct FillEffect {
+    double filled = 0;   ///< with filled points
+    double lowest = 0;   ///< with the points as lowest points
+    double pressure = 0; ///< mean pressure, MPa: that of the last load step, if both surfaces reach it
+};
+/// The effect of filled points on the contact; solves for both surfaces. Throws NotConverged as respond().
+FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model);
+/// "filled points change the contact at 5 MPa: 12.3 %, or 11.9 % with the holes as lowest points".
+std::string in_words(const FillEffect& effect);
+
 } // namespace rough

@@ -2,9 +2,11 @@
 #include "domain/scan/map.hpp"
 #include "domain/text/bytes.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <zlib.h>
 
 namespace rough {
 namespace {
@@ -50,24 +52,31 @@ void expect_header(const std::string& bytes, std::size_t size, const std::string
         refuse(file, ": ", bytes.size(), " bytes, fewer than the header of ", size, "; export it again");
 }
 
-/// ISO 25178-71, binary: 81 bytes of header, lengths in metres.
+/// ISO 25178-71, binary: 81 bytes of header, lengths in metres. In version 2.0 the numbers of points and of
+/// profiles have 32 bits each, and the header 85 bytes.
 HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
-    constexpr std::size_t header = 81;
+    const bool wide = bytes.starts_with("bISO-2");
+    const std::size_t header = wide ? 85 : 81, scales = header - 35;
     expect_header(bytes, header, file);
-    const auto columns = little_endian<std::uint16_t>(bytes, 42);
+    const auto count = [&](std::size_t which) -> std::int64_t {
+        if (wide)
+            return little_endian<std::uint32_t>(bytes, 42 + 4 * which);
+        return little_endian<std::uint16_t>(bytes, 42 + 2 * which);
+    };
+    const std::int64_t columns = count(0);
     HeightMap map{"ISO 25178-71 (SDF)"};
     map.height_unit = {"m", 1e3};
-    map.rows = little_endian<std::uint16_t>(bytes, 44);
-    map.spacing = 1e3 * little_endian<double>(bytes, 46);
-    map.row_spacing = 1e3 * little_endian<double>(bytes, 54);
-    map.height_factor = little_endian<double>(bytes, 62);
+    map.rows = count(1);
+    map.spacing = 1e3 * little_endian<double>(bytes, scales);
+    map.row_spacing = 1e3 * little_endian<double>(bytes, scales + 8);
+    map.height_factor = little_endian<double>(bytes, scales + 16);
     expect_spacing(map.spacing, "Xscale", file);
     expect_spacing(map.height_factor, "Zscale", file);
     if (map.rows > 1)
         expect_spacing(map.row_spacing, "Yscale", file);
-    if (bytes[78] != 0)
+    if (bytes[header - 3] != 0)
         refuse(file, ": the heights are compressed; save it without compression");
-    const int type = static_cast<unsigned char>(bytes[79]);
+    const int type = static_cast<unsigned char>(bytes[header - 2]);
     take_heights(map, bytes, header, columns, type, missing_mark(type), file);
     return map;
 }
@@ -81,37 +90,82 @@ LengthUnit unit_field(const std::string& bytes, std::size_t at, const std::strin
     return length_unit_named(trim(word), file);
 }
 
-/// Digital Surf's SUR and PRO: 512 bytes of header, a comment, a private zone, integers.
+/// A number as its shortest decimal with this precision: 0.0005, not 0.0005000000237.
+double decimal(float number) {
+    std::array<char, 64> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    double value = number;
+    std::from_chars(text.data(), end, value);
+    return value;
+}
+
+/// The compressed heights of a Digital Surf file, `size` bytes. It has the number of streams, their lengths
+/// before and after compression, and the streams (zlib).
+std::string uncompressed(std::string_view data, std::size_t size, const std::string& file) {
+    const auto word = [&, data](std::size_t index) -> std::size_t {
+        if (data.size() < 4 * index + 4)
+            refuse(file, ": its compressed heights end early; export it again");
+        return little_endian<std::uint32_t>(data, 4 * index);
+    };
+    std::string heights(size, '\0');
+    const std::size_t streams = word(0);
+    std::size_t done = 0, at = 4 + 8 * streams;
+    for (std::size_t k = 0; k < streams; ++k) {
+        const std::size_t raw = word(1 + 2 * k), packed = word(2 + 2 * k);
+        uLongf length = raw;
+        if (raw > size - done || packed > data.size() - std::min(at, data.size()) ||
+            uncompress(reinterpret_cast<Bytef*>(heights.data() + done), &length,
+                       reinterpret_cast<const Bytef*>(data.data() + at), packed) != Z_OK ||
+            length != raw)
+            refuse(file, ": its compressed heights are damaged; export it again");
+        done += raw, at += packed;
+    }
+    if (done != size)
+        refuse(file, ": ends early, with ", done, " of ", size, " bytes of heights; export it again");
+    return heights;
+}
+
+/// Digital Surf's SUR and PRO: 512 bytes of header, a comment, a private zone, integers. Colours may follow
+/// the heights (type 16).
 HeightMap digital_surf(const std::string& bytes, const std::string& file) {
     constexpr std::size_t header = 512;
     expect_header(bytes, header, file);
     const auto half = [&](std::size_t at) { return little_endian<std::int16_t>(bytes, at); };
     const auto whole = [&](std::size_t at) { return little_endian<std::int32_t>(bytes, at); };
-    if (bytes.starts_with("DSCOMPRESSED"))
-        refuse(file, ": a compressed Digital Surf file; save it without compression");
     if (half(12) != 0)
         refuse(file, ": a Digital Surf file of format ", half(12),
                "; save it in format 0, lowest byte first");
-    if (half(18) != 1 && half(18) != 2)
+    if (half(18) != 1 && half(18) != 2 && half(18) != 16)
         refuse(file, ": a Digital Surf object of type ", half(18), "; save a profile (1) or a surface (2)");
     if (half(98) != 16 && half(98) != 32)
         refuse(file, ": heights of ", half(98), " bits; save them with 16 or 32 bits");
     HeightMap map{half(18) == 1 ? "Digital Surf (PRO)" : "Digital Surf (SUR)"};
     const std::int64_t columns = whole(108);
     map.rows = whole(112);
-    map.spacing = little_endian<float>(bytes, 120) * unit_field(bytes, 180, file).in_mm;
-    map.height_factor = little_endian<float>(bytes, 128);
+    map.spacing = decimal(little_endian<float>(bytes, 120)) * unit_field(bytes, 180, file).in_mm;
+    map.height_factor = decimal(little_endian<float>(bytes, 128));
     map.height_unit = unit_field(bytes, 212, file);
     expect_spacing(map.spacing, "spacing", file);
     expect_spacing(map.height_factor, "height step", file);
     if (map.rows > 1) {
-        map.row_spacing = little_endian<float>(bytes, 124) * unit_field(bytes, 196, file).in_mm;
+        map.row_spacing = decimal(little_endian<float>(bytes, 124)) * unit_field(bytes, 196, file).in_mm;
         expect_spacing(map.row_spacing, "spacing of rows", file);
     }
     const double missing = half(86) != 0 ? whole(100) - 2. : missing_height; // two below the lowest height
     const std::size_t data =
         header + little_endian<std::uint16_t>(bytes, 334) + little_endian<std::uint16_t>(bytes, 336);
-    take_heights(map, bytes, data, columns, half(98) == 16 ? 5 : 6, missing, file);
+    const int type = half(98) == 16 ? 5 : 6;
+    if (!bytes.starts_with("DSCOMPRESSED")) {
+        take_heights(map, bytes, data, columns, type, missing, file);
+        return map;
+    }
+    expect_points(columns, map.rows, file);
+    const auto size = static_cast<std::size_t>(columns * map.rows) * (type == 5 ? 2 : 4);
+    if (size > 2000 * bytes.size()) // zlib packs to a thousandth at most
+        refuse(file, ": ends early, before ", size, " bytes of heights; export it again");
+    const std::string heights =
+        uncompressed(std::string_view(bytes).substr(std::min(data, bytes.size())), size, file);
+    take_heights(map, heights, 0, columns, type, missing, file);
     return map;
 }
 
@@ -168,7 +222,7 @@ const Format formats[] = {{"bISO-", surface_data_file},
                           {"DIGITAL SURF", digital_surf},
                           {"DSCOMPRESSED", digital_surf},
                           {"Gwyddion Simple Field 1.", simple_field},
-                          {"PK\x03\x04", read_x3p}};
+                          {"GWYP", read_gwy}};
 
 } // namespace
 
@@ -198,6 +252,25 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
     return numbers;
 }
 
+namespace {
+
+/// The greatest step of which all heights are multiples, up to rounding; 0 if a small one would be needed.
+double quantum(const Eigen::VectorXd& heights) {
+    const double largest = heights.cwiseAbs().maxCoeff(), rounding = 1e-9 * largest;
+    double step = 0;
+    for (double rest : heights)
+        for (rest = std::abs(rest); rest > rounding;) { // Euclid's algorithm
+            if (step == 0 || rest < step)
+                std::swap(rest, step);
+            if (step > 0 && step < 1e3 * rounding)
+                return 0;
+            rest = std::abs(std::remainder(rest, step));
+        }
+    return step;
+}
+
+} // namespace
+
 bool is_binary_map(std::string_view head) {
     return std::any_of(std::begin(formats), std::end(formats),
                        [&](const Format& format) { return head.starts_with(format.begins); });
@@ -215,12 +288,23 @@ std::string sur(const Profile& surface) {
     const auto [columns, rows] = surface.shape();
     if (surface.nodes() > std::numeric_limits<std::int32_t>::max())
         refuse("sur: ", surface.nodes(), " heights are too many for the format; give fewer nodes");
-    const double largest = surface.heights.cwiseAbs().maxCoeff();
-    const auto step = static_cast<float>(largest > 0 ? largest / most : 1);
+    // A step of which all heights are multiples gives them back exactly.
+    const Eigen::VectorXd known = surface.heights.array().isNaN().select(0, surface.heights);
+    const double largest = known.cwiseAbs().maxCoeff();
+    double step = decimal(static_cast<float>(quantum(known)));
+    if (!(step > 0) || largest / step > most ||
+        ((known / step).array() - (known / step).array().round()).abs().maxCoeff() > 1e-6)
+        step = decimal(static_cast<float>(largest > 0 ? largest / most : 1));
+    constexpr std::int32_t missing = std::numeric_limits<std::int32_t>::min();
     std::vector<std::int32_t> heights;
-    for (const double height : surface.heights)
+    for (const double height : known)
         heights.push_back(static_cast<std::int32_t>(std::lround(height / step)));
-    const auto [lowest, highest] = std::ranges::minmax(heights);
+    const auto [least, highest] = std::ranges::minmax(heights);
+    const bool has_holes = surface.heights.hasNaN();
+    const std::int32_t lowest = has_holes ? missing + 2 : least; // two above the mark of a missing height
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        if (std::isnan(surface.heights[static_cast<Index>(i)]))
+            heights[i] = missing;
 
     std::string bytes = "DIGITAL SURF";
     const auto text = [&](std::string_view word, std::size_t size) {
@@ -235,12 +319,12 @@ std::string sur(const Profile& surface) {
     halves({0, 1, 1, surface.is_2d() ? 2 : 1}); // lowest byte first, one object, version, its type
     text("rugosa", 30);
     text("", 30);
-    halves({0, 0, 1, 0, 1}); // material, acquisition, range, no missing heights, absolute heights
+    halves({0, 0, 1, has_holes, 1}); // material, acquisition, range, missing heights, absolute heights
     zeros_to(98);
     halves({32});
     for (const Index number : {Index(lowest), Index(highest), columns, rows, surface.nodes()})
         append_little_endian(bytes, static_cast<std::int32_t>(number));
-    for (const double size : {surface.spacing, surface.row_spacing, static_cast<double>(step)})
+    for (const double size : {surface.spacing, surface.row_spacing, step})
         append_little_endian(bytes, static_cast<float>(size));
     for (const char* word : {"X", "Y", "Z", "mm", "mm", "mm", "mm", "mm", "mm"}) // axes, steps, lengths
         text(word, 16);

@@ -1,40 +1,18 @@
 #pragma once
 
-#include "domain/profile/profile.hpp"
+#include "domain/scan/scan.hpp"
 #include "domain/text/unit.hpp"
 #include "domain/text/words.hpp"
 
-#include <filesystem>
-
 namespace rough {
 
-/// Unit and spacings of a map whose file does not state them.
-struct MapLayout {
-    std::string unit = {};  ///< unit of heights and spacings, e.g. "um"; empty: mm, or the file's unit
-    double spacing = 0;     ///< spacing along x, delta_x, > 0; 0: from the file
-    double row_spacing = 0; ///< spacing along y, delta_y, > 0; 0: from the file
-};
-
-/// A map's heights, and the statements of its file about them.
-struct Map {
-    Profile heights;     ///< heights and spacings, mm
-    std::string account; ///< format and unit, in a few words
-};
-
-/// Reads a map's heights without changing them. Each line of a text matrix is a row along x; y grows from
-/// line to line. Without a given spacing, a table of three columns is read as x, y and height of all nodes of
-/// a grid, in any order. X3P, SDF, SUR, GSF and other formats have units and spacings.
-///
-/// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
-/// rows of different lengths, a missing height, or a spacing or unit that contradicts the file's.
-Map read_map(const std::filesystem::path& path, const MapLayout& layout);
-
 /// A profile or a map (mm) as the bytes of an X3P file (ISO 25178-72): double precision, metres, with the
-/// standard's check sums.
+/// standard's check sums. NaN is a missing height.
 std::string x3p(const Profile& surface);
 
 /// A profile or a map (mm) as the bytes of a Digital Surf file (PRO or SUR): heights in whole numbers of 32
-/// bits, to 5e-10 of the highest |height|. Throws InputError on over 2^31 - 1 heights.
+/// bits, exact if they are multiples of a step, else to 5e-10 of the highest |height|. NaN is a missing
+/// height. Throws InputError on over 2^31 - 1 heights.
 std::string sur(const Profile& surface);
 
 /// A map as the bytes of a legacy VTK file (version 3.0, binary). It is a structured grid of points (x, y, z)
@@ -53,6 +31,9 @@ struct HeightMap {
     Eigen::VectorXd heights = {}; ///< row after row, as stored; NaN if not measured
     std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one
     long announced = -1;          ///< number of heights that the file states; -1: none stated
+    std::vector<double> x = {};   ///< x of each height, mm, NaN if missing; empty with a known spacing
+    double digit = 0;             ///< one unit in the last written digit of x, mm
+    std::string units = {};       ///< units and spacing, with their sources, in words
 
     Index columns() const { return heights.size() / rows; } ///< points of a row
 };
@@ -72,20 +53,30 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
 
 /// Whether a file that begins with these bytes is one that binary_map reads.
 bool is_binary_map(std::string_view head);
-/// Reads binary maps: surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO (not
-/// compressed), Gwyddion's simple field (GSF), and X3P (ISO 25178-72). Returns nothing if the bytes begin
-/// otherwise. Sizes are compared with the bytes before memory is allocated. Throws InputError with one line
-/// on a file that cannot be read.
+/// Reads binary maps: surface data files (ISO 25178-71 SDF, BCR), Digital Surf's SUR and PRO, and Gwyddion's
+/// GSF and GWY. Returns nothing if the bytes begin otherwise. Sizes are compared with the bytes before memory
+/// is allocated. Throws InputError with one line on a file that cannot be read.
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
 
 /// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
-/// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, and SigmaSurf's data files. Returns
+/// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, SigmaSurf's data files, Wyko's ASC and
+/// Zygo's XYZ. Returns
 /// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
 std::optional<HeightMap> text_map(const Lines& lines, const std::string& file);
 
+class Zip;
+
 /// Reads an X3P file (ISO 25178-72, ISO 5436-2): a zip archive of main.xml and usually binary heights, x and
-/// y incremental, lengths in metres. Its check sums are verified. Throws InputError with one line if it
-/// cannot be read.
-HeightMap read_x3p(const std::string& bytes, const std::string& file);
+/// y incremental, lengths in metres. The entries may be in a folder. Its check sums are verified. Throws
+/// InputError with one line if it cannot be read.
+HeightMap read_x3p(const Zip& archive, const std::string& file);
+
+/// Reads the first data field with a length unit of a Gwyddion file (GWY, version 2): names, sizes and typed
+/// values, lowest byte first. Points under its mask are missing. Throws InputError if it cannot be read.
+HeightMap read_gwy(const std::string& bytes, const std::string& file);
+
+/// The cells of an Excel workbook's sheet (XLSX) as lines with semicolons: the sheet with the most numbers.
+/// Returns nothing if the archive has no sheets. Throws InputError if it cannot be read.
+std::optional<std::string> sheet_of(const Zip& archive, const std::string& file);
 
 } // namespace rough

@@ -8,17 +8,22 @@
 
 namespace rough {
 
-/// Options for reading a scan.
+/// Options for reading a scan or a map.
 struct ScanOptions {
-    /// Unit of columns whose header does not name one, e.g. "um". "mm,um" is mm for x and um for heights.
-    /// Empty: not given, so mm is assumed.
+    /// Unit of columns whose header does not name one, e.g. "um". "mm,um" is mm for x and y, and um for
+    /// heights. Empty: not given, so mm is assumed.
     std::string unit = {};
-    /// Distance between the points of a file with one column. Its unit is the unit of x in `unit`; mm if
-    /// `unit` is empty. 0: not given.
+    /// Distance between the points of a row of heights. Its unit is the unit of x in `unit`; mm if `unit` is
+    /// empty. 0: not given.
     double spacing = 0;
+    double row_spacing = 0;          ///< distance between the rows of a matrix, as `spacing`; 0: the same
     Detrend detrend = Detrend::line; ///< form to remove from the heights
-    bool fill = false;               ///< whether missing heights are interpolated linearly instead of refused
-    Index row = 0;                   ///< row of an areal map to take, from 1; 0: the file has a profile
+    bool fill = false;               ///< whether missing heights are filled() instead of refused
+    double max_filled = 0.3;         ///< largest share of the points that may be filled, 0 to 1
+    /// Whether missing points are listed instead of refused. The heights at these points are those of `fill`,
+    /// with any share.
+    bool keep_missing = false;
+    Index row = 0; ///< row of an areal map to take, from 1; 0: the file has a profile
     /// Number of evenly spaced nodes to which heights are resampled, >= 2; 0: as many as the file has points.
     Index nodes = 0;
     bool remove_outliers = false; ///< whether outliers are replaced by linear interpolation
@@ -35,6 +40,7 @@ struct Scan {
     Profile measured = {};            ///< profile at evenly spaced nodes, x growing
     std::string account = {};         ///< how the scan was read and changed, in one line
     std::vector<Index> outliers = {}; ///< outliers that were kept
+    MissingPoints missing = {};       ///< points that were not measured; their heights are filled
 
     /// The grid of the scan's nodes. `periodic` is for the periodic kernel.
     Grid grid(bool periodic = false) const;
@@ -47,5 +53,20 @@ struct Scan {
 /// Reads a measured line scan, or one row of a map (README.md lists the formats). Throws InputError with one
 /// line that names the file, the line and the fault.
 Scan open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
+
+/// A map's heights, and the statements of its file about them.
+struct Map {
+    Profile heights;            ///< heights and spacings, mm
+    std::string account = {};   ///< how it was read and changed, in one line
+    MissingPoints missing = {}; ///< points that were not measured; their heights are filled
+};
+
+/// Reads a map. Each line of a text matrix is a row along x; y grows from line to line. A table of three
+/// columns whose first two make a grid is read as x, y and height of its nodes, in any order. X3P, SDF, SUR,
+/// GSF, GWY and other formats have units and spacings. Options of rows, nodes and outliers are not used.
+///
+/// Throws InputError with one line that names the file and the place. Faults are fewer than 2 x 2 heights,
+/// rows of different lengths, missing points, and a spacing or unit that contradicts the file's.
+Map read_map(const std::filesystem::path& path, const ScanOptions& options);
 
 } // namespace rough

@@ -99,8 +99,11 @@ Guess best_guess(const Lines& lines, bool one_column) {
                 ++guess.rows;
                 ++widths[row.cells];
             }
+        // The last cells of a row may be empty, if a mark separates them.
+        const bool is_matrix = !widths.empty() && widths.rbegin()->first > max_scan_columns;
         for (const auto& [width, count] : widths)
-            if (guess.columns == 0 || count >= widths[guess.columns])
+            if (guess.columns == 0 || count >= widths[guess.columns] ||
+                (is_matrix && dialect.separator != blanks))
                 guess.columns = width;
         if (guess.rows > best.rows ||
             (guess.rows == best.rows && best.columns != wanted && guess.columns == wanted))
@@ -109,159 +112,34 @@ Guess best_guess(const Lines& lines, bool one_column) {
     return best;
 }
 
-/// Whether a line's only cell is a count of points before the rows: of a wider table, or of as many single
-/// heights as follow. `next` is the index of the line after it.
-bool is_count(const Table& table, const Lines& lines, std::size_t next) {
-    if (table.rows() > 0 || table.announced >= 0)
-        return false;
-    const auto& [value, last_place] = table.cells.back();
-    if (!(value >= 1 && value == std::floor(value) && last_place == 0 &&
-          value <= static_cast<double>(max_rows)))
-        return false;
-    if (table.columns > 1)
-        return true;
-    double rows = 0;
-    for (std::size_t i = next; i < lines.size(); ++i)
-        rows += !comment(lines[i]) && size_of_row(lines[i], table.dialect).cells > 0;
-    return value == rows;
+/// Whether a cell is a count of points.
+bool is_count(const Number& cell) {
+    return cell.value >= 1 && cell.value == std::floor(cell.value) && cell.last_place == 0 &&
+           cell.value <= static_cast<double>(max_rows);
 }
 
-struct Entry {
-    std::string key; ///< lower case, without blanks, '-', '_' and '.'
-    std::string_view value;
-};
-
-/// "key: value", "key = value", "key;value", "key<tab>value", "key,value".
-std::optional<Entry> entry(std::string_view line) {
-    for (const char mark : std::string_view("=:;\t,")) {
-        const std::size_t place = line.find(mark);
-        if (place == std::string_view::npos || trim(line.substr(0, place)).empty())
-            continue;
-        std::string key = lower(trim(line.substr(0, place)));
-        std::erase_if(key,
-                      [](char c) { return std::string_view(" \t-_.\"").find(c) != std::string_view::npos; });
-        std::string_view value = line.substr(place + 1);
-        value = value.substr(0, value.find_last_not_of(" \t;,\"") + 1);
-        value = value.substr(std::min(value.find_first_not_of(" \t\""), value.size()));
-        return Entry{std::move(key), value};
-    }
-    return std::nullopt;
+/// Removes lines at the start of a single column that are not heights. They are the count of the heights that
+/// follow, and a length before or after it.
+void take_lone_lines(Table& table) {
+    constexpr std::size_t min_heights = 20; // fewer may be equal to a height by chance
+    for (std::size_t lone = 1; lone <= 3 && lone < table.rows(); ++lone)
+        for (std::size_t k = 0; k < lone && (lone == 1 || table.rows() >= lone + min_heights); ++k)
+            if (const Number& cell = table.at(k, 0);
+                is_count(cell) && cell.value == static_cast<double>(table.rows() - lone)) {
+                table.announced = static_cast<long>(cell.value);
+                table.lone = lone;
+                const auto end = static_cast<std::ptrdiff_t>(lone);
+                table.cells.erase(table.cells.begin(), table.cells.begin() + end);
+                table.line.erase(table.line.begin(), table.line.begin() + end);
+                return;
+            }
 }
 
-constexpr std::string_view unit_keys = " unit units lengthunit lengthunits einheit ";
-constexpr std::string_view spacing_keys =
-    " spacing samplespacing pointspacing xspacing step stepsize xstep dx deltax pixelsize increment "
-    "xincrement pitch samplingpitch samplinginterval sampleinterval pointdistance sampledistance xscale ";
-constexpr std::string_view width_keys = " width xlength breite ";
-
-/// The columns whose unit a key like "x-unit", "Height units" or "Unit" gives.
-enum class UnitOf { nothing, all, x, height };
-UnitOf unit_key(const std::string& key) {
-    if (is_in(unit_keys, key))
-        return UnitOf::all;
-    std::string rest = key;
-    const std::size_t place = rest.find("unit");
-    if (place == std::string::npos)
-        return UnitOf::nothing;
-    rest.erase(place, rest.substr(place).starts_with("units") ? 5 : 4);
-    const auto holds = [&](std::initializer_list<std::string_view> parts) {
-        return std::any_of(parts.begin(), parts.end(),
-                           [&](auto part) { return key.find(part) != std::string::npos; });
-    };
-    if (is_in(" x xaxis ", rest) || holds({"lateral", "horizontal", "position"}))
-        return UnitOf::x;
-    return is_in(" z y zaxis yaxis ", rest) || holds({"height", "value", "vertical"}) ? UnitOf::height
-                                                                                      : UnitOf::nothing;
-}
-
-/// The content of a text in brackets, else the text.
-std::string_view without_brackets(std::string_view text) {
-    const bool brackets = text.size() > 2 && (text.front() == '[' || text.front() == '(');
-    return brackets ? text.substr(1, text.size() - 2) : text;
-}
-
-/// "0.5 um", "0,5 µm", "0.156 um/sample".
-std::optional<HeaderLength> length_of(std::string_view value) {
-    const std::size_t end = std::min(value.find_first_not_of("+-0123456789.,eE"), value.size());
-    const bool comma = value.substr(0, end).find(',') != std::string_view::npos;
-    const auto size = number(trim(value.substr(0, end)), Dialect{Dialect::Separator::blanks, comma});
-    if (!size || !(size->value > 0))
-        return std::nullopt;
-    const std::string_view unit = trim(value.substr(end));
-    return HeaderLength{size->value, length_unit(without_brackets(unit.substr(0, unit.find('/'))))};
-}
-
-/// The unit in mm of "heightconversionfactor(->m)"; 0 for another key.
-double conversion_unit(const std::string& key, const std::string& where) {
-    const std::size_t word = key.find('>') + 1, end = key.find(')');
-    if (!key.starts_with("heightconversionfactor(") || word == 0 || end == std::string::npos || end < word)
-        return 0;
-    return length_unit_named(std::string_view(key).substr(word, end - word), where).in_mm;
-}
-
-void take(Header& header, const Entry& entry, const std::string& where) {
-    if (const UnitOf of = unit_key(entry.key); of != UnitOf::nothing) {
-        const auto units = length_units_in(entry.value, where);
-        if (units.empty())
-            refuse(where, ": '", entry.value, "' has no length unit; write one, as in 'unit: um'");
-        if (of != UnitOf::height)
-            header.x_unit = units.front();
-        if (of != UnitOf::x)
-            header.height_unit = units.back();
-    } else if (const double in_mm = conversion_unit(entry.key, where); in_mm > 0) {
-        const auto factor = number(entry.value, Dialect{});
-        if (!factor || !(factor->value > 0))
-            refuse(where, ": ", entry.key, " '", entry.value, "' is not a number above 0; correct it");
-        header.height_factor = factor->value;
-        header.height_unit = LengthUnit{"m", in_mm};
-    } else if (is_in(width_keys, entry.key)) {
-        header.width = length_of(entry.value);
-    } else if (is_in(spacing_keys, entry.key) ||
-               (entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos)) {
-        header.spacing = length_of(entry.value);
-    }
-}
-
-/// Whether a line contains numbers, so that it is not a line of column names.
-bool holds_number(std::string_view line) {
-    for (const auto separator :
-         {Dialect::Separator::blanks, Dialect::Separator::semicolon, Dialect::Separator::comma})
-        for (std::string_view cell : split(line, separator))
-            if (const auto value = number(cell, Dialect{}); value && !std::isnan(value->value))
-                return true;
-    return false;
-}
-
-/// The names in a line of column names; empty if no separator gives one name per column.
-std::vector<std::string> column_names(std::string_view line, const Dialect& dialect, std::size_t columns) {
+/// The cells of a line by its separators, empty ones included.
+std::size_t separated(std::string_view line, Dialect::Separator separator) {
     using enum Dialect::Separator;
-    for (const auto separator : {dialect.separator, semicolon, tab, comma})
-        if (const auto cells = split(line, separator); separator != blanks && cells.size() == columns)
-            return {cells.begin(), cells.end()};
-    std::vector<std::string> words; // a bracketed unit belongs to the word before it
-    for (std::string_view word : split(line, blanks))
-        if ((word.starts_with('[') || word.starts_with('(')) && !words.empty() &&
-            words.back().find_first_of("[(") == std::string::npos)
-            words.back() += " " + std::string(word);
-        else
-            words.emplace_back(word);
-    return words.size() == columns ? words : std::vector<std::string>{};
-}
-
-/// The units in a line of column names, one per column.
-std::vector<std::optional<LengthUnit>> column_units(std::string_view line,
-                                                    const std::vector<std::string>& names,
-                                                    std::size_t columns, const std::string& where) {
-    std::vector<std::optional<LengthUnit>> units(columns, length_unit(without_brackets(trim(line))));
-    if (units.front()) // one for all
-        return units;
-    for (std::size_t c = 0; c < names.size(); ++c)
-        if (const auto found = length_units_in(names[c], where); !found.empty())
-            units[c] = found.back();
-    if (names.empty())
-        if (const auto found = length_units_in(line, where); found.size() >= columns)
-            std::copy_n(found.begin(), columns, units.begin());
-    return units;
+    const char mark = separator == semicolon ? ';' : separator == tab ? '\t' : ',';
+    return separator == blanks ? 0 : static_cast<std::size_t>(std::ranges::count(line, mark)) + 1;
 }
 
 } // namespace
@@ -281,7 +159,9 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
                                   std::max(characters / 2, max_scan_columns * lines.size())}));
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const int line = static_cast<int>(i + 1);
-        if (empty_line(lines[i]))
+        const bool is_wide =
+            table.columns > max_scan_columns && separated(lines[i], table.dialect.separator) >= table.columns;
+        if (empty_line(lines[i]) && !(is_wide && table.rows() > 0))
             continue;
         if (const auto remark = comment(lines[i])) {
             if (table.rows() == 0)
@@ -293,12 +173,17 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
             if (table.cells.size() - before < table.columns)
                 table.cells.push_back(cell);
         });
-        const bool is_row = row.cells > 0 && (table.rows() > 0 || row.any_number);
-        if (is_row && row.cells == 1 && is_count(table, lines, i + 1)) {
-            table.announced = static_cast<long>(table.cells.back().value);
+        const bool is_row = (row.cells > 0 || empty_line(lines[i])) && (table.rows() > 0 || row.any_number);
+        const bool is_lone = is_row && table.columns > 1 && row.cells == 1 && table.rows() == 0 &&
+                             !std::isnan(table.cells.back().value);
+        if (is_lone && (is_count(table.cells.back()) || table.cells.back().last_place < 0)) {
+            if (is_count(table.cells.back()))
+                table.announced = static_cast<long>(table.cells.back().value);
+            ++table.lone;
             table.cells.resize(before);
         } else if (is_row) {
-            if (row.cells > table.columns || (row.cells < table.columns && table.columns > max_scan_columns))
+            if (row.cells > table.columns ||
+                (row.cells < table.columns && table.columns > max_scan_columns && !is_wide))
                 refuse(at(file, line), ": ", row.cells, " columns, but the other rows have ", table.columns,
                        "; correct this row");
             if (table.rows() == max_rows)
@@ -315,40 +200,9 @@ Table read_table(const Lines& lines, const std::string& file, bool one_column) {
                    table.columns == 1 ? " number" : " numbers", "; correct this row");
         }
     }
+    if (table.columns == 1)
+        take_lone_lines(table);
     return table;
-}
-
-Header read_header(const Table& table, const std::string& file) {
-    const std::vector<TextLine>& lines = table.header;
-    const std::size_t columns =
-        table.columns <= max_scan_columns ? table.columns : 1; // one unit for a matrix
-    Header header;
-    header.units.resize(columns);
-    header.unknown_units.resize(columns);
-    for (const TextLine& line : lines)
-        if (const auto read = entry(line.text))
-            take(header, *read, at(file, line.number));
-    // The names are right above the table, their units with them or in a line below.
-    for (auto line = lines.rbegin(); line != lines.rend() && line - lines.rbegin() < 3; ++line) {
-        const auto read = entry(line->text);
-        if (holds_number(line->text) || (read && unit_key(read->key) != UnitOf::nothing))
-            break;
-        const auto names = column_names(line->text, table.dialect, columns);
-        const auto units = column_units(line->text, names, columns, at(file, line->number));
-        for (std::size_t c = 0; c < columns; ++c) {
-            if (!header.units[c])
-                header.units[c] = units[c];
-            if (!names.empty() && header.unknown_units[c].empty())
-                header.unknown_units[c] = unknown_unit_in(names[c]);
-        }
-        header.validity_column |= !names.empty() && lower(names.back()).starts_with("valid");
-    }
-    return header;
-}
-
-bool names_spacing(std::string_view line) {
-    const auto read = entry(line);
-    return read && (is_in(spacing_keys, read->key) || is_in(width_keys, read->key)) && length_of(read->value);
 }
 
 } // namespace rough

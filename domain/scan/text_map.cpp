@@ -65,10 +65,12 @@ std::string_view after(std::string_view text, char mark) {
     return trim(text.substr(std::min(text.find(mark), text.size() - 1) + 1));
 }
 
-/// Reads numbers up to a line that begins with `end`, or up to the end of the file if `end` is empty.
-void read_heights(HeightMap& map, Reader& in, std::string_view end) {
+/// Reads numbers up to a line that begins with `end`, or to the end of the file if `end` is empty. Stops
+/// before that if there are `count`.
+void read_heights(HeightMap& map, Reader& in, std::string_view end,
+                  std::size_t count = std::numeric_limits<std::size_t>::max()) {
     std::vector<double> heights;
-    for (; !in.done() && (end.empty() || !in.starts(end)); in.next())
+    for (; !in.done() && (end.empty() || !in.starts(end)) && heights.size() < count; in.next())
         for_each_cell(in.text(), Dialect::Separator::blanks, [&](std::string_view word) {
             const auto height = number(word, Dialect{});
             if (!height)
@@ -230,6 +232,87 @@ HeightMap sigma_surf(Reader in) {
     return map;
 }
 
+/// Wyko's and Vision's ASC: "X Size<tab>640", names with type, length and value, "RAW_DATA". Then follows a
+/// line along y for each x, in nm or in wavelengths. Other blocks may follow.
+HeightMap wyko(Reader in) {
+    HeightMap map{"Wyko (ASC)"};
+    map.height_unit = {"nm", 1e-6};
+    const auto flags = in.words();
+    const bool in_nm = flags.size() > 2 && flags[flags.size() - 2] != "0";
+    long columns = 0;
+    double wavelength = 0, multiplier = 1, aspect = 1;
+    for (in.next(); !in.starts("RAW_DATA"); in.next()) {
+        const auto words = in.words();
+        if (in.done())
+            in.refuse("RAW_DATA before the heights");
+        const std::string key = lower(words[0]);
+        const std::string_view value = words.back();
+        if (words.size() > 2 && lower(words[1]) == "size" && (key == "x" || key == "y"))
+            (key == "x" ? columns : map.rows) = in.count(value);
+        else if (key == "pixel_size")
+            map.row_spacing = in.positive(value, "a spacing");
+        else if (key == "aspect")
+            aspect = in.positive(value, "a ratio");
+        else if (key == "wavelength")
+            wavelength = in.positive(value, "a wavelength");
+        else if (key == "mult")
+            multiplier = in.positive(value, "a factor");
+    }
+    expect_points(columns, map.rows, in.file());
+    if (!(map.row_spacing > 0) || !(in_nm || wavelength > 0))
+        in.refuse("Pixel_size and Wavelength before the heights");
+    map.spacing = map.row_spacing * aspect;
+    map.height_factor = in_nm ? 1 : wavelength / multiplier;
+    in.next();
+    const Index all = columns * map.rows;
+    read_heights(map, in, "", static_cast<std::size_t>(all));
+    if (map.heights.size() != all)
+        in.refuse(line_of(all, " heights"));
+    map.heights = map.heights.reshaped(map.rows, columns).transpose().reshaped().eval();
+    map.line.clear(); // they are in another order
+    return map;
+}
+
+/// Zygo's XYZ: line 4 has the size of the phase map, line 8 the camera's resolution in m as its seventh
+/// number. Between two lines '#' are a column, a row and a height in µm or "No Data".
+HeightMap zygo(const Lines& lines, const std::string& file) {
+    HeightMap map{"Zygo XYZ"};
+    map.height_unit = {"µm", 1e-3};
+    Reader in(lines, file);
+    const auto numbers_of = [&](std::size_t line, std::size_t count) {
+        std::vector<double> numbers;
+        for (const std::string_view word : split(line < lines.size() ? lines[line] : "", Dialect().separator))
+            if (const auto value = number(word, Dialect{}))
+                numbers.push_back(value->value);
+        if (numbers.size() < count)
+            refuse(at(file, static_cast<int>(line + 1)), ": fewer than ", count,
+                   " numbers in the header of a Zygo XYZ file; export it again");
+        return numbers;
+    };
+    const auto size = numbers_of(3, 4), camera = numbers_of(7, 7);
+    expect_points(std::llround(size[2]), std::llround(size[3]), file);
+    const Index columns = std::lround(size[2]);
+    map.rows = std::lround(size[3]);
+    map.spacing = map.row_spacing = 1e3 * camera[6];
+    if (!(map.spacing > 0))
+        refuse(at(file, 8), ": no lateral calibration; calibrate the instrument, or export a matrix");
+    map.heights = Eigen::VectorXd::Constant(columns * map.rows, std::nan(""));
+    while (!in.done() && !in.starts("#"))
+        in.next();
+    for (in.next(); !in.done() && !in.starts("#"); in.next()) {
+        const auto words = in.words();
+        const bool no_data = in.text().ends_with("No Data");
+        const auto x = number(words[0], Dialect{}), y = words.size() > 2 ? number(words[1], Dialect{}) : x,
+                   z = no_data ? Number{std::nan(""), 0} : number(words.back(), Dialect{});
+        const Index i = x ? std::lround(x->value - size[0]) : -1,
+                    j = y ? std::lround(y->value - size[1]) : -1;
+        if (words.size() < 3 || !z || i < 0 || i >= columns || j < 0 || j >= map.rows)
+            in.refuse("a column, a row and a height");
+        map.heights[j * columns + i] = z->value;
+    }
+    return map;
+}
+
 } // namespace
 
 std::optional<HeightMap> text_map(const Lines& lines, const std::string& file) {
@@ -238,6 +321,10 @@ std::optional<HeightMap> text_map(const Lines& lines, const std::string& file) {
         return softgauge(in);
     if (in.starts("SigmaSurf_Data"))
         return sigma_surf(in);
+    if (in.starts("Wyko ASCII"))
+        return wyko(in);
+    if (in.starts("Zygo XYZ"))
+        return zygo(lines, file);
     for (std::size_t i = 0; in.starts("a") && i < std::min<std::size_t>(lines.size(), 30); ++i)
         if (lower(trim(lines[i])).starts_with("xscale"))
             return surface_data_file(in);

@@ -27,6 +27,16 @@ std::string_view text(const pugi::xml_node& of, std::string_view name) {
     return trim(child(of, name).child_value());
 }
 
+/// Parses the text, which must outlive the document.
+void load_xml(pugi::xml_document& document, std::string& xml, const std::string& name,
+              const std::string& file) {
+    if (std::ranges::count_if(xml, [](char c) { return c == '<' || c == '='; }) > max_xml_nodes)
+        refuse(file, ": its ", name, " has more than ", max_xml_nodes,
+               " elements and attributes; store the heights as binary");
+    if (const auto parsed = document.load_buffer_inplace(xml.data(), xml.size()); !parsed)
+        refuse(file, ": its ", name, " is not XML (", parsed.description(), "); export it again");
+}
+
 /// The number in a node; `fallback` if it is missing or empty.
 double value(const pugi::xml_node& of, std::string_view name, double fallback, const std::string& file) {
     const std::string_view word = text(of, name);
@@ -104,20 +114,18 @@ void expect_checksum(std::string_view given, std::string_view bytes, const std::
 
 } // namespace
 
-HeightMap read_x3p(const std::string& bytes, const std::string& file) {
-    const Zip archive(bytes, file);
-    auto xml = archive.entry("main.xml", max_xml_bytes);
+HeightMap read_x3p(const Zip& archive, const std::string& file) {
+    const std::string folder = archive.folder_of("main.xml");
+    auto xml = archive.entry(folder + "main.xml", max_xml_bytes);
     if (!xml)
-        refuse(file, ": a zip archive without main.xml; use X3P, or an Excel workbook's table saved as CSV");
-    if (const auto checksum = archive.entry("md5checksum.hex", 1000))
+        refuse(file, ": a zip archive without main.xml or sheets",
+               archive.entry("index.xml", max_xml_bytes) ? " (Sensofar's PLUX)" : "",
+               "; export it as X3P, SDF or text");
+    if (const auto checksum = archive.entry(folder + "md5checksum.hex", 1000))
         expect_checksum(std::string_view(*checksum).substr(0, checksum->find_first_of(" \t\r\n*")), *xml,
                         "main.xml", file);
-    if (std::ranges::count_if(*xml, [](char c) { return c == '<' || c == '='; }) > max_xml_nodes)
-        refuse(file, ": its main.xml has more than ", max_xml_nodes,
-               " elements and attributes; store the heights as binary");
     pugi::xml_document document;
-    if (const auto parsed = document.load_buffer_inplace(xml->data(), xml->size()); !parsed)
-        refuse(file, ": its main.xml is not XML (", parsed.description(), "); export it again");
+    load_xml(document, *xml, "main.xml", file);
     const pugi::xml_node root = document.document_element(), axes = child(child(root, "Record1"), "Axes"),
                          heights = child(axes, "CZ"), record = child(root, "Record3"),
                          matrix = child(record, "MatrixDimension"), link = child(record, "DataLink");
@@ -149,7 +157,7 @@ HeightMap read_x3p(const std::string& bytes, const std::string& file) {
             path.erase(0, 2);
         std::optional<std::string> found;
         if (!path.empty()) {
-            found = archive.entry(path, static_cast<std::size_t>(max_size));
+            found = archive.entry(folder + path, static_cast<std::size_t>(max_size));
             if (!found)
                 refuse(file, ": main.xml names '", path.substr(0, 60),
                        "', which is not in the archive; export it again");
@@ -169,6 +177,65 @@ HeightMap read_x3p(const std::string& bytes, const std::string& file) {
                 map.heights[i] = std::nan("");
     }
     return map;
+}
+
+std::optional<std::string> sheet_of(const Zip& archive, const std::string& file) {
+    std::vector<std::string> shared; // texts of cells
+    pugi::xml_document document;
+    if (auto xml = archive.entry("xl/sharedStrings.xml", max_xml_bytes)) {
+        load_xml(document, *xml, "sharedStrings.xml", file);
+        for (const pugi::xml_node& item : document.document_element().children()) {
+            std::string& text = shared.emplace_back();
+            for (const auto& part : item.select_nodes(".//*[local-name()='t']"))
+                text += part.node().child_value();
+        }
+    }
+    std::optional<std::string> best;
+    long most = -1;
+    for (int sheet = 1; sheet < 1000; ++sheet) {
+        auto xml = archive.entry("xl/worksheets/sheet" + std::to_string(sheet) + ".xml", max_xml_bytes);
+        if (!xml)
+            break;
+        load_xml(document, *xml, "sheet " + std::to_string(sheet), file);
+        std::vector<std::string> rows;
+        std::size_t widest = 0; // column
+        long numbers = 0;
+        for (const pugi::xml_node& row : child(document.document_element(), "sheetData").children()) {
+            std::size_t column = 0;
+            std::string& line = rows.emplace_back();
+            for (const pugi::xml_node& cell : row.children()) {
+                std::size_t place = 0; // "AB12" is in column 28
+                for (const char* c = cell.attribute("r").value(); *c >= 'A' && *c <= 'Z' && place < 20000;
+                     ++c)
+                    place = 26 * place + static_cast<std::size_t>(*c - 'A') + 1;
+                const std::size_t tabs = place > column + 1 ? place - column - 1 : 0;
+                line.append(tabs + (column > 0), ';');
+                column += tabs + 1;
+                const std::string_view type = cell.attribute("t").value();
+                std::string word(text(cell, "v"));
+                if (type == "s")
+                    if (const auto index = number(word, Dialect{});
+                        index && index->value >= 0 && index->value < static_cast<double>(shared.size()))
+                        word = shared[static_cast<std::size_t>(index->value)];
+                if (type == "inlineStr")
+                    word = text(child(cell, "is"), "t");
+                numbers += type.empty() || type == "n";
+                std::ranges::replace_if(
+                    word, [](char c) { return c == ';' || c == '\n'; }, ' ');
+                line += word;
+            }
+            widest = std::max(widest, column);
+        }
+        if (numbers <= most)
+            continue;
+        most = numbers;
+        best = "";
+        for (std::string& line : rows) { // empty cells at its end are missing heights
+            const auto marks = static_cast<std::size_t>(std::ranges::count(line, ';'));
+            *best += line.append(widest - std::min(widest, marks + 1), ';') + '\n';
+        }
+    }
+    return best;
 }
 
 std::string x3p(const Profile& surface) {

@@ -205,12 +205,22 @@ std::string to_utf8(std::string bytes) {
 /// The kind of a binary file by its first bytes, in brackets; empty if it is not known.
 std::string kind_of(std::string_view bytes) {
     using namespace std::string_view_literals;
-    constexpr std::array<std::pair<std::string_view, const char*>, 5> kinds{
-        {{"PK\x03\x04"sv, "a zip archive, as Excel workbooks are"},
+    constexpr std::array<std::pair<std::string_view, const char*>, 15> kinds{
+        {{"PK\x03\x04"sv, "a zip archive"},
          {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
-         {"GWYP"sv, "a Gwyddion file"},
-         {"\x89HDF"sv, "an HDF5 file"},
-         {"CDF"sv, "a NetCDF file"}}};
+         {"\x89HDF"sv, "an HDF5 file, as Zygo's DATX"},
+         {"CDF"sv, "a NetCDF file"},
+         {"\x88\x1B\x03"sv, "a Zygo MetroPro file, DAT"},
+         {"\x01\0Directory"sv, "a Wyko file, OPD"},
+         {"AliconaImaging"sv, "an Alicona file, AL3D"},
+         {"VK4_"sv, "a Keyence file, VK4"},
+         {"VK6"sv, "a Keyence file, VK6"},
+         {"KPK"sv, "a Keyence file, ZON"},
+         {"Binary TrueMap"sv, "a TrueMap file, TMD"},
+         {"FRTM_GLIDER"sv, "an FRT file"},
+         {"fileformat = bcr"sv, "a BCR-STM file of SPIP, BCRF"},
+         {"II*\0"sv, "a TIFF image"},
+         {"MATLAB"sv, "a MATLAB file"}}};
     for (const auto& [start, kind] : kinds)
         if (bytes.starts_with(start))
             return std::string(" (") + kind + ")";
@@ -219,7 +229,7 @@ std::string kind_of(std::string_view bytes) {
 
 [[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
     throw InputError(file + ": holds binary data" + kind_of(bytes) +
-                     "; give a text file of x and height (export as text or CSV)");
+                     "; export it as X3P, SDF or text with the instrument's program or Gwyddion");
 }
 
 } // namespace

@@ -31,7 +31,7 @@ Zip::Zip(const std::string& bytes, std::string file)
     archive_.reset(zip_open_from_source(source, ZIP_RDONLY, nullptr));
     if (!archive_) {
         zip_source_free(source);
-        throw InputError(file_ + ": is a damaged zip archive; give an X3P file");
+        throw InputError(file_ + ": is a damaged zip archive; give an X3P or XLSX file");
     }
 }
 
@@ -47,6 +47,14 @@ std::optional<std::string> Zip::entry(const std::string& name, std::size_t max_s
     if (!opened || zip_fread(opened.get(), bytes.data(), bytes.size()) != std::ssize(bytes))
         throw InputError(file_ + ": its entry " + name + " is damaged; export it again");
     return bytes;
+}
+
+std::string Zip::folder_of(const std::string& name) const {
+    const auto index = zip_name_locate(archive_.get(), name.c_str(), ZIP_FL_NOCASE | ZIP_FL_NODIR);
+    const char* path =
+        index < 0 ? nullptr : zip_get_name(archive_.get(), static_cast<zip_uint64_t>(index), 0);
+    const std::string full = path ? path : "";
+    return full.substr(0, full.rfind('/') + 1); // npos + 1 is 0
 }
 
 std::string zipped(const std::vector<std::pair<std::string, std::string>>& entries) {

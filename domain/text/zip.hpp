@@ -21,6 +21,9 @@ class Zip {
     /// 40 MB and 20 times the archive.
     std::optional<std::string> entry(const std::string& name, std::size_t max_size) const;
 
+    /// The folder of an entry, with a slash at its end: "" if the entry is at the top or does not exist.
+    std::string folder_of(const std::string& name) const;
+
   private:
     std::unique_ptr<zip, void (*)(zip*)> archive_;
     std::string file_;

@@ -1,5 +1,5 @@
-#include "domain/scan/map.hpp"
+#include "domain/scan/scan.hpp"
 
 #include "tests/fuzz/reader.hpp"
 
-FUZZ(map) { rough::binary_map(std::string(bytes), "map"); }
+FUZZ(map) { rough::read_map(fuzz::as_file(bytes), {.spacing = 0.001, .fill = true}); }

@@ -6,8 +6,8 @@
 /// that the corpus names, 18 heights of 4 bytes and 18 bits.
 FUZZ(x3p_description) {
     const std::string part(bytes);
-    rough::read_x3p(rough::zipped({{"main.xml", part},
-                                   {"bindata/data.bin", std::string(72, 1)},
-                                   {"bindata/valid.bin", std::string(3, 1)}}),
-                    "map");
+    const std::string archive = rough::zipped({{"main.xml", part},
+                                               {"bindata/data.bin", std::string(72, 1)},
+                                               {"bindata/valid.bin", std::string(3, 1)}});
+    rough::read_x3p(rough::Zip(archive, "map"), "map");
 }

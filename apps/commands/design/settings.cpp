@@ -206,6 +206,8 @@ DesignRequest request_from(const Settings& settings) {
     if (is_like && is_map) {
         const MapScene scene = map_from(settings, "like");
         request.accounts = scene.notes;
+        if (!scene.missing.empty())
+            request.accounts.push_back(fill_note(scene.map, scene.missing, scene.model));
         request.setup =
             setup_like(scene.map, scene.model, settings.text("like"), settings,
                        // The band of a map would take most of the time.
@@ -215,6 +217,8 @@ DesignRequest request_from(const Settings& settings) {
         request.accounts.push_back(scan.account);
         rough::Model model = model_from(settings, scan);
         model.grid.nodes = scan.measured.nodes();
+        if (scan.missing)
+            request.accounts.push_back(fill_note(scan.on(model.grid), scan.missing.nodes, model));
         request.setup =
             setup_like(scan.on(model.grid), model, scan.name, settings, resolution_from(settings));
     } else {

@@ -39,7 +39,8 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
         py::isinstance<rough::Genome>(heights) ? &heights.cast<const rough::Genome&>() : nullptr;
     if (genome && spacing)
         throw py::type_error("contact: a Genome has no spacing; give nodes and length");
-    rough::Profile surface = genome ? rough::Profile() : surface_from(heights, spacing, "contact");
+    Filling filling = filling_from(keywords);
+    rough::Profile surface = genome ? rough::Profile() : surface_from(heights, spacing, "contact", filling);
     rough::Model model = genome ? model_from(keywords) : model_from(keywords, surface);
     model.contact.threads =
         ga::thread_count(keywords.settings({app::threads_setting()}).whole<int>("threads"));
@@ -54,6 +55,9 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
     try {
         const py::gil_scoped_release unlocked;
         Curve curve = press(surface, genome, model, gradient, area_gradient);
+        if (!filling.filled.empty())
+            curve.account +=
+                (curve.account.empty() ? "" : "; ") + in_words(fill_effect(surface, filling.filled, model));
         if (resolution)
             static_cast<rough::ResolutionBand&>(curve) = resolution_band(surface, model, curve, *resolution);
         return curve;
@@ -75,6 +79,8 @@ heights: N heights (mm) of a line, or N_y x N_x of a 2-D surface, with their spa
 and y); a Profile, a Surface or a Genome. Only a Genome takes nodes and length (pairs for a 2-D grid).
 datum, strip_width and accuracy are for lines. resolution='auto' or 'on' adds the band of a scan's or
 map's resolution (Curve.contact_fraction_low and so on); heights in an array are taken as they are.
+NaN and masked points are missing. fill=True fills them, at most the share max_filled (0.3): along a line by
+interpolation, on a map by Laplace's equation. Curve.account then has their effect on the contact.
 threads=0 takes all threads for a 2-D surface; the curve does not depend on them.
 Returns a Curve. Raises InputError, NotConverged.
 
@@ -116,7 +122,9 @@ void add_contact(py::module_& module) {
                       "Lowest K over these heights, MPa/mm.")
         .def_readonly("tangent_stiffness_high", &Curve::tangent_stiffness_high,
                       "Highest K over these heights, MPa/mm.")
-        .def_readonly("account", &Curve::account, "With accuracy=: how it was modelled, and its errors.")
+        .def_readonly(
+            "account", &Curve::account,
+            "With accuracy=: how it was modelled, and its errors. With filled points: their effect.")
         .def_readonly(
             "pressure_gradient", &Curve::pressure_gradient,
             "With gradient=True: dp/dheights (steps x N, MPa/mm, a map row by row), or dp/dgenes for a "

@@ -82,9 +82,10 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
         throw py::type_error(
             "design: no target; give target_pressure and target_stiffness, target= or like=");
     std::optional<rough::Profile> surface;
+    Filling filling = like ? filling_from(keywords) : Filling();
     std::vector<std::string> unknown = flags_of_trust;
     if (like) {
-        surface = surface_from(*like, spacing, "design: like");
+        surface = surface_from(*like, spacing, "design: like", filling);
         unknown.emplace_back("length");
         if (surface->is_2d())
             unknown.emplace_back("nodes");

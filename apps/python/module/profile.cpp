@@ -8,13 +8,50 @@ namespace rugosa::python {
 using rough::Profile;
 using namespace py::literals;
 
-Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where) {
+Filling filling_from(Keywords& keywords) {
+    Filling filling;
+    filling.fill = keywords.take<bool>("fill", filling.fill);
+    filling.max_filled = keywords.take<double>("max_filled", filling.max_filled);
+    return filling;
+}
+
+namespace {
+
+/// Fills the missing points of a surface. Leaves those at the ends of a line out.
+Profile without_holes(Profile surface, const std::string& where, Filling& filling) {
+    rough::MissingPoints missing = missing_points(surface);
+    if (!missing)
+        return surface;
+    if (!filling.fill)
+        rough::refuse(where, ": ", in_words(missing, surface.is_2d()), "; give fill=True to fill them");
+    const auto measured = [&](rough::Index i) { return !std::isnan(surface.heights[i]); };
+    rough::Index first = 0, end = surface.nodes();
+    while (!surface.is_2d() && first < end && !measured(first))
+        ++first;
+    while (!surface.is_2d() && end > first && !measured(end - 1))
+        --end;
+    if (end - first < surface.nodes() && end > first) {
+        surface.heights = surface.heights.segment(first, end - first).eval();
+        missing = missing_points(surface);
+    }
+    filling.filled = missing.nodes;
+    expect_fillable(missing, filling.max_filled, surface.is_2d(), where + ": max_filled");
+    return filled(std::move(surface), missing);
+}
+
+} // namespace
+
+Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
+                     Filling& filling) {
     if (const bool map = py::isinstance<Surface>(heights); map || py::isinstance<Profile>(heights)) {
         if (spacing)
             throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
         return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
     }
-    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(heights);
+    const bool masked = py::hasattr(heights, "mask") && py::hasattr(heights, "filled");
+    const py::object plain =
+        masked ? heights.attr("astype")("float64").attr("filled")(std::nan("")) : heights;
+    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(plain);
     if (!array)
         throw py::error_already_set();
     if (array.ndim() != 1 && array.ndim() != 2)
@@ -35,7 +72,7 @@ Profile surface_from(const py::object& heights, const Spacing& spacing, const st
         surface.rows = array.shape(0);
         surface.row_spacing = across;
     }
-    return surface;
+    return without_holes(std::move(surface), where, filling);
 }
 
 py::object as_python(Profile surface) {
@@ -51,15 +88,17 @@ py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
     return all;
 }
 
-Profile profile_from(const py::object& heights, double spacing) {
-    Profile profile = surface_from(heights, OneOrTwo(spacing), "Profile");
+Profile profile_from(const py::object& heights, double spacing, bool fill, double max_filled) {
+    Filling filling{fill, max_filled};
+    Profile profile = surface_from(heights, OneOrTwo(spacing), "Profile", filling);
     if (profile.is_2d())
         rough::refuse("Profile: the heights have 2 dimensions; give one");
     return profile;
 }
 
-Surface map_from(const py::object& heights, const OneOrTwo& spacing) {
-    Surface surface{surface_from(heights, spacing, "Surface")};
+Surface map_from(const py::object& heights, const OneOrTwo& spacing, bool fill, double max_filled) {
+    Filling filling{fill, max_filled};
+    Surface surface{surface_from(heights, spacing, "Surface", filling)};
     if (!surface.is_2d())
         rough::refuse("Surface: the heights have 1 dimension; give two");
     return surface;
@@ -76,7 +115,7 @@ Profile row_of(const Surface& surface, rough::Index row) {
 std::vector<app::Setting> map_options() {
     std::vector<app::Setting> options = app::scan_settings();
     std::erase_if(options, [](const app::Setting& option) {
-        return option.name == "row" || option.name == "fill" || option.name == "outliers";
+        return option.name == "row" || option.name == "outliers";
     });
     return options;
 }
@@ -105,8 +144,10 @@ void add_profile(py::module_& module) {
 >>> round(wave.roughness()['Pq'], 6)
 0.007071
 )")
-        .def(py::init(&profile_from), "heights"_a, "spacing"_a,
-             "heights: N numbers, mm; spacing: their distance, mm.")
+        .def(py::init(&profile_from), "heights"_a, "spacing"_a, "fill"_a = false,
+             "max_filled"_a = rough::ScanOptions().max_filled,
+             "heights: N numbers, mm; spacing: their distance, mm. NaN and masked points are missing; fill: "
+             "whether they are interpolated linearly, at most the share max_filled.")
         .def_readonly("heights", &Profile::heights, "N heights, mm: a read-only view.")
         .def_readonly("spacing", &Profile::spacing, "Distance of the nodes, mm.")
         .def_property_readonly("nodes", &Profile::nodes, "Number of nodes.")
@@ -132,8 +173,11 @@ void add_profile(py::module_& module) {
 >>> surface.nodes, surface.heights.shape
 ((48, 32), (32, 48))
 )")
-        .def(py::init(&map_from), "heights"_a, "spacing"_a,
-             "heights: N_y x N_x numbers, mm; spacing: their distance, mm, or those along x and y.")
+        .def(py::init(&map_from), "heights"_a, "spacing"_a, "fill"_a = false,
+             "max_filled"_a = rough::ScanOptions().max_filled,
+             "heights: N_y x N_x numbers, mm; spacing: their distance, mm, or those along x and y. NaN and "
+             "masked points are missing; fill: whether they are filled by Laplace's equation, at most the "
+             "share max_filled.")
         .def_property_readonly(
             "heights",
             [](const py::object& self) {
@@ -165,8 +209,8 @@ void add_profile(py::module_& module) {
                                   s.spacing, " x ", s.row_spacing, " mm apart>");
         });
     module.def("read_surface", &read_surface, "file"_a,
-               documented("Reads a map: X3P, SDF, SUR, GSF, columns x, y, height, or a text matrix with its "
-                          "spacing (a pair along x and y). By default detrend='none'.",
+               documented("Reads a map: X3P, SDF, SUR, GSF, GWY, columns x, y, height, or a text matrix with "
+                          "its spacing (a pair along x and y). By default detrend='none'.",
                           map_options())
                    .c_str());
     module.def("read_profile", &read_profile, "file"_a,

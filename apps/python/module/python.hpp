@@ -102,9 +102,19 @@ const std::vector<app::Setting>& response_settings();
 std::string documented(std::string text, const std::vector<app::Setting>& settings,
                        const std::vector<std::string>& except = {});
 
+/// Whether missing points are filled, and how many may be.
+struct Filling {
+    bool fill = false;
+    double max_filled = rough::ScanOptions().max_filled;
+    std::vector<rough::Index> filled = {}; ///< the filled points, once they are
+};
+/// The keywords fill and max_filled.
+Filling filling_from(Keywords& keywords);
 /// The surface that a caller gives: a Profile or Surface, or an array of one or two dimensions (mm) and a
-/// spacing. `where` begins the messages.
-rough::Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where);
+/// spacing. NaN and masked points are missing: they are filled, or refused; those at the ends of a line are
+/// left out. `where` begins the messages.
+rough::Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
+                            Filling& filling);
 /// A Surface if it is 2-D, else a Profile.
 py::object as_python(rough::Profile surface);
 

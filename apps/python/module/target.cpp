@@ -25,7 +25,9 @@ Target target_like(const py::object& like, const Spacing& spacing, const std::st
                    rough::Index points, std::optional<double> last, const py::kwargs& given) {
     Keywords keywords(given, "Target.like");
     const bool is_genome = py::isinstance<rough::Genome>(like);
-    rough::Profile surface = is_genome ? rough::Profile() : surface_from(like, spacing, "Target.like");
+    Filling filling = filling_from(keywords);
+    rough::Profile surface =
+        is_genome ? rough::Profile() : surface_from(like, spacing, "Target.like", filling);
     const rough::Model model = is_genome ? model_from(keywords) : model_from(keywords, surface);
     keywords.expect_none_left();
     if (is_genome)

@@ -125,17 +125,23 @@ const Profile line{1e-3 * Eigen::VectorXd::Random(300), 0.002};
 const Profile relief =
     maps::map_of({6, 4}, 0.01, 0.025, [](double x, double y) { return 1e-3 * std::sin(300 * x) - y; });
 
-Map as_map(const std::string& bytes, const MapLayout& layout = {}) {
+Map as_map(const std::string& bytes, ScanOptions options = {}) {
     const tests::Folder folder;
-    return read_map(folder.write("map", bytes), layout);
+    options.detrend = Detrend::none;
+    return read_map(folder.write("map", bytes), options);
+}
+
+/// The heights as stored.
+std::optional<HeightMap> any_map(const std::string& bytes) {
+    return bytes.starts_with("PK") ? read_x3p(Zip(bytes, "map"), "map") : binary_map(bytes, "map");
 }
 
 std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
     return testing::refusal_of([&] { return read(bytes, options); });
 }
 
-std::string map_refusal(const std::string& bytes, const MapLayout& layout = {}) {
-    return testing::refusal_of([&] { return as_map(bytes, layout); });
+std::string map_refusal(const std::string& bytes, const ScanOptions& options = {}) {
+    return testing::refusal_of([&] { return as_map(bytes, options); });
 }
 
 std::string changed(std::string bytes, const std::string& what, const std::string& to) {
@@ -166,7 +172,7 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
                                       {"X3P of doubles", testing::x3p_file('D')}}) {
         INFO(name);
         const bool has_mark = bytes != testing::sdf_file(4); // a byte has no mark of a missing value
-        const auto map = binary_map(bytes, "map");
+        const auto map = any_map(bytes);
         REQUIRE(map);
         CHECK((map->rows == 2 && map->columns() == 9));
         CHECK(map->spacing == Approx(2e-3));
@@ -200,7 +206,7 @@ TEST_CASE("an ASCII surface data file of several profiles is a map") {
     const std::string text = "aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-6\nYscale = 2e-6\n"
                              "Zscale = 1e-6\nDataType = 5\n*\n1 2 1\n4 -32768 5\n*\n";
     CHECK(read(text, {.row = 1}).measured.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
-    CHECK(read(text, {.fill = true, .row = 2}).measured.heights[1] == Approx(4.5e-3));
+    CHECK(read(text, {.fill = true, .max_filled = 0.5, .row = 2}).measured.heights[1] == Approx(4.5e-3));
     CHECK_THAT(refusal(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
     CHECK_THAT(refusal(text, {}), Catch::Contains("the row to take"));
     const Map map = as_map(changed(text, "-32768", "3"));
@@ -267,7 +273,7 @@ TEST_CASE("X3P with heights in its XML is read under any namespace") {
     std::string xml = testing::x3p_xml();
     const auto from = xml.find("<Record3>"), to = xml.find("</Record3>") + 10;
     xml.replace(from, to - from, list);
-    const auto map = binary_map(x3p_of(xml), "map");
+    const auto map = any_map(x3p_of(xml));
     REQUIRE(map->heights.size() == 4);
     CHECK(map->heights[1] == 4.5);
     CHECK(std::isnan(map->heights[2]));
@@ -295,11 +301,11 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
         {with(sur, 112, -2), "-2 rows"},
         {with(sur, 98, std::int16_t(24)), "24 bits"},
         {with(sur, 180, 'q'), "not a length unit"},
-        {"DSCOMPRESSED" + sur.substr(12), "without compression"},
+        {"DSCOMPRESSED" + sur.substr(12), "compressed heights"},
         {changed(gsf, "XRes = 9", "XRes = 9999999"), "ends early"},
         {changed(gsf, "ZUnits = m", "ZUnits = V"), "'V'"},
         {testing::x3p_file().substr(0, 300), "damaged zip"},
-        {zipped({{"xl/workbook.xml", "<a/>"}}), "Excel"},
+        {zipped({{"xl/workbook.xml", "<a/>"}}), "without main.xml or sheets"},
         {x3p_of("<a"), "not XML"},
         {x3p_of("<a/>"), "no axes"},
         {x3p_of(changed(xml, "<SizeX>9", "<SizeX>1e9")), "SizeX"},
@@ -310,8 +316,9 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
          "1 rows of 15000000 heights"},
         {x3p_of(xml, "short"), "ends early"},
         {x3p_of(xml, std::string(1000, ' ')), "too large"},
-        {"GWYP" + std::string(8, '\0'), "(a Gwyddion file)"},
-        {"\x89HDF\r\n" + std::string(8, '\0'), "(an HDF5 file)"},
+        {"GWYP" + std::string(8, '\0'), "without heights"},
+        {"GWYPx" + std::string("\0\xFF\xFF\0\0", 5), "ends early"},
+        {"\x89HDF\r\n" + std::string(8, '\0'), "(an HDF5 file, as Zygo's DATX)"},
     };
     for (const auto& [bytes, fault] : damaged)
         CHECK_THAT(refusal(bytes), Catch::Contains(fault));
@@ -333,7 +340,8 @@ TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
     }
     CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),
                Catch::Contains("the file gives a spacing along x of 0.01"));
-    CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}), Catch::Contains("heights are in m"));
+    CHECK_THAT(map_refusal(x3p(relief), {.unit = "um"}),
+               Catch::Contains("heights in m, but the given unit is µm"));
     CHECK(sur(relief)[88] == 1); // the header's mark of absolute heights
 }
 
@@ -350,12 +358,13 @@ TEST_CASE("a matrix and points x, y, height in any order are the same map", "[ma
 }
 
 TEST_CASE("an incomplete map is refused with its place", "[map]") {
-    CHECK_THAT(map_refusal(testing::gsf_file()), Catch::Contains("row 2: no height in column 8; give 9"));
+    CHECK_THAT(map_refusal(testing::gsf_file()),
+               Catch::Contains("row 2, column 8: a missing value") && Catch::Contains("(5.56 %)"));
     CHECK_THAT(map_refusal("1 2 3 4\n4 5 6 7\n"), Catch::Contains("distance of its nodes"));
-    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n"), Catch::Contains("no height at x = 1, y = 1"));
+    CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n"), Catch::Contains("row 2, column 2: a missing value"));
     CHECK_THAT(map_refusal("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0 5\n"), Catch::Contains("line 5"));
     CHECK_THAT(map_refusal("0 0 1\n1 0 2\n3 0 2\n0 1 3\n1 1 4\n3 1 5\n"), Catch::Contains("even steps"));
-    CHECK_THAT(map_refusal("1 2 3 4\n", {.spacing = 1, .row_spacing = 1}), Catch::Contains("2 x 2"));
+    CHECK_THAT(map_refusal("1 2 3 4\n", {.spacing = 1}), Catch::Contains("2 x 2"));
     CHECK_THAT(map_refusal(x3p(line)), Catch::Contains("2 x 2"));
 }
 

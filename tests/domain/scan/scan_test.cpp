@@ -95,16 +95,19 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
         INFO(missing);
         const std::string text = "x;z\n0;1\n1;" + missing + "\n2;3\n3;0\n";
         CHECK_THAT(refusal(text), Catch::Contains("line 3") && Catch::Contains("a height"));
-        const Scan scan = read(text, {.detrend = Detrend::none, .fill = true});
+        const Scan scan = read(text, {.detrend = Detrend::none, .fill = true, .max_filled = 0.5});
         CHECK(scan.measured.heights[1] == Approx(2));
-        CHECK_THAT(scan.account, Catch::Contains("1 missing height filled"));
+        CHECK_THAT(scan.account,
+                   Catch::Contains("1 missing point (25 %), largest hole 1 mm filled linearly"));
     }
     CHECK_THAT(refusal("x;z\n0;1\n;2\n2;3\n3;0\n"), Catch::Contains("line 3") && Catch::Contains("an x"));
     const std::string invalid = "X;Y;valid\n[mm];[mm];[1/0]\n0;1;1\n1;9;0\n2;3;1\n";
     CHECK_THAT(refusal(invalid), Catch::Contains("line 4"));
-    CHECK(read(invalid, {.detrend = Detrend::none, .fill = true}).measured.heights[1] == Approx(2));
+    CHECK(read(invalid, {.detrend = Detrend::none, .fill = true, .max_filled = 0.5}).measured.heights[1] ==
+          Approx(2));
     CHECK_THAT(refusal("1\nnan\n3\n", {.spacing = 1}), Catch::Contains("line 2"));
-    const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n", {.detrend = Detrend::none, .fill = true});
+    const Scan scan = read("0 nan\n1 2\n2 nan\n3 6\n4 1\n5 nan\n",
+                           {.detrend = Detrend::none, .fill = true, .max_filled = 0.5});
     REQUIRE(scan.measured.nodes() == 4);
     CHECK(scan.measured.heights[1] == Approx(4));
     CHECK_THAT(scan.account, Catch::Contains("2 incomplete points left out"));
@@ -316,4 +319,99 @@ TEST_CASE("a column of heights keeps the given spacing to the bit") {
         heights += std::to_string(i % 7) + "\n";
     for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5})
         CHECK(read(heights, {.spacing = spacing}).measured.spacing == spacing);
+}
+
+TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]") {
+    const std::string matrix = "1 2 3 4\n5 6 7 8\n9 8 7 6\n", list = "0 0 1\n2 0 2\n0 2 3\n2 2 5\n";
+    const auto map = [](const std::string& text, ScanOptions options = {}) {
+        const tests::Folder folder;
+        options.detrend = Detrend::none;
+        return read_map(folder.write("map.txt", text), options);
+    };
+    for (const std::string head :
+         {"# Value units: um", "# Unit: um", "# unit = um", "# z [um]", "# Data unit: um",
+          "# Height units: um", "# Z Unit: um", "\"Unit\",\"um\""}) {
+        INFO(head);
+        const Map read = map(head + "\n" + matrix, {.spacing = 0.5});
+        CHECK(read.heights.heights[5] == Approx(6e-3));
+        CHECK_THAT(read.account, Catch::Contains("heights in µm (header), spacing in mm (assumed)"));
+        CHECK_THROWS_WITH(map(head + "\n" + matrix, {.unit = "mm", .spacing = 0.5}),
+                          Catch::Contains("heights in µm"));
+    }
+    const std::string sides = "Width: 2.00 um\nHeight: 6.0 um\n";
+    CHECK(map(sides + matrix).heights.spacing == Approx(5e-4));
+    CHECK(map(sides + matrix, {.unit = "mm,nm"}).heights.row_spacing == Approx(2e-3));
+    CHECK(map(sides + matrix, {.unit = "mm,nm"}).heights.heights[0] == Approx(1e-6));
+    CHECK_THROWS_WITH(map(sides + matrix, {.spacing = 1}), Catch::Contains("spacing along x of 0.0005 mm"));
+    CHECK_THROWS_WITH(map("x-pixels = 5\ny-pixels = 3\n" + matrix, {.spacing = 1}),
+                      Catch::Contains("3 rows of 5"));
+    const Map wyko = map("Pixel_size\t7\t4\t0.0005\n" + matrix);
+    CHECK((wyko.heights.spacing == 0.0005 && wyko.heights.row_spacing == 0.0005));
+
+    const Map points = map("x [um] y [um] z [nm]\n" + list, {.spacing = 0.002});
+    CHECK((points.heights.shape() == Extent{2, 2} && points.heights.spacing == Approx(2e-3)));
+    CHECK(points.heights.heights[3] == Approx(5e-6));
+    CHECK(map("0 1 2\n4 5 7\n8 9 9\n", {.spacing = 1}).heights.shape() == Extent{3, 3}); // no grid
+    CHECK_THROWS_WITH(map("x [px] y [px] z [V]\n" + list), Catch::Contains("'px'"));
+    CHECK_THROWS_WITH(map("x [um] y [um] z [V]\n" + list), Catch::Contains("'V'"));
+    CHECK_THROWS_WITH(map(list + "2 2 1\n"), Catch::Contains("line 5") && Catch::Contains("second height"));
+    CHECK(map("1;2;3;\n4;5;6;7\n;;;\n", {.fill = true, .max_filled = 0.5, .spacing = 1}).missing.nodes ==
+          std::vector<Index>{3, 8, 9, 10, 11});
+}
+
+TEST_CASE("a count and a length on lines of their own are not heights") {
+    std::string heights;
+    for (int i = 0; i < 30; ++i)
+        heights += std::to_string(i % 7) + ".5\n";
+    for (const std::string head : {"10.0\n30\n", "30\n10.0\n", "30\n"})
+        CHECK(read(head + heights, {.spacing = 1, .detrend = Detrend::none}).measured.nodes() == 30);
+    CHECK(read("10.0\n" + heights, {.spacing = 1}).measured.nodes() == 31);
+    CHECK(read("0.5\n" + four_rows).measured.nodes() == 4);
+}
+
+TEST_CASE("holes of a map are filled by a plane or another harmonic function exactly", "[map]") {
+    const auto hole = [](Index i, Index j) { return (i > 4 && i < 9 && j > 2 && j < 8) || (i < 2 && j < 2); };
+    for (const bool plane : {true, false}) {
+        Profile map{Eigen::VectorXd(15 * 12), 0.01, 12, 0.02};
+        for (Index k = 0; k < map.nodes(); ++k) {
+            const double x = 0.01 * double(k % 15) - 0.07, y = 0.02 * double(k / 15) - 0.1;
+            map.heights[k] = plane ? 1 + 3 * x - 2 * y : x * x * x - 3 * x * y * y + 5 * x * y;
+        }
+        Profile holed = map;
+        for (Index k = 0; k < map.nodes(); ++k)
+            if (hole(k % 15, k / 15) && (plane || k % 15 > 2)) // at an edge only a plane is continued exactly
+                holed.heights[k] = std::nan("");
+        const MissingPoints missing = missing_points(holed);
+        CHECK(missing.nodes.size() == (plane ? 24 : 20));
+        CHECK(missing.share == Approx(double(missing.nodes.size()) / 180));
+        CHECK(missing.largest_hole == Approx(20 * 0.01 * 0.02));
+        CHECK((filled(holed, missing).heights - map.heights).cwiseAbs().maxCoeff() < 1e-12);
+        CHECK_THROWS_WITH(filled(holed, missing, 0.1), Catch::Contains("share 0.1"));
+    }
+}
+
+TEST_CASE("spikes at the ends are outliers, the steps of levelled digital heights are not") {
+    Eigen::VectorXd z(200), digital(400);
+    for (Index i = 0; i < z.size(); ++i)
+        z[i] = std::sin(0.1 * double(i)) + 0.05 * std::sin(37. * double(i * i));
+    CHECK(outliers(z).empty());
+    for (const Index node : {0, 1, 2, 197, 198, 199}) {
+        Eigen::VectorXd spiked = z;
+        spiked[node] = 1000;
+        CHECK(outliers(spiked) == std::vector<Index>{node});
+    }
+    for (Index i = 0; i < digital.size(); ++i)
+        digital[i] =
+            0.0129 * std::round(std::sin(0.02 * double(i)) / 0.0129 * 0.3 + 0.4 * std::sin(double(i * i))) -
+            1.4e-6 * double(i);
+    CHECK(outliers(digital).empty());
+    digital[200] += 1;
+    CHECK(outliers(digital) == std::vector<Index>{200});
+}
+
+TEST_CASE("x is uneven if one point is written with more digits") {
+    std::string text;
+    for (const char* x : {"0", "1", "2", "3", "4", "4.5", "5", "6", "7", "8", "9", "10"})
+        text += std::string(x) + " " + std::to_string(std::sin(3. * std::atof(x))) + "\n";
+    CHECK_THAT(read(text).account, Catch::Contains("spacing uneven (0.5 to 1 mm)"));
 }
