@@ -124,7 +124,7 @@ Surface read_surface(const std::filesystem::path& file, const py::kwargs& option
     auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
     if (!settings.given("detrend"))
         settings = settings.with({{"detrend", "none"}});
-    return {app::surface_from(settings.with({{"surface", file.string()}})).heights};
+    return {app::surface_from(settings.with({{"surface", file.string()}}, app::scan_settings())).heights};
 }
 
 py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {
