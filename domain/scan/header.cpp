@@ -71,8 +71,8 @@ constexpr std::array<std::pair<Meaning, std::string_view>, 10> keys{{
      "yincrement ypitch pitchy yscale scaley ycalibration linedistance "},
     {Meaning::width, " width xlength xrange xreal xsize scanwidth breite largeur larghezza anchura "},
     {Meaning::height, " height ylength yrange yreal ysize scanheight höhe hauteur altezza altura "},
-    {Meaning::columns, " xpixels columns cols ncols nx xres w xsize horizontal pointsperline "},
-    {Meaning::rows, " ypixels rows lines nrows ny yres h ysize vertical "},
+    {Meaning::columns, " xpixels columns cols ncols nx xres xsize horizontal pointsperline "},
+    {Meaning::rows, " ypixels rows lines nrows ny yres ysize vertical "},
 }};
 
 Meaning meaning_of(std::string_view key, bool is_length) {

@@ -19,6 +19,12 @@ std::string sur(const Profile& surface);
 /// in mm with the scalar `height_mm`. Viewers show it as a relief.
 std::string vtk(const Profile& map);
 
+/// How numbers were rounded when they were written: to a digit, or to significant digits.
+struct Rounding {
+    double digit = 0; ///< one unit in the last written digit of the finest number
+    double share = 0; ///< one unit in the last significant digit, divided by the number; an upper bound
+};
+
 /// Heights at evenly spaced points, from a file whose format has units and spacings. Rows are along x, and y
 /// grows from row to row. A profile is a map of one row.
 struct HeightMap {
@@ -32,7 +38,7 @@ struct HeightMap {
     std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one
     long announced = -1;          ///< number of heights that the file states; -1: none stated
     std::vector<double> x = {};   ///< x of each height, mm, NaN if missing; empty with a known spacing
-    double digit = 0;             ///< one unit in the last written digit of x, mm
+    Rounding rounding = {};       ///< of x, mm
     std::string units = {};       ///< units and spacing, with their sources, in words
 
     Index columns() const { return heights.size() / rows; } ///< points of a row

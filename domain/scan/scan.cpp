@@ -12,7 +12,7 @@ namespace {
 /// A scan's points as the file gives them; NaN if a value is missing.
 struct Points {
     double spacing = 0;          ///< mm; if above 0, point i is at i times this, and x is empty
-    double digit = 0;            ///< one unit in x's last written digit, mm
+    Rounding rounding;           ///< of x, mm
     std::vector<double> x;       ///< mm
     std::vector<double> heights; ///< mm
     std::vector<int> line;       ///< in the file; empty for a binary one
@@ -97,7 +97,7 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     account.say(map.format.empty() ? "" : map.format + ", ", map.units,
                 map.rows > 1 ? line_of("; row ", options.row, " of ", size) : "");
     const Index first = map.columns() * std::max<Index>(options.row - 1, 0);
-    Points points{map.spacing, map.digit, map.x, {}, {}};
+    Points points{map.spacing, map.rounding, map.x, {}, {}};
     points.heights.assign(map.heights.begin() + first, map.heights.begin() + first + map.columns());
     if (!map.line.empty())
         points.line.assign(map.line.begin() + first, map.line.begin() + first + map.columns());
@@ -155,7 +155,7 @@ Points in_order(Points points, const ScanOptions& options, MissingPoints& missin
 
 Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, ScanAccount& account) {
     const Evenness fit =
-        points.spacing > 0 ? Evenness{0, points.spacing, 0, true} : evenness(points.x, points.digit);
+        points.spacing > 0 ? Evenness{0, points.spacing, 0, true} : evenness(points.x, points.rounding);
     const Index all = static_cast<Index>(points.size());
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)

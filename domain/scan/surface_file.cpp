@@ -89,22 +89,31 @@ Layout profile_layout(const Table& table, const Header& header, bool spacing_giv
         "row");
 }
 
-/// The different numbers of a column, increasing, and one unit of their last written digit.
+/// The rounding of a column. Numbers may be written without zeros at their end, so the finest one counts.
+Rounding rounding_of(const Table& table, std::size_t column) {
+    int last = std::numeric_limits<int>::max();
+    double digits = 1; // significant ones
+    for (std::size_t k = 0; k < table.rows(); ++k)
+        if (const auto& [value, place] = table.at(k, column); !std::isnan(value)) {
+            last = std::min(last, place);
+            if (value != 0)
+                digits = std::max(digits, std::floor(std::log10(std::abs(value))) - place + 1);
+        }
+    return {std::pow(10., last), std::pow(10., 1 - digits)};
+}
+
+/// The different numbers of a column, increasing.
 struct Places {
     std::vector<double> all;
-    double digit = 0;
+    Rounding rounding;
 };
 Places places_in(const Table& table, std::size_t column) {
-    Places found;
-    int last = 0;
-    for (std::size_t k = 0; k < table.rows(); ++k) {
+    Places found{{}, rounding_of(table, column)};
+    for (std::size_t k = 0; k < table.rows(); ++k)
         if (!std::isnan(table.at(k, column).value))
             found.all.push_back(table.at(k, column).value);
-        last = k == 0 ? table.at(k, column).last_place : std::min(last, table.at(k, column).last_place);
-    }
     std::sort(found.all.begin(), found.all.end());
     found.all.erase(std::unique(found.all.begin(), found.all.end()), found.all.end());
-    found.digit = std::pow(10., last);
     return found;
 }
 
@@ -116,7 +125,7 @@ bool is_list(const Header& header, const Places& x, const Places& y, std::size_t
                rows = static_cast<double>(points);
     constexpr double least = 0.7;
     return x.all.size() > 1 && y.all.size() > 1 && rows <= nodes && rows >= least * nodes &&
-           evenness(x.all, x.digit).even && evenness(y.all, y.digit).even;
+           evenness(x.all, x.rounding).even && evenness(y.all, y.rounding).even;
 }
 
 /// The unit of each axis: from the header, else the given one, else mm. Says which in `account`.
@@ -220,7 +229,7 @@ void take_list(HeightMap& map, const Table& table, const Places& x, const Places
     const auto step = [&](const Places& places, const char* name) {
         if (places.all.size() < 2)
             return 0.;
-        const Evenness fit = evenness(places.all, places.digit);
+        const Evenness fit = evenness(places.all, places.rounding);
         for (std::size_t k = 1; k < places.all.size() && !fit.even; ++k)
             if (!(std::abs(places.all[k] - places.all[k - 1] - fit.spacing) < 1e-3 * fit.spacing))
                 refuse_points(name, " goes from ", places.all[k - 1], " to ", places.all[k],
@@ -299,7 +308,8 @@ HeightMap table_map(const Lines& lines, const ScanOptions& options, bool as_map,
     map.heights.resize(static_cast<Index>(table.rows()));
     const bool has_x = layout.x != no_column;
     if (has_x)
-        map.digit = places_in(table, layout.x).digit * units.x.in_mm;
+        map.rounding = rounding_of(table, layout.x);
+    map.rounding.digit *= units.x.in_mm;
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const bool valid = layout.validity == no_column || table.at(i, layout.validity).value == 1;
         map.heights[static_cast<Index>(i)] = valid ? table.at(i, layout.height).value : missing;
@@ -321,7 +331,7 @@ HeightMap table_map(const Lines& lines, const ScanOptions& options, bool as_map,
 
 } // namespace
 
-Evenness evenness(const std::vector<double>& x, double digit) {
+Evenness evenness(const std::vector<double>& x, const Rounding& rounding) {
     // A fit would find a spacing whose multiples these are only up to rounding.
     std::size_t multiples = 0;
     while (multiples < x.size() && x[multiples] == static_cast<double>(multiples) * x[1])
@@ -342,6 +352,7 @@ Evenness evenness(const std::vector<double>& x, double digit) {
         const double error = std::abs(x[i] - (fit.first + slope * static_cast<double>(i)));
         fit.deviation = std::max(fit.deviation, error);
         // Rounding moves a point by half its last digit, and the fit by less than half of that.
+        const double digit = std::max(rounding.digit, std::abs(x[i]) * rounding.share);
         fit.even = fit.even && error <= std::max(std::min(0.75 * digit, slope / 8), 1e-3 * slope);
     }
     return fit;

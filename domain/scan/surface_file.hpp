@@ -12,9 +12,9 @@ struct Evenness {
     bool even = false;    ///< each place is within 1e-3 spacings, or its rounding, of its node
 };
 
-/// Fits even nodes to two or more increasing places by least squares over the index. `digit` is one unit in
-/// the last written digit, 0 if unknown. Rounding by up to an eighth of the spacing is accepted.
-Evenness evenness(const std::vector<double>& places, double digit);
+/// Fits even nodes to two or more increasing places by least squares over the index. Rounding by up to an
+/// eighth of the spacing is accepted.
+Evenness evenness(const std::vector<double>& places, const Rounding& rounding);
 
 /// Reads the heights of any known format as a map, or as a profile (`as_map` false; a map then needs a row in
 /// the options). Decides format, units, missing points (NaN) and axes, and compares them with given ones. The
