@@ -117,8 +117,8 @@ void add_doubts(ContactResult& found, const Settings& settings) {
         found.band = resolution_band(found.surface, found.model, response, resolution_from(settings));
         found.unresolved = resolution_warning(response);
     }
-    if (!pressed.filled.empty())
-        pressed.notes.push_back(fill_note(pressed.surface, pressed.filled, pressed.model));
+    if (!found.filled.empty())
+        found.notes.push_back(fill_note(found.surface, found.filled, found.model));
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::ranges::find(touching, node) != touching.end();
     };

@@ -1,6 +1,7 @@
 #include "apps/experiments/script.hpp"
 
 #include "apps/external/process.hpp"
+#include "apps/prompt/targets.hpp"
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"

@@ -100,7 +100,7 @@ Response scaled(Response response, double factor);
 
 /// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.
 struct Model {
-    Grid grid;                ///< nodes of the surface
+    Grid grid{};              ///< nodes of the surface
     Body body{};              ///< elastic body
     Loading loading{};        ///< load steps
     ContactOptions contact{}; ///< solver
