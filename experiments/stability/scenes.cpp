@@ -188,7 +188,7 @@ void add_maps(SceneList& list, bool large) {
 } // namespace
 
 ContactScene map_scene(const std::string& name, const Body& body, rough::Extent shape,
-                       const Roughness& roughness, double contact) {
+                       const SelfAffineMap& roughness, double contact) {
     constexpr double slope = 0.1;
     const double spacing = length / static_cast<double>(shape.columns),
                  width = spacing * static_cast<double>(shape.rows);

@@ -68,7 +68,7 @@ ContactScene bred_scene(const std::string& name) {
         body.layering = {
             .layers = {{between(0.01, 0.3, gene[6]), between(0.1, 10, gene[7]), 0.499 * gene[6]}},
             .rigid_base = gene[7] < 0.5};
-    const Roughness roughness{0.1 + 0.85 * gene[3], between(2, 16, gene[4]),
+    const SelfAffineMap roughness{0.1 + 0.85 * gene[3], between(2, 16, gene[4]),
                               static_cast<std::uint64_t>(std::round(1000 * gene[5]))};
     const double contact = 1 / (1 + std::exp(7 - 16 * gene[8]));
     ContactScene scene = map_scene(name, body, {side(gene[0]), side(gene[1])}, roughness, contact);

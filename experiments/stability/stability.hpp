@@ -8,14 +8,14 @@
 namespace app {
 
 /// A self-affine map's Hurst exponent, shortest wavelength in node spacings, and seed.
-struct Roughness {
+struct SelfAffineMap {
     double hurst, shortest;
     std::uint64_t seed;
 };
 /// A map under one load. By Persson's theory the load gives the contact fraction `contact`. On a periodic
 /// body it is at most 0.999 times the load of full contact. Throws InputError if the grid is too coarse.
 ContactScene map_scene(const std::string& name, const rough::Body& body, rough::Extent shape,
-                       const Roughness& roughness, double contact);
+                       const SelfAffineMap& roughness, double contact);
 
 /// All scenes, named as in the stability table. A scene appears once for each kernel to which it applies.
 /// Maps of 256 x 256 and 1024 x 1024 nodes are added if `large`.

@@ -355,7 +355,7 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
     CHECK_THROWS_WITH(map("x [px] y [px] z [V]\n" + list), Catch::Contains("'px'"));
     CHECK_THROWS_WITH(map("x [um] y [um] z [V]\n" + list), Catch::Contains("'V'"));
     CHECK_THROWS_WITH(map(list + "2 2 1\n"), Catch::Contains("line 5") && Catch::Contains("second height"));
-    CHECK(map("1;2;3;\n4;5;6;7\n;;;\n", {.fill = true, .max_filled = 0.5, .spacing = 1}).missing.nodes ==
+    CHECK(map("1;2;3;\n4;5;6;7\n;;;\n", {.spacing = 1, .fill = true, .max_filled = 0.5}).missing.nodes ==
           std::vector<Index>{3, 8, 9, 10, 11});
 }
 
