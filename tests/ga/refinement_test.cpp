@@ -2,6 +2,7 @@
 #include "tests/ga/problems.hpp"
 
 #include <Eigen/QR>
+#include <nlopt.h>
 
 using namespace ga;
 
