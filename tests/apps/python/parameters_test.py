@@ -64,8 +64,8 @@ def mean_width(z):
     found = []
     for line in (z - z.mean(), (z - z.mean())[::-1]):
         side, starts, crossing = 0, [], 0
-        for i in range(1, len(line)):
-            if (line[i] > 0) != (line[i - 1] > 0):
+        for i in range(len(line)):
+            if i > 0 and (line[i] > 0) != (line[i - 1] > 0):
                 crossing = i - 1 + line[i - 1] / (line[i - 1] - line[i])
             now = 1 if line[i] > line.max() / 10 else -1 if line[i] < line.min() / 10 else 0
             if now and now != side:
