@@ -281,7 +281,8 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
     if (!files.page.empty())
         tables = contact_tables(found.surface, found.model, response);
     if (files.tables.contains("slip")) {
-        const rough::PartialSlip slip = partial_slip(response, settings.number("friction"));
+        const rough::PartialSlip slip = partial_slip(found.surface, found.model.body, response,
+                                                     settings.number("friction"), found.model.contact);
         tables["slip"] = csv({"tangential_displacement_mm", "tangential_traction_MPa",
                               "tangential_stiffness_MPa_per_mm", "stick_fraction"},
                              {slip.displacement, slip.traction, slip.stiffness, slip.stick_fraction});
@@ -296,6 +297,9 @@ void write_files(const CurveFiles& files, const ContactResult& found, const std:
     nlohmann::json values = account_json(found.result.account);
     values["warnings"] = found.warnings;
     values["resolution"] = found.is_measured ? resolution_json(found) : nlohmann::json();
+    if (files.tables.contains("slip"))
+        values["partial_slip"] = {{"friction", settings.number("friction")},
+                                  {"assumed", slip_assumption(found.model.body, found.surface.is_2d())}};
     if (files.page.empty())
         return write_json(files.account, values);
     const rough::Profile& surface = found.surface;
@@ -350,8 +354,7 @@ int contact(const Settings& settings, const std::string&) {
     if (files.tables.contains("slip"))
         tell(files.tables.at("slip").string() +
              ": partial slip under the last load, f = " + readable(settings.number("friction")) +
-             "; assumed: plane strain, a constant normal load, bodies that do not couple (equal ones, or "
-             "Dundurs' beta = 0; a rigid profile at nu = 0.5 only)");
+             "; assumed: " + slip_assumption(found.model.body, found.surface.is_2d()));
     for (const std::string& warning : found.warnings)
         say("warning: " + warning);
     for (const std::string& note : notes)

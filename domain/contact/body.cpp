@@ -93,10 +93,10 @@ Eigen::Matrix<Real, 4, 1> state(const Derivatives<Real>& g, Real nu, Real softne
             softness * ((1 - nu) * g[3] + (nu - 2) * g[1])};
 }
 
-/// Displacement of the top under unit pressure, times q and the modulus. A linear system gives it, with four
-/// constants per layer and two for the half-space (Airy's stress function, plane strain).
+/// Displacement of the top under a unit traction, times q and the modulus. A linear system gives it, with
+/// four constants per layer and two for the half-space (Airy's stress function, plane strain).
 template <class Real>
-Real top_displacement(const Layering& layering, double modulus, double q) {
+Real top_displacement(const Layering& layering, double modulus, double q, Traction traction) {
     using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
     const auto layers = static_cast<Eigen::Index>(layering.layers.size());
     const Eigen::Index unknowns = 4 * layers + (layering.rigid_base ? 0 : 2);
@@ -116,7 +116,7 @@ Real top_displacement(const Layering& layering, double modulus, double q) {
         if (k == 0) {
             first_top = top;
             system.topLeftCorner(2, 4) = top.topRows(2);
-            given[0] = -1;
+            given[traction == Traction::normal ? 0 : 1] = -1;
         } else {
             system.block(4 * k - 2, 4 * k, 4, 4) = -top;
         }
@@ -132,12 +132,12 @@ Real top_displacement(const Layering& layering, double modulus, double q) {
                 -state(decaying(Real(0), false)[static_cast<std::size_t>(c)], nu, 1 + nu);
     }
     const Eigen::Matrix<Real, Eigen::Dynamic, 1> constants = system.partialPivLu().solve(given);
-    return (first_top * constants.template head<4>())[3];
+    return (first_top * constants.template head<4>())[traction == Traction::normal ? 3 : 2];
 }
 
 } // namespace
 
-bool Layering::carries_mean() const { return mean_compliance(*this, 1) > 0; }
+bool Layering::carries_mean(Traction traction) const { return mean_compliance(*this, 1, traction) > 0; }
 
 Layering in_units(Layering layering, double length, double pressure) {
     for (Layer& layer : layering.layers) {
@@ -147,7 +147,7 @@ Layering in_units(Layering layering, double length, double pressure) {
     return layering;
 }
 
-double relative_compliance(const Layering& layering, double effective_modulus, double q) {
+double relative_compliance(const Layering& layering, double effective_modulus, double q, Traction traction) {
     if (layering.layers.empty())
         return 1;
     constexpr double deep = 40;  // e^-40 is negligible against 1
@@ -162,17 +162,19 @@ double relative_compliance(const Layering& layering, double effective_modulus, d
     const bool is_thin = std::any_of(seen.layers.begin(), seen.layers.end(),
                                      [&](const Layer& layer) { return q * layer.thickness < thin; });
     const double modulus = effective_modulus * (1 - layering.poissons_ratio * layering.poissons_ratio),
-                 displacement = is_thin ? static_cast<double>(top_displacement<long double>(seen, modulus, q))
-                                        : top_displacement<double>(seen, modulus, q);
+                 displacement =
+                     is_thin ? static_cast<double>(top_displacement<long double>(seen, modulus, q, traction))
+                             : top_displacement<double>(seen, modulus, q, traction);
     return displacement / modulus * effective_modulus / 2;
 }
 
-double mean_compliance(const Layering& layering, double effective_modulus) {
+double mean_compliance(const Layering& layering, double effective_modulus, Traction traction) {
     double sum = 0;
     if (layering.rigid_base)
         for (const Layer& layer : layering.layers) {
             const double nu = layer.poissons_ratio;
-            sum += layer.thickness * (1 + nu) * (1 - 2 * nu) / (1 - nu) * effective_modulus / layer.modulus;
+            const double share = traction == Traction::normal ? (1 - 2 * nu) / (1 - nu) : 2;
+            sum += layer.thickness * (1 + nu) * share * effective_modulus / layer.modulus;
         }
     return sum;
 }

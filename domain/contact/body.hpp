@@ -9,6 +9,10 @@
 
 namespace rough {
 
+/// The direction of a traction on the surface and of the displacement that it causes. Tangential is along the
+/// line. Both are taken as uncoupled: a traction does not displace across its direction.
+enum class Traction { normal, tangential };
+
 /// An elastic layer, bonded to the layer or base under it.
 struct Layer {
     double thickness = 0;      ///< t, mm, > 0 and finite
@@ -25,8 +29,9 @@ struct Layering {
     double poissons_ratio = 0;      ///< nu of the half-space
 
     auto operator<=>(const Layering&) const = default; ///< member by member
-    /// Whether a uniform pressure moves the surface. It does if the base is rigid and a layer compressible.
-    bool carries_mean() const;
+    /// Whether a uniform traction moves the surface. A pressure does if the base is rigid and a layer
+    /// compressible, a tangential traction if the base is rigid.
+    bool carries_mean(Traction traction = Traction::normal) const;
 };
 
 /// The layers with thicknesses divided by `length` and moduli by `pressure` (both > 0).
@@ -35,13 +40,17 @@ Layering in_units(Layering layering, double length, double pressure);
 /// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q). p_q and u_q
 /// are the amplitudes of pressure and displacement at the wavenumber q > 0. q is in the inverse of the
 /// layers' unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa. The
-/// top has no friction, and interfaces are bonded.
-double relative_compliance(const Layering& layering, double effective_modulus, double q);
+/// top has no other traction, and interfaces are bonded. For a tangential traction it is the same ratio for
+/// displacements along the line; the half-space's compliance is 2/(E* q), too.
+double relative_compliance(const Layering& layering, double effective_modulus, double q,
+                           Traction traction = Traction::normal);
 
 /// The mean compliance E* u/P, in the layers' unit of length: u is the displacement under a uniform pressure
-/// P. On a rigid base it is the sum over the layers of t (1 + nu) (1 - 2 nu) E*/(E (1 - nu)). It is 0 on a
-/// half-space, whose displacement is relative to the mean.
-double mean_compliance(const Layering& layering, double effective_modulus);
+/// P. On a rigid base it is the sum over the layers of t (1 + nu) (1 - 2 nu) E*/(E (1 - nu)), for a
+/// tangential traction of 2 t (1 + nu) E*/E. It is 0 on a half-space, whose displacement is relative to the
+/// mean.
+double mean_compliance(const Layering& layering, double effective_modulus,
+                       Traction traction = Traction::normal);
 
 /// Which elastic body the profile is pressed on.
 enum class Kernel {

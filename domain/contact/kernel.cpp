@@ -32,6 +32,16 @@ double strip_entry(double r, double b) {
     return sum;
 }
 
+/// What Cerruti's solution has beyond strip_entry() for a Poisson's ratio of 1/2: the integral of x^2/r^3
+/// over the patch at distance r.
+double cerruti_entry(double r, double b) {
+    if (r == 0)
+        return 4 * b * std::asinh(0.5 / b);
+    const double from = (r - 0.5) / b, to = (r + 0.5) / b, near = std::hypot(1, from),
+                 far = std::hypot(1, to);
+    return 2 * b * std::log1p((1 + (from + to) / (near + far)) / (b * (from + near)));
+}
+
 /// Love's double integral of 1/r, whose difference over a cell's corners is the integral over the cell.
 double love_corner(double x, double y) {
     return (x == 0 ? 0 : x * std::asinh(y / std::abs(x))) + (y == 0 ? 0 : y * std::asinh(x / std::abs(y)));
@@ -131,11 +141,11 @@ Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape) {
                 const double y =
                     static_cast<double>(j) / (body.row_spacing * static_cast<double>(shape.rows));
                 double& value = spectrum[j * half + i];
-                value = i == 0 && j == 0 ? mean_compliance(layering, 1)
+                value = i == 0 && j == 0 ? mean_compliance(layering, 1, body.traction)
                         : body.is_2d()   ? 1 / (pi * std::sqrt(x * x + y * y))
                                          : n / (pi * k);
                 if (!layering.layers.empty() && i + j > 0)
-                    value *= relative_compliance(layering, 1, 2 / value);
+                    value *= relative_compliance(layering, 1, 2 / value, body.traction);
             }
         for (Index j = shape.rows / 2 + 1; j < shape.rows; ++j) // waves of the same lengths
             spectrum.segment(j * half, half) = spectrum.segment((shape.rows - j) * half, half);
@@ -167,6 +177,10 @@ Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& kno
             else
                 entry = body.kernel == Kernel::free ? flamant_entry(x, body.datum)
                                                     : strip_entry(x, body.strip_width / 2) / pi;
+            if (body.kernel == Kernel::strip && body.traction == Traction::tangential) {
+                const double nu = body.layering.poissons_ratio;
+                entry += nu / (1 - nu) * cerruti_entry(x, body.strip_width / 2) / pi;
+            }
         }
     });
     return column;

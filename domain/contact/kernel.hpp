@@ -25,11 +25,12 @@ double datum_limit(const Profile& profile);
 /// A body without units, which determines an influence matrix. Lengths along the surface are in units of the
 /// node spacing delta (for a map delta_x), and pressures in units of E*.
 struct UnitBody {
-    Kernel kernel = Kernel::free; ///< type of body
-    double row_spacing = 0;       ///< delta_y of a map; 0: a line
-    double datum = 0;             ///< datum d, only for lines on the free half-plane
-    double strip_width = 0;       ///< width W, only for the strip
-    Layering layering = {};       ///< only for the periodic kernel
+    Kernel kernel = Kernel::free;         ///< type of body
+    double row_spacing = 0;               ///< delta_y of a map; 0: a line
+    double datum = 0;                     ///< datum d, only for lines on the free half-plane
+    double strip_width = 0;               ///< width W, only for the strip
+    Layering layering = {};               ///< layers only for the periodic kernel
+    Traction traction = Traction::normal; ///< tangential only for lines
 
     bool operator==(const UnitBody&) const = default; ///< member by member
     bool is_2d() const { return row_spacing > 0; }    ///< whether it is for a map
@@ -41,9 +42,11 @@ UnitBody in_units(const Body& body, double spacing, double row_spacing);
 /// u_i = sum_j H_ij p_j. H_ij is the entry for the absolute offset of node j from node i along x and y.
 ///
 /// Sources for lines: Flamant with constant pressure on each element, without cancellation (free), and Love's
-/// integral of 2 asinh(W/2|x|) over the element (strip). For free maps: Love (1929) with constant pressure on
-/// each cell. A free map has no datum, because displacements vanish at infinity. For the periodic kernel H is
-/// the circulant whose eigenvalues periodic_spectrum() returns.
+/// integral of 2 asinh(W/2|x|) over the element (strip). Under tangential traction a strip's displacement is
+/// Cerruti's (Johnson 1985, ch. 3.6), that of the free half-plane is the same as under pressure. For free
+/// maps: Love (1929) with constant pressure on each cell. A free map has no datum, because displacements
+/// vanish at infinity. For the periodic kernel H is the circulant whose eigenvalues periodic_spectrum()
+/// returns.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team = Team::alone());
 /// The first column, whose entries on the smaller grid `from` are known. Only for `free` and `strip`.
 Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& known, Extent from, Extent shape,

@@ -77,33 +77,45 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
             (loads == ContactSolver::always || (loads == ContactSolver::on_maps && problem.is_2d())));
 }
 
-/// The chosen solver goes first. If it fails, the alternative continues with the failed step, and last
-/// Polonsky-Keer. Each has a limit: the factor of memory and work, the iterative solvers of iterations.
+/// Multiplications of a factor that is tried because other solvers failed: some seconds.
+constexpr double last_work = 5e10;
+
+/// Solves the loads of a problem that a solver does not take, by Newton's method.
+using Newton = std::function<void(Solver, Solution&)>;
+
+void solve_with(Solver solver, const ContactProblem& problem, const ContactOptions& options,
+                const Newton& newton, Solution& solution) {
+    takes_loads(solver, problem) ? row_of(solver).solve(problem, options, solution)
+                                 : newton(solver, solution);
+}
+
+/// The chosen solver goes first. If it fails, every other one continues in turn with the failed step. Each
+/// has a limit: factors of memory and work, the others of iterations. A factor that was chosen gives up
+/// early, and is tried a second time after the active set.
 void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options,
-                     Solution& solution) {
-    const Solver other = choice.solver == Solver::nested ? Solver::active_set : Solver::nested;
-    const double nested_work = max_nested_work(problem);
+                     const Newton& newton, Solution& solution) {
+    std::vector<Solver> order{choice.solver};
+    for (const Solver solver : {Solver::active_set, Solver::nested, Solver::polonsky_keer, Solver::nnls})
+        if (solver != choice.solver || (solver == Solver::nested && problem.nodes() > always_nested))
+            order.push_back(solver);
+    problem.work_limit = max_nested_work(problem);
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
-    for (const Solver solver : {choice.solver, other, Solver::polonsky_keer}) {
-        if (!takes_loads(solver, problem))
-            continue;
+    for (const Solver solver : order) {
         const std::size_t solved = solution.steps.size();
         if (!failures.empty())
             choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
                              name_of(solver) + ": " + failures;
         choice.solver = solver;
-        problem.work_limit = solver == Solver::nested ? nested_work : unlimited_work;
         try {
-            return row_of(solver).solve(problem, options, solution);
+            return solve_with(solver, problem, options, newton, solution);
         } catch (const NotConverged& error) {
             failures += (failures.empty() ? "" : "; ") + std::string(error.what());
         } catch (const InputError& error) { // a factor that grows beyond the memory
             failures += (failures.empty() ? "" : "; ") + std::string(error.what());
         }
         check_stop(options);
-        if (&steps == &problem.load && !problem.is_2d()) // Newton's method, whose solutions have all of these
-            break;
+        problem.work_limit = last_work;
         steps.erase(steps.begin(),
                     steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
     }
@@ -111,21 +123,22 @@ void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const Contac
 }
 
 /// The steps at zero displacement, then the loaded ones. Solved steps are taken out of the problem.
-Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options) {
+Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options,
+               const Newton& newton = {}) {
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
         static_cast<std::size_t>(loaded - problem.approach.begin()),
         loaded == problem.approach.begin() ? StepSolution() : first_touch(problem, options));
     problem.approach.erase(problem.approach.begin(), loaded);
     Solution solution;
-    if (std::isfinite(problem.cap))
+    if (std::isfinite(problem.cap) && problem.load.empty())
         solve_capped(problem, options, solution);
-    else if (options.solver == Solver::automatic)
-        solve_by_choice(choice, problem, options, solution);
+    else if (options.solver == Solver::automatic && !std::isfinite(problem.cap))
+        solve_by_choice(choice, problem, options, newton, solution);
     else {
         if (choice.solver == Solver::nested)
             expect_factor_to_fit(problem, options);
-        row_of(choice.solver).solve(problem, options, solution);
+        solve_with(choice.solver, problem, options, newton, solution);
     }
     solution.steps.insert(solution.steps.begin(), touches.begin(), touches.end());
     return solution;
@@ -236,34 +249,33 @@ double first_guess(ContactProblem problem, const ContactOptions& options) {
     }
 }
 
-/// Presses to loads; Newton's method finds their displacements.
-ContactCurve solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body,
-                             const std::vector<double>& pressures, double full,
-                             const ContactOptions& options) {
-    std::vector<std::optional<StepSolution>> flat(pressures.size());
+/// Presses to the loads of a problem by a solver that takes displacements; Newton's method finds them.
+void solve_by_newton(const ContactProblem& problem, const Profile& profile, const Body& body, double full,
+                     const ContactOptions& options, Solution& solution) {
+    std::vector<std::optional<StepSolution>> flat;
     std::vector<double> displacements;
     const double highest = largest_displacement(profile, body), guess = first_guess(problem, options);
     LoadStep from = solve_contact(profile, body, {guess < highest ? guess : 0}, options).steps.front();
-    for (std::size_t j = 0; j < pressures.size(); ++j) {
-        if (pressures[j] >= full * (1 - 1e-12))
-            flat[j] = pressed_flat(problem.load[j], problem, options);
-        if (flat[j])
+    for (const double load : problem.load) {
+        const double pressure = load / problem.elements * problem.pressure_unit;
+        flat.push_back(pressure >= full * (1 - 1e-12) ? pressed_flat(load, problem, options) : std::nullopt);
+        if (flat.back())
             continue;
-        from = pressed_to(pressures[j], full, profile, body, options, from);
+        from = pressed_to(pressure, full, profile, body, options, from);
         displacements.push_back(from.displacement);
     }
-    ContactCurve curve = solve_contact(profile, body, displacements, options);
-    for (std::size_t j = 0; j < pressures.size(); ++j)
-        if (flat[j]) {
-            ContactCurve pressed =
-                in_units(problem, {}, {{*flat[j]}, 0}, {curve.solver, curve.choice}, options);
-            curve.last_contact = pressed.last_contact; // no less load follows
-            const auto at = static_cast<std::ptrdiff_t>(j);
-            curve.steps.insert(curve.steps.begin() + at, pressed.steps.front());
-            if (options.states)
-                curve.states.insert(curve.states.begin() + at, std::move(pressed.states.front()));
-        }
-    return curve;
+    ContactProblem found = make_problem(profile, body, displacements, *problem.team);
+    SolverChoice choice = choose_solver(found, options);
+    const Solution pressed = solve(choice, found, options);
+    const double unit = found.displacement_unit / problem.displacement_unit;
+    solution.iterations += pressed.iterations;
+    for (auto [step, j] = std::pair(pressed.steps.begin(), 0U); j < flat.size(); ++j) {
+        solution.steps.push_back(flat[j] ? *flat[j] : *step++);
+        if (flat[j])
+            continue;
+        solution.steps.back().approach *= unit;
+        solution.steps.back().pressure *= unit;
+    }
 }
 
 /// Largest residual of H w = 1. The stiffness 2 sum w - w'Hw has only its square as an error.
@@ -345,15 +357,13 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     if (!body.yields() && pressures.back() > full)
         refuse_beyond_full_contact(pressures.back(), full);
     SolverChoice choice = choose_solver(problem, options);
-    if (takes_loads(choice.solver, problem)) {
-        try {
-            return in_units(problem, {}, solve(choice, problem, options), choice, options);
-        } catch (const NotConverged&) {
-            if (options.solver != Solver::automatic || problem.is_2d() || is_stopped(options))
-                throw;
-        }
-    }
-    return solve_by_newton(problem, profile, body, pressures, full, options);
+    const auto newton = [&](Solver solver, Solution& solution) {
+        ContactOptions with = options;
+        with.solver = solver;
+        solve_by_newton(problem, profile, body, full, with, solution);
+    };
+    Solution solution = solve(choice, problem, options, newton);
+    return in_units(problem, {}, std::move(solution), choice, options);
 }
 
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
@@ -366,6 +376,34 @@ double displacement_at_pressure(const Profile& profile, const Body& body, double
     return solve_contact_at_pressures(profile, body, {pressure * (1 + slack)}, options)
         .steps.front()
         .displacement;
+}
+
+std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement,
+                                         double friction, int steps, ContactOptions options) {
+    if (profile.is_2d())
+        refuse("partial slip: the tangential matrix of a map is not known; give a line");
+    options.states = true;
+    const ContactState pressed = solve_contact(profile, body, {displacement}, options).states.front();
+    ContactProblem problem = make_problem(profile, body, {displacement});
+    problem.traction = Traction::tangential;
+    problem.column = influence_column(problem, problem.shape);
+    Eigen::VectorXd limit = Eigen::VectorXd::Zero(problem.nodes());
+    limit(pressed.nodes) = friction / problem.pressure_unit * pressed.pressure;
+    const Eigen::VectorXd moved = SplitOperator(problem.column, problem.shape).apply(limit);
+    const double last = moved(pressed.nodes).maxCoeff(); // every node slips
+    problem.approach.clear();
+    for (int k = 0; k < steps; ++k)
+        problem.approach.push_back(last * k / steps);
+    options.states = false;
+    Solution solution;
+    solve_slip(problem, limit, options, solution);
+    StepSolution slipping{.nodes = pressed.nodes, .pressure = limit(pressed.nodes), .approach = last};
+    slipping.held = static_cast<Index>(pressed.nodes.size());
+    solution.steps.push_back(std::move(slipping));
+    std::vector<LoadStep> rows;
+    for (const StepSolution& step : solution.steps)
+        rows.push_back(load_step(problem, step.approach * problem.displacement_unit, step));
+    return rows;
 }
 
 double full_contact_stiffness(const Profile& surface, const Body& given, int threads) {

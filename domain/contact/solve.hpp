@@ -113,6 +113,17 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
+/// Partial slip of a line under the constant normal load of the approach `displacement` (mm). Tractions q
+/// along the line are at most `friction` times the pressure p. A node sticks if |q| < f p, and then moves
+/// with the body; otherwise it slips. The influence matrix is the tangential one (kernel.hpp); pressures and
+/// tangential tractions are taken as uncoupled. The tangential displacement rises in `steps` even steps from
+/// 0 to full slip, which gives steps + 1 rows. In a row `displacement` is tangential (mm), `pressure` the
+/// mean traction Q (MPa), `tangent_stiffness` dQ/d displacement, and `held_nodes` slip.
+///
+/// Throws the same as solve_contact(), also InputError for a map.
+std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement,
+                                         double friction, int steps, ContactOptions options = {});
+
 /// Predicted cost of a curve of `steps` steps on `nodes` nodes by the cheaper of the solvers `nested` and
 /// `active_set`, in arbitrary units. `contact` nodes touch at the last step.
 double predicted_cost(double nodes, double contact, double steps);

@@ -16,6 +16,9 @@ Eigen::MatrixXd rows_before(const Eigen::MatrixXd& rows) {
 /// Rounding error of 1 - K/K_full.
 constexpr double rounding = 1e-12;
 
+/// Whether tangential compliances are the normal ones (lines) or proportional to them at round spots (maps).
+bool is_half_space(const Body& body) { return body.kernel != Kernel::strip && body.layering.layers.empty(); }
+
 /// K/K_i = 1 - K/K_full, or 0 if it is only rounding.
 double interface_share(double stiffness, double full_stiffness) {
     if (std::isnan(full_stiffness))
@@ -119,13 +122,37 @@ Curve interface_secants(const Response& response) {
     return curve;
 }
 
-PartialSlip partial_slip(const Response& response, double friction) {
+std::string slip_assumption(const Body& body, bool is_2d) {
+    const std::string load = "a constant normal load, tractions along x";
+    if (is_half_space(body))
+        return load + (is_2d ? ", round spots" : ", plane strain") +
+               ", bodies that do not couple (equal ones, or Dundurs' beta = 0; a rigid profile at nu = 0.5 "
+               "only)";
+    return load + ", |q| <= f p at every node with the body's tangential compliance; coupling with the "
+                  "pressures is neglected";
+}
+
+PartialSlip partial_slip(const Profile& surface, const Body& body, const Response& response, double friction,
+                         const ContactOptions& options) {
     if (!(friction > 0) || !std::isfinite(friction))
         refuse("friction coefficient ", friction, " is out of range (above 0, finite)");
     if (response.held_nodes > 0)
         refuse("partial slip: ", response.held_nodes,
                " nodes are at the hardness; use a profile in elastic contact");
     const Index n = response.steps();
+    if (!is_half_space(body)) {
+        if (surface.is_2d())
+            refuse("partial slip: a map with layers has no tangential solution; use a line or no layers");
+        const std::vector<LoadStep> rows = solve_partial_slip(surface, body, response.displacement[n - 1],
+                                                              friction, static_cast<int>(n), options);
+        const Response slip = response_of(rows, response.solver, 1);
+        Eigen::VectorXd stick(n + 1);
+        for (Index k = 0; k <= n; ++k) {
+            const LoadStep& row = rows[static_cast<std::size_t>(k)];
+            stick[k] = 1 - static_cast<double>(row.held_nodes) / static_cast<double>(row.contact_nodes);
+        }
+        return {slip.displacement, slip.pressure, slip.tangent_stiffness, stick};
+    }
     const auto backwards = [n](const Eigen::VectorXd& values) {
         Eigen::VectorXd rows(n + 1);
         rows << values.reverse(), 0;

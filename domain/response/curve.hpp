@@ -77,10 +77,9 @@ CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness,
 /// secants of secant_stiffness().
 Curve interface_secants(const Response& response);
 
-/// A tangential load-displacement curve under a constant normal load P (Ciavarella 1998, Jaeger 1998;
-/// README.md, Partial slip). It goes from stick (Q = 0) to full slip (Q = f P) with the coefficient of
-/// friction f. It has one row more than the load steps; row k has P* = P_(n-k), the last row P* = 0. Bodies
-/// must be uncoupled. Displacements have the datum of the normal ones.
+/// A tangential load-displacement curve under a constant normal load P (README.md, Partial slip). It goes
+/// from stick (Q = 0) to full slip (Q = f P); f is the coefficient of friction. It has one row more than the
+/// load steps.
 struct PartialSlip {
     Eigen::VectorXd displacement;   ///< tangential displacement, mm
     Eigen::VectorXd traction;       ///< Q as a mean over the length, MPa
@@ -88,8 +87,15 @@ struct PartialSlip {
     Eigen::VectorXd stick_fraction; ///< share of the touching nodes that stick
 };
 
-/// The curve under the response's last normal load. Throws InputError if the friction coefficient is not
-/// positive and finite, or nodes are at the hardness.
-PartialSlip partial_slip(const Response& response, double friction);
+/// The assumptions of the curve for this body, in words.
+std::string slip_assumption(const Body& body, bool is_2d);
+
+/// The curve under the last normal load of a surface's response. On a half-space it follows from the normal
+/// curve (Ciavarella 1998, Jaeger 1998), and row k has P* = P_(n-k). Displacements have the datum of the
+/// normal ones. A strip's and a layered line's is that of solve_partial_slip(), in even steps. Throws what
+/// that throws; InputError if the friction coefficient is not positive and finite, nodes are at the hardness,
+/// or a map has layers.
+PartialSlip partial_slip(const Profile& surface, const Body& body, const Response& response, double friction,
+                         const ContactOptions& options = {});
 
 } // namespace rough

@@ -58,8 +58,10 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
         if (!filling.filled.empty())
             curve.account +=
                 (curve.account.empty() ? "" : "; ") + in_words(fill_effect(surface, filling.filled, model));
+        curve.body = model.body;
         if (resolution)
             static_cast<rough::ResolutionBand&>(curve) = resolution_band(surface, model, curve, *resolution);
+        curve.surface = std::move(surface);
         return curve;
     } catch (const rough::NotConverged&) {
         interrupt.rethrow();
@@ -68,7 +70,7 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
 }
 
 py::tuple slip_of(const Curve& curve, double friction) {
-    rough::PartialSlip slip = rough::partial_slip(curve, friction);
+    rough::PartialSlip slip = rough::partial_slip(curve.surface, curve.body, curve, friction);
     return py::make_tuple(std::move(slip.displacement), std::move(slip.traction), std::move(slip.stiffness),
                           std::move(slip.stick_fraction));
 }
@@ -145,7 +147,11 @@ void add_contact(py::module_& module) {
             "(p in MPa, K in MPa/mm): the stiffness that the similarity of designs uses.")
         .def("partial_slip", &slip_of, py::arg("friction"),
              "(tangential displacement mm, traction MPa, stiffness MPa/mm, stick fraction) under the last "
-             "load (Ciavarella 1998, Jaeger 1998; uncoupled bodies).")
+             "load. slip_assumption says what it assumes.")
+        .def_property_readonly(
+            "slip_assumption",
+            [](const Curve& c) { return rough::slip_assumption(c.body, c.surface.is_2d()); },
+            "What partial_slip() assumes, in words.")
         .def("__len__", &Curve::steps)
         .def("__repr__", [](const Curve& c) {
             return rough::line_of("<rugosa.Curve of ", c.steps(), " load steps to ",

@@ -86,6 +86,8 @@ struct Curve : rough::Response, rough::ResolutionBand {
     Eigen::VectorXd smooth_contact_fraction;   ///< contact fraction that has a gradient, one per step
     Eigen::MatrixXd contact_fraction_gradient; ///< its derivative, steps x heights or genes
     std::string account;                       ///< how it was modelled within an accuracy, in words
+    rough::Profile surface;                    ///< heights that were pressed
+    rough::Body body;                          ///< what they were pressed on
 };
 
 /// Heights on a 2-D grid.

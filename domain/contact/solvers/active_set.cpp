@@ -434,7 +434,19 @@ Solution guess(const ContactProblem& problem, ContactOptions options) {
 } // namespace
 
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
-    solve_levels(problem, options, Purpose::curve, solution);
+    const std::size_t before = solution.steps.size();
+    try {
+        solve_levels(problem, options, Purpose::curve, solution);
+    } catch (const NotConverged&) {
+        check_stop(options);
+        if (!problem.load.empty())
+            throw;
+        ContactProblem rest = problem;
+        rest.approach.erase(rest.approach.begin(),
+                            rest.approach.begin() +
+                                static_cast<std::ptrdiff_t>(solution.steps.size() - before));
+        solve_capped(rest, options, solution);
+    }
 }
 
 } // namespace rough

@@ -18,15 +18,18 @@ constexpr int max_projections = 500, max_halvings = 40;
 constexpr long max_newton_iterations = 2000;
 constexpr double tangent_tolerance = 1e-10;
 
-class CappedContact {
+/// Pressures within bounds at each node, by Bertsekas' projected Newton method (1982).
+class BoundedPressures {
   public:
-    CappedContact(const ContactProblem& problem, const ContactOptions& options)
-        : problem_(problem), options_(options), solver_(problem),
-          check_(problem.column, problem.shape, *problem.team), free_(problem.nodes()),
+    BoundedPressures(const ContactProblem& problem, const ContactOptions& options, Eigen::VectorXd lower,
+                     Eigen::VectorXd upper)
+        : problem_(problem), options_(options), lower_(std::move(lower)), upper_(std::move(upper)),
+          solver_(problem), check_(problem.column, problem.shape, *problem.team), free_(problem.nodes()),
           load_(problem.nodes()), tangent_(problem.nodes()) {}
 
-    StepSolution press(double approach, std::optional<double>) {
-        goal_ = (approach - problem_.gap.array()).matrix();
+    /// Presses until the gaps to `goal` are small against the approach.
+    void press(double approach, Eigen::VectorXd goal) {
+        goal_ = std::move(goal);
         solver_.load(load_);
         const double enough = settled * approach;
         double worst = std::numeric_limits<double>::infinity();
@@ -41,9 +44,29 @@ class CappedContact {
             if (!descend(std::max(0.1 * enough, falling * worst)))
                 break;
         }
-        return solution(approach);
     }
-    long iterations() const { return solver_.applies(); }
+
+    /// The pressures on `nodes`, with the stiffness of those between the bounds.
+    StepSolution solution(double approach, std::vector<int> nodes) {
+        ContactSet elastic(problem_.nodes());
+        elastic.assign(
+            [&](Index i) { return load_.pressure[i] > lower_[i] && load_.pressure[i] < upper_[i]; });
+        if (problem_.is_singular() && static_cast<Index>(elastic.nodes().size()) == problem_.nodes())
+            elastic.assign([&](Index i) { return free_.holds(i); }); // without the lowest node
+        solver_.tangent(elastic, tangent_tolerance, true, tangent_);
+        StepSolution step = step_solution(elastic, load_, tangent_, false);
+        step.approach = approach;
+        step.nodes = std::move(nodes);
+        step.held = static_cast<Index>(step.nodes.size() - elastic.nodes().size());
+        step.pressure = load_.pressure(step.nodes);
+        if (options_.states)
+            step.tangent = tangent_.pressure(step.nodes);
+        return step;
+    }
+
+    const Eigen::VectorXd& pressure() const { return load_.pressure; }
+    SplitOperator& check() { return check_; } ///< H by another path
+    long applies() const { return solver_.applies(); }
 
   private:
     /// Frees the nodes between the bounds and those that a bound holds back; returns their largest residual.
@@ -52,7 +75,8 @@ class CappedContact {
         Index deepest = 0, count = 0;
         for (Index i = 0; i < problem_.nodes(); ++i) {
             const double p = load_.pressure[i], gap = load_.displacement[i] - goal_[i];
-            if ((p <= 0 && gap >= -negligible) || (p >= problem_.cap && gap <= negligible)) {
+            if ((p <= lower_[i] && gap >= -negligible) || (p >= upper_[i] && gap <= negligible) ||
+                !(lower_[i] < upper_[i])) {
                 free_.erase(i);
                 continue;
             }
@@ -78,7 +102,7 @@ class CappedContact {
         Loaded next(problem_.nodes());
         double length = 1;
         for (int halving = 0; halving < max_halvings; ++halving, length /= 2) {
-            next.pressure = (load_.pressure + length * direction).cwiseMax(0).cwiseMin(problem_.cap);
+            next.pressure = (load_.pressure + length * direction).cwiseMax(lower_).cwiseMin(upper_);
             solver_.load(next);
             const Eigen::VectorXd step = next.pressure - load_.pressure;
             const double promised = step.dot(load_.displacement - goal_);
@@ -92,50 +116,79 @@ class CappedContact {
         return false;
     }
 
-    /// Raises all pressures of a periodic body by one value until a node reaches the hardness, if the
+    /// Raises all pressures of a periodic body by one value until a node reaches its upper bound, if the
     /// approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the energy.
     void raise(double negligible) {
         if (!problem_.is_singular() || goal_.mean() <= negligible)
             return;
         Index highest = 0;
-        const double change = problem_.cap - load_.pressure.maxCoeff(&highest);
-        if (change <= 0)
+        const double change = (upper_ - load_.pressure).minCoeff(&highest);
+        if (change <= 0 || !std::isfinite(change))
             return;
-        load_.pressure = (load_.pressure.array() + change).cwiseMin(problem_.cap);
-        load_.pressure[highest] = problem_.cap;
+        load_.pressure = (load_.pressure.array() + change).matrix().cwiseMin(upper_);
+        load_.pressure[highest] = upper_[highest];
         solver_.load(load_);
-    }
-
-    StepSolution solution(double approach) {
-        ContactSet touching(problem_.nodes()), elastic(problem_.nodes());
-        touching.assign([&](Index i) { return load_.pressure[i] > 0; });
-        elastic.assign([&](Index i) { return load_.pressure[i] > 0 && load_.pressure[i] < problem_.cap; });
-        solver_.tangent(elastic, tangent_tolerance, true, tangent_);
-        StepSolution step = step_solution(elastic, load_, tangent_, false);
-        step.approach = approach;
-        step.nodes = touching.nodes();
-        step.held = static_cast<Index>(step.nodes.size() - elastic.nodes().size());
-        step.pressure = load_.pressure(step.nodes);
-        if (options_.states)
-            step.tangent = tangent_.pressure(step.nodes);
-        certify_step("capped active set", problem_, step, check_, load_.pressure,
-                     direct_tolerance(problem_, step));
-        return step;
     }
 
     const ContactProblem& problem_;
     const ContactOptions& options_;
+    Eigen::VectorXd lower_, upper_, goal_;
     SetSolver solver_;
     SplitOperator check_;
     ContactSet free_;
     Loaded load_, tangent_;
-    Eigen::VectorXd goal_; ///< Delta - g0
+};
+
+class CappedContact {
+  public:
+    CappedContact(const ContactProblem& problem, const ContactOptions& options)
+        : problem_(problem), bounded_(problem, options, Eigen::VectorXd::Zero(problem.nodes()),
+                                      Eigen::VectorXd::Constant(problem.nodes(), problem.cap)) {}
+
+    StepSolution press(double approach, std::optional<double>) {
+        bounded_.press(approach, (approach - problem_.gap.array()).matrix());
+        StepSolution step = bounded_.solution(approach, problem_.team->where(problem_.nodes(), [&](Index i) {
+            return bounded_.pressure()[i] > 0;
+        }));
+        certify_step("projected Newton's method", problem_, step, bounded_.check(), bounded_.pressure(),
+                     direct_tolerance(problem_, step));
+        return step;
+    }
+    long iterations() const { return bounded_.applies(); }
+
+  private:
+    const ContactProblem& problem_;
+    BoundedPressures bounded_;
 };
 
 } // namespace
 
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     solve_steps<CappedContact>(problem, options, solution);
+}
+
+void solve_slip(const ContactProblem& problem, const Eigen::VectorXd& limit, const ContactOptions& options,
+                Solution& solution) {
+    BoundedPressures bounded(problem, options, -limit, limit);
+    const Eigen::VectorXd& traction = bounded.pressure();
+    const std::vector<int> touching =
+        problem.team->where(problem.nodes(), [&](Index i) { return limit[i] > 0; });
+    for (const double moved : problem.approach) {
+        bounded.press(moved, Eigen::VectorXd::Constant(problem.nodes(), moved));
+        StepSolution step = bounded.solution(moved, touching);
+        const Eigen::VectorXd displacement = bounded.check().apply(traction);
+        for (const int i : touching) {
+            const double ahead = displacement[i] - moved;
+            step.residual = std::max(step.residual, traction[i] >= limit[i]    ? ahead
+                                                    : traction[i] <= -limit[i] ? -ahead
+                                                                               : std::abs(ahead));
+        }
+        if (moved > 0)
+            step.residual /= moved;
+        expect_residual("partial slip", problem, step, direct_tolerance(problem, step));
+        solution.steps.push_back(std::move(step));
+    }
+    solution.iterations += bounded.applies();
 }
 
 } // namespace rough

@@ -1,6 +1,7 @@
 #include "domain/contact/solvers/certificate.hpp"
 #include "domain/contact/solvers/growing_factor.hpp"
 #include "domain/contact/solvers/solvers.hpp"
+#include "domain/errors.hpp"
 
 namespace rough {
 
@@ -28,6 +29,11 @@ class LawsonHanson {
             pressure_[factor_.size() - 1] = 0;
             ++iterations_;
             reach_solution(approach);
+            // A sum over the passive set at every node, the factor's last row and its solution.
+            const double size = static_cast<double>(factor_.size());
+            work_ += size * (static_cast<double>(problem_.nodes()) + size);
+            if (work_ > problem_.work_limit)
+                throw NotConverged("NNLS needs too much work");
         }
         const double* u = fourier_.apply(factor_.nodes(), pressure_);
         const double residual = certify(problem_, approach, factor_.nodes(), pressure_, u).residual();
@@ -96,6 +102,7 @@ class LawsonHanson {
     GrowingFactor factor_; ///< its nodes are the passive set
     VectorXd pressure_;    ///< on the passive set
     long iterations_ = 0;
+    double work_ = 0; ///< multiplications
 };
 
 } // namespace

@@ -27,13 +27,13 @@ struct ContactProblem : UnitBody {
 
     Team* team = &Team::alone(); ///< shares the loops over a map's nodes; outlives the problem
 
-    double work_limit = unlimited_work; ///< multiplications after which a factor gives up
+    double work_limit = unlimited_work; ///< multiplications after which a factor gives up, nested or of NNLS
 
     Index nodes() const { return gap.size(); } ///< N
     /// Load steps to solve.
     std::size_t steps() const { return load.empty() ? approach.size() : load.size(); }
     /// Whether H of all nodes together is singular: displacements are relative to the mean plane.
-    bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(); }
+    bool is_singular() const { return kernel == Kernel::periodic && !layering.carries_mean(traction); }
 };
 
 /// Throws InputError for every reason to refuse a contact problem. Returns the completed body.

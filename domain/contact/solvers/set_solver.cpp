@@ -14,6 +14,8 @@ constexpr double single_rounding = 5e-6;
 /// The fall of the residual after which it is recomputed, because products in single precision then err by a
 /// hundredth of it.
 constexpr double single_depth = 1e-4;
+/// The rise of the residual after which the directions are taken to be lost by rounding.
+constexpr double lost = 1e6;
 /// A stiffness whose H w was improved in single precision is good to this: ten times the largest error seen.
 constexpr double single_stiffness = 3e-7;
 /// Maximum number of iterations for the tangent, far above the number ever needed.
@@ -258,21 +260,24 @@ std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const 
     return places;
 }
 
-void SetSolver::multiply(SingleFourierOperator& matrix, const std::vector<int>& places,
+template <typename Real>
+void SetSolver::multiply(BasicFourierOperator<Real>& matrix, const std::vector<int>& places,
                          const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image,
                          Extension* extension) const {
-    float* full = matrix.input();
+    Real* full = matrix.input();
     const Index m = v.size();
     const double inverse = 1 / scale;
     team_.each_range(matrix.nodes(),
-                     [=](Index first, Index count, int) { std::fill_n(full + first, count, 0.0F); });
+                     [=](Index first, Index count, int) { std::fill_n(full + first, count, Real(0)); });
     team_.each(
-        m, [&](Index k) { full[places[static_cast<std::size_t>(k)]] = static_cast<float>(v[k] * inverse); });
-    if (extension)
-        extension->extend(full);
-    const float* product = matrix.apply();
-    if (extension)
-        extension->transpose(full);
+        m, [&](Index k) { full[places[static_cast<std::size_t>(k)]] = static_cast<Real>(v[k] * inverse); });
+    if constexpr (std::is_same_v<Real, float>)
+        if (extension)
+            extension->extend(full);
+    const Real* product = matrix.apply();
+    if constexpr (std::is_same_v<Real, float>)
+        if (extension)
+            extension->transpose(full);
     team_.each(m, [&](Index k) {
         image[k] = scale * static_cast<double>(product[places[static_cast<std::size_t>(k)]]);
     });
@@ -336,8 +341,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         }
         return true;
     };
-    bool solved = false, is_cut = false;
+    bool solved = false, is_cut = false, exact = false;
     double before = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd start; // the pressures at which `before` was the residual
     for (long iteration = 0;;) {
         each([&](Index k) {
             const Index i = nodes[static_cast<std::size_t>(k)];
@@ -350,7 +356,16 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         const double scale = largest(team_, r);
         // Written so that a NaN residual ends the loop, too.
         const bool progress = scale < 0.5 * before;
+        if (!is_2d() && !progress && !exact && !(scale <= enough.residual)) {
+            exact = true; // H on A is too badly conditioned for single precision
+            if (!(scale < before))
+                each([&](Index k) { pressure(k) = start[k]; });
+            before = std::numeric_limits<double>::infinity();
+            load(x);
+            continue;
+        }
         before = scale;
+        start = x.pressure(nodes);
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
             const double residual = largest(team_, r);
@@ -368,13 +383,13 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             const double energy = dot(team_, r, z);
             solved = std::isfinite(energy) && enough.energy && enough.energy(energy);
             if (solved || iteration >= limit || !progress || !(energy > 0) ||
-                residual <= single_depth * scale)
+                residual <= single_depth * scale || (!exact && !is_2d() && residual > lost * scale))
                 break;
             deflation.purge(z);
             each([&, growth = first ? 0 : energy / rz](Index k) { q[k] = z[k] + growth * q[k]; });
             rz = energy;
             is_cut = level && projected && cut();
-            multiply(single_, nodes, q, scale, hq);
+            exact ? multiply(forward_, nodes, q, scale, hq) : multiply(single_, nodes, q, scale, hq);
             ++applies_;
             const double curvature = dot(team_, q, hq);
             if (!(curvature > 0))
@@ -384,7 +399,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
                 usual_step_ = std::clamp(is_cut ? step * usual_step_ : step, shortest_step, 1.0);
             if (is_cut && step > whole_step)
                 step = 1;
-            if (is_2d())
+            if (is_2d() && !exact)
                 x.blur += single_rounding * std::abs(step * scale) *
                           add(team_, step * scale, single_.applied(), x.displacement);
             each([&](Index k) {
@@ -405,9 +420,11 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             *level = offset;
         if (is_2d() && kept)
             team_.copy(x.pressure, x.updated);
-        if (solved || is_cut || iteration >= limit || !progress)
+        const bool ends = solved || is_cut || iteration >= limit || !progress;
+        if (!ends || (is_2d() && exact))
+            load(x);
+        if (ends)
             return solved;
-        load(x);
     }
 }
 

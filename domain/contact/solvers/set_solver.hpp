@@ -58,8 +58,8 @@ struct Enough {
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, with H applied by FFT. The preconditioner is
 /// the inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Off A the residual is taken as
 /// zero on a line, and is continued on a map (extension.hpp). Search directions are products in single
-/// precision. The residual is recomputed in double precision before their errors affect it (iterative
-/// refinement in mixed precision, Carson & Higham 2018).
+/// precision, or in double precision if that gains nothing. The residual is recomputed in double precision
+/// before their errors affect it (iterative refinement in mixed precision, Carson & Higham 2018).
 class SetSolver {
   public:
     /// Transforms the problem's first column and its preconditioner's once.
@@ -91,8 +91,10 @@ class SetSolver {
   private:
     /// image = M v on the nodes only, which stand at `places` of M; `scale` is about the size of v. With an
     /// extension E, E'M E.
-    void multiply(SingleFourierOperator& matrix, const std::vector<int>& places, const Eigen::VectorXd& v,
-                  double scale, Eigen::VectorXd& image, Extension* extension = nullptr) const;
+    template <typename Real>
+    void multiply(BasicFourierOperator<Real>& matrix, const std::vector<int>& places,
+                  const Eigen::VectorXd& v, double scale, Eigen::VectorXd& image,
+                  Extension* extension = nullptr) const;
     /// Places of nodes on the preconditioner's grid.
     std::vector<int> inverse_places(const std::vector<int>& nodes) const;
     bool is_2d() const { return sums_.size() == 0; }

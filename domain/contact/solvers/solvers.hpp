@@ -34,15 +34,22 @@ void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& op
 /// Iterative, for grids on which a dense factor does not fit: conjugate gradients by FFT on a contact set
 /// that is corrected during the iteration. Each load step starts from the one before, moved along its
 /// tangent. Ends if every residual is within the tolerance and the contact set is certain at that residual,
-/// or if rounding allows no better.
+/// or if rounding allows no better. If the set does not settle at an approach, solve_capped() continues.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
-/// Contact with 0 <= p <= p_H: minimises p'Hp/2 - p'(Delta - g0) within the box by Bertsekas' projected
-/// Newton method (1982). Each round solves H on the free nodes, which are between the bounds or pulled away
-/// from one, by preconditioned conjugate gradients. It projects a step towards that solution onto the box and
-/// halves it until the energy falls enough. It descends from any start and ends if no node is on the wrong
-/// bound. It assumes nothing about contact sets. Solved until gaps are 1e-11 of the approach.
+/// Contact with 0 <= p <= p_H, which may be infinite. Bertsekas' projected Newton method (1982) minimises
+/// p'Hp/2 - p'(Delta - g0) within the box. Each round solves H on the free nodes, which are between the
+/// bounds or pulled away from one, by preconditioned conjugate gradients. It projects a step towards that
+/// solution onto the box and halves it until the energy falls enough. It descends from any start and ends if
+/// no node is on the wrong bound. It assumes nothing about contact sets. Solved until gaps are 1e-11 of the
+/// approach.
 void solve_capped(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
+
+/// Partial slip by the same method: tractions |q| <= `limit` (N entries) minimise q'Tq/2 - q'd at each
+/// tangential displacement d. T is the problem's matrix, and its approaches are d. The nodes of a step are
+/// those with a limit above 0, and those held slip.
+void solve_slip(const ContactProblem& problem, const Eigen::VectorXd& limit, const ContactOptions& options,
+                Solution& solution);
 
 /// Throws InputError if a factor of `nodes` nodes would take more than the options' memory.
 void refuse_factor(Index nodes, const ContactOptions& options);

@@ -31,6 +31,19 @@ Profile raised(Index nodes, const std::vector<Index>& where, double height, doub
 
 const Body periodic{Kernel::periodic, 1, 1, 0};
 
+/// 3,000 nodes on 1 mm, waves of amplitudes k^-decay, 1 um high.
+Profile rough_line(int waves, double decay, double chirp, double cubic) {
+    Profile profile = sampled({3000, 1, true}, [&](double x) {
+        double z = 0;
+        for (int k = 1; k < waves; ++k)
+            z += std::pow(k, -decay) *
+                 std::cos(6.283185307179586 * (k * x + std::fmod(k * k * (cubic * k + chirp), 1.0)));
+        return z;
+    });
+    profile.heights *= 1e-3 / (profile.heights.maxCoeff() - profile.heights.minCoeff());
+    return profile;
+}
+
 constexpr double most_nodes_touch = 0.3, few_touch = 1e-3; // displacements
 
 } // namespace
@@ -129,4 +142,24 @@ TEST_CASE("a rough periodic profile passes its certificate near full contact", "
         CHECK(curve.steps.back().contact_fraction > 0.5);
         CHECK(curve.steps.back().kkt_residual < (solver == Solver::nested ? 1e-8 : 2e-6));
     }
+}
+
+TEST_CASE("auto presses a rough line to a list of loads near full contact", "[contact]") {
+    const Profile profile = rough_line(300, 1.6, 8 * 0.41421, 0.6180339887); // active-set fails
+    std::vector<double> loads;
+    for (const double share : {0.999, 0.9999, 0.99999, 0.999999})
+        loads.push_back(share * full_contact_load(profile, periodic));
+    const ContactCurve curve = solve_contact_at_pressures(profile, periodic, loads);
+    for (std::size_t j = 0; j < loads.size(); ++j)
+        CHECK(curve.steps[j].pressure == Approx(loads[j]).epsilon(1e-6));
+}
+
+TEST_CASE("active-set and auto press lines under stiff layers as nnls does", "[contact]") {
+    const Profile profile = rough_line(120, 2, 1.168, 0);
+    Body body{Kernel::periodic, effective_modulus(1, 0.3)};
+    body.layering = {{{0.00156, 1150, 0.3}}, false, 0.3};
+    std::vector<double> steps = scenes::load_steps(profile, 3, 0.4);
+    const ContactCurve expected = solve_contact(profile, body, steps, {.solver = Solver::nnls});
+    for (const Solver solver : {Solver::automatic, Solver::active_set})
+        scenes::check_same(solve_contact(profile, body, steps, {.solver = solver}), expected, 1e-5);
 }

@@ -18,10 +18,13 @@ Response pressed(const Profile& profile, const Body& body, const std::vector<dou
                        full_contact_stiffness(profile, body));
 }
 
-/// A cylinder of radius 1 mm on 1 mm of half-plane.
-Response cylinder(Index nodes, int steps) {
-    const Profile profile = sampled({nodes, 1}, [](double x) { return -0.5 * std::pow(x - 0.5, 2); });
-    return respond(profile, {Kernel::free, 100, 1, 0}, {.steps = steps, .to_displacement = 0.03});
+/// A cylinder of radius 1 mm on 1 mm of a body.
+Profile cylinder(Index nodes) {
+    return sampled({nodes, 1}, [](double x) { return -0.5 * std::pow(x - 0.5, 2); });
+}
+const Body half_plane{Kernel::free, 100, 1, 0};
+Response pressed_cylinder(Index nodes, int steps) {
+    return respond(cylinder(nodes), half_plane, {.steps = steps, .to_displacement = 0.03});
 }
 
 } // namespace
@@ -122,8 +125,8 @@ TEST_CASE("the interface's secants follow central differences in every gene") {
 
 TEST_CASE("partial slip of a line contact is Cattaneo's and Mindlin's") { // c/a = sqrt(1 - Q/(f P))
     const double f = 0.4;
-    const Response normal = cylinder(4001, 40);
-    const PartialSlip slip = partial_slip(normal, f);
+    const Response normal = pressed_cylinder(4001, 40);
+    const PartialSlip slip = partial_slip(cylinder(4001), half_plane, normal, f);
     REQUIRE(slip.traction.size() == 41);
     const double full = f * normal.pressure[39];
     for (Index k = 0; k <= 40; ++k) {
@@ -139,7 +142,7 @@ TEST_CASE("partial slip of a line contact is Cattaneo's and Mindlin's") { // c/a
 }
 
 TEST_CASE("tangential stiffness is the slope of the slip curve and falls as slip spreads") {
-    const PartialSlip slip = partial_slip(cylinder(2001, 200), 0.2);
+    const PartialSlip slip = partial_slip(cylinder(2001), half_plane, pressed_cylinder(2001, 200), 0.2);
     for (Index k = 1; k < 200; ++k) {
         const double secant =
             (slip.traction[k] - slip.traction[k - 1]) / (slip.displacement[k] - slip.displacement[k - 1]);
