@@ -22,7 +22,13 @@ constexpr double patience = 4;
 /// this share of the approach below the profile's highest node.
 constexpr double missed = 0.1;
 
-double expected_contact(const ContactProblem& problem, ContactOptions options) {
+/// Share of the active set's predicted cost that choosing may take.
+constexpr double cost_of_choice = 0.05;
+
+/// The share of nodes that touch at the last step, on a coarse grid. It is 1 if that grid's factor would need
+/// more than `work_limit` multiplications.
+double expected_contact(const ContactProblem& problem, ContactOptions options,
+                        double work_limit = unlimited_work) {
     // Every sixteenth node, and more of a small grid, so that summits of short waves stay apart. The limit of
     // 2048 nodes takes a few milliseconds.
     const Index sample =
@@ -40,11 +46,12 @@ double expected_contact(const ContactProblem& problem, ContactOptions options) {
     std::vector<double>& steps = loaded ? coarse.load : coarse.approach;
     steps = {steps.back()};
     options.states = false;
+    coarse.work_limit = work_limit;
     try {
         Solution solution;
         solve_nested(coarse, options, solution);
         return static_cast<double>(solution.steps.back().nodes.size()) / static_cast<double>(coarse.nodes());
-    } catch (const NotConverged&) { // near full contact the coarse grid may have no solution
+    } catch (const NotConverged&) { // too much work, or no solution of the coarse grid near full contact
         check_stop(options);
         return 1;
     }
@@ -92,8 +99,11 @@ SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& 
         return {Solver::nested,
                 line_of("nested: up to ", always_nested, " nodes the factor is always the fastest")};
     const double n = static_cast<double>(problem.nodes()), steps = static_cast<double>(problem.steps());
-    const double m = std::ceil(expected_contact(problem, options) * n);
-    const double nested = nested_cost(n, m, steps), active_set = turned(problem) * active_set_cost(n, steps);
+    const double active_set = turned(problem) * active_set_cost(n, steps);
+    // At the limit the whole grid's factor, at least 64 times as costly, would not be chosen either.
+    const double limit = cost_of_choice * active_set / per_elimination,
+                 m = std::ceil(expected_contact(problem, options, limit) * n),
+                 nested = nested_cost(n, m, steps);
     // Half as much again, because the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
     const bool fits = memory <= options.memory_limit, is_nested = fits && nested <= active_set;
