@@ -32,9 +32,8 @@ double displacement_range(const Profile& profile, Kernel kernel) {
         throw InputError("profile: it has " + std::to_string(profile.nodes()) + " nodes; use at least 2");
     if (!profile.heights.allFinite())
         throw InputError("profile: a height is not finite; use finite heights in mm");
-    const double highest = profile.heights.maxCoeff();
-    const double range =
-        highest - (kernel == Kernel::periodic ? profile.heights.mean() : profile.heights.minCoeff());
+    const Eigen::ArrayXd below = profile.heights.maxCoeff() - profile.heights.array();
+    const double range = kernel == Kernel::periodic ? below.mean() : below.maxCoeff();
     if (!(range > 0))
         throw InputError("profile: all heights are equal at its nodes; use heights that differ");
     return range;
