@@ -262,8 +262,8 @@ Genome shaped_as(const Profile& map, const Series& law, int ridges, const Grid& 
     Eigen::MatrixXd basis(map.nodes(), 2 * static_cast<Index>(waves.size()));
     for (std::size_t w = 0; w < waves.size(); ++w) {
         const Eigen::ArrayXd angle = Eigen::ArrayXd::NullaryExpr(map.nodes(), [&](Index i) {
-            return waves[w].k_x * map.spacing * static_cast<double>(i % columns) +
-                   waves[w].k_y * map.row_spacing * static_cast<double>(i / columns);
+            return waves[w].k_x * (grid.first_x() + map.spacing * static_cast<double>(i % columns)) +
+                   waves[w].k_y * (grid.first_y() + map.row_spacing * static_cast<double>(i / columns));
         });
         basis.col(2 * static_cast<Index>(w)) = angle.cos();
         basis.col(2 * static_cast<Index>(w) + 1) = angle.sin();

@@ -7,7 +7,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string small =
+const std::string small_accuracy =
     "run '" RUGOSA_SOURCE "/experiments/accuracy/accuracy.ini' --set accuracy.surfaces=1 --set "
     "accuracy.accuracies=3e-2,1e-2 --set accuracy.rough-waves=32 --set "
     "accuracy.design-budget=40 --set model.nodes=128";
@@ -16,7 +16,7 @@ const std::string small =
 
 TEST_CASE("the accuracy experiment charts every kind of scene and ends in a budget") {
     const Folder folder;
-    const json result = result_of(folder, small);
+    const json result = result_of(folder, small_accuracy);
     CHECK(result["accuracy"] == 0.01);
     REQUIRE(result["savings"].size() == 16); // two surfaces, kernels, loads and accuracies
     for (const json& row : result["savings"]) {

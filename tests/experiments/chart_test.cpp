@@ -7,7 +7,7 @@ using rough::Solver;
 
 namespace {
 
-const ChartExtent small{{32, 64, 128}, {64}, {5}, {1e-3, 1e-6}, 2049, 10};
+const ChartExtent small_extent{{32, 64, 128}, {64}, {5}, {1e-3, 1e-6}, 2049, 10};
 
 /// The settings of a chart's runs on a scene, all with scene 0.
 std::set<ChartSetting> settings_of(const ChartData& data, std::size_t scene) {
@@ -50,7 +50,7 @@ TEST_CASE("a curve measured against itself has no error, and a tenth more gives 
 
 TEST_CASE("a chart without time left has the coarsest grid of every scene, and says what it left out") {
     std::vector<std::string> words;
-    const ChartData data = charted(chart_scenes(), small, 0, never,
+    const ChartData data = charted(chart_scenes(), small_extent, 0, never,
                                    [&](const ChartData&, const std::string& text) { words.push_back(text); });
     REQUIRE(data.scenes.size() == 5);
     CHECK_FALSE(data.runs.empty());
@@ -58,7 +58,7 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
         CHECK(run.setting.nodes == 32);
     for (std::size_t scene = 1; scene < 5; ++scene)
         CHECK(settings_of(data, scene) == settings_of(data, 0));
-    CHECK(data.runs.size() + data.left_out.size() == 5 * chart_plan(small).size());
+    CHECK(data.runs.size() + data.left_out.size() == 5 * chart_plan(small_extent).size());
     for (const LeftOut& each : data.left_out) {
         CHECK(each.setting.nodes > 32);
         CHECK(each.why == time_over);
@@ -72,7 +72,7 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
 }
 
 TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and this is reported") {
-    ChartExtent impatient = small;
+    ChartExtent impatient = small_extent;
     impatient.limit = 0;
     const ChartData data = charted({chart_scenes().front()}, impatient, 1000);
     for (const ChartRun& run : data.runs) {

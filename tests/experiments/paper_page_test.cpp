@@ -8,7 +8,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string small =
+const std::string small_paper =
     "run '" RUGOSA_SOURCE
     "/experiments/paper/paper.ini' --seed 11 --set model.nodes=64 --set database.pairs=";
 
@@ -22,7 +22,7 @@ std::vector<std::string> figures_in(const std::string& html) {
 
 TEST_CASE("the paper's report shows every number, verdict and figure of the result, and needs nothing else") {
     const Folder folder;
-    const json result = result_of(folder, small + "6 --set paper.sweep-points=2");
+    const json result = result_of(folder, small_paper + "6 --set paper.sweep-points=2");
     const std::string html = page_in(folder);
     const json second = result_in(folder / "r/heldout");
     const auto tiles = found(html, "<dd>([^<]*)</dd></div>");
@@ -65,7 +65,7 @@ TEST_CASE("a report on a handful of nodes, another body, the other reading or on
           "--set paper.dominance=step", "--set heldout.file= --set paper.sweep-points=0"}) {
         const Folder folder;
         INFO(other);
-        result_of(folder, small + "2 --set paper.sweep-points=1 " + other);
+        result_of(folder, small_paper + "2 --set paper.sweep-points=1 " + other);
         const std::string html = page_in(folder);
         CHECK(figures_in(html).size() == 11);
     }

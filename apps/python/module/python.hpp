@@ -2,6 +2,7 @@
 
 #include "apps/prompt/settings.hpp"
 #include "domain/domain.hpp"
+#include "domain/scan/scan.hpp"
 
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>

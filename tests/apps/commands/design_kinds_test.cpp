@@ -1,4 +1,5 @@
 #include "domain/problem/problem.hpp"
+#include "domain/scan/scan.hpp"
 #include "tests/apps/results.hpp"
 
 #include <numbers>
@@ -44,7 +45,7 @@ TEST_CASE("two targets give a front whose similarities follow from its genomes")
     const json& front = result["variants"]["pipeline"]["front"];
     REQUIRE(front.size() > 1);
     const rough::DesignSetup setup{
-        .model = completed({.grid = {128}}),
+        .model = rough::completed({.grid = {128}}),
         .targets = {rough::read_target(folder / "K.csv"), rough::read_target(folder / "A.csv")}};
     double best = -HUGE_VAL;
     for (const json& one : front) {
@@ -142,7 +143,8 @@ TEST_CASE("the error in quantities that were not requested is on terminal, page 
     const json result = result_in(folder / "r"), summary = result["summary"];
     rough::ScanOptions options;
     const rough::Profile scan = rough::open_scan(folder / "scan.txt", options).measured;
-    const rough::Model model = completed({.grid = {128, result["length_mm"]}, .loading = {result["steps"]}});
+    const rough::Model model =
+        rough::completed({.grid = {128, result["length_mm"]}, .loading = {result["steps"]}});
     const rough::DesignSetup setup{
         .model = model,
         .targets = {target_like(scan, model, "area", rough::Quantity::area_at_pressure)},

@@ -31,7 +31,7 @@ rough::DesignSetup setup_of(const json& result) {
     if (!result["datum_mm"].is_null())
         model.body.datum = result["datum_mm"].get<double>();
     model.loading.steps = result["steps"];
-    rough::DesignSetup setup{.model = completed(model),
+    rough::DesignSetup setup{.model = rough::completed(model),
                              .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")}};
     if (!result["max_pressure_MPa"].is_null())
         setup.max_pressure = result["max_pressure_MPa"].get<double>();
@@ -164,7 +164,7 @@ TEST_CASE("a design from a database is better than its nearest curves") {
                  "/experiments/targets/heldout.csv'");
     REQUIRE(rugosa("design --database g.db --seconds 1 --out quick" + target, folder.path()).code != 2);
     const rough::DesignSetup setup{
-        .model = completed({.grid = {.nodes = 128}}),
+        .model = rough::completed({.grid = {.nodes = 128}}),
         .targets = {rough::read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv")}};
     const rough::Genome best = rough::read_genome(folder / "best.json");
     rough::DesignSetup in_its_steps = setup; // as the answer is reported, not in the database's 20

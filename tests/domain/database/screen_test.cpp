@@ -119,6 +119,7 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
     for (const Kernel kernel : {Kernel::free, Kernel::strip, Kernel::periodic}) {
         DatabaseSetup setup = small_setup();
         setup.model.body.kernel = kernel;
+        setup.model.loading.reach.reset();
         setup.model = completed(setup.model);
         const GenomeStore store =
             built(folder / (std::to_string(static_cast<int>(kernel)) + ".db"), {.genomes = 40}, setup);

@@ -149,8 +149,8 @@ TEST_CASE("on a map every ridge is a plane wave in its direction", "[areas]") {
     const Grid grid = area(31, 23, false);
     const Profile map = sample(genome, grid);
     for (const Index node : {0, 17, 200, 431, 712}) {
-        const double x = grid.spacing() * static_cast<double>(node % 31),
-                     y = grid.row_spacing() * static_cast<double>(node / 31);
+        const double x = grid.spacing() * (static_cast<double>(node % 31) + 0.5),
+                     y = grid.row_spacing() * (static_cast<double>(node / 31) + 0.5);
         CHECK(map.heights[node] ==
               Approx(height_as_printed(genome, x, y, true)).epsilon(1e-10).margin(1e-15));
     }

@@ -11,7 +11,7 @@ using testing::p_max;
 
 /// A coarse set-up of the paper's experiment: 64 nodes, 30 genomes.
 struct Coarse {
-    Model model{{64, 0.84942, false}, {}, {}, {}};
+    Model model = completed({{64, 0.84942, false}, {}, {}, {}});
     DesignProblem problem{
         paper_setup(model, read_target(RUGOSA_SOURCE "/experiments/targets/heldout.csv"), p_max, p_max / 2)};
     Vocabulary words{std::make_shared<DominanceRule>(model)};

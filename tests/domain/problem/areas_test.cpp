@@ -154,7 +154,7 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
 
 TEST_CASE("levels cost what their grids and steps do, and a coarser problem less in the same unit") {
     for (const bool is_map : {false, true}) {
-        DesignSetup setup = is_map ? area_setup(Kernel::free) : rough::testing::drawn_setup(128);
+        DesignSetup setup = is_map ? area_setup(Kernel::free, 40, 36) : rough::testing::drawn_setup(128);
         const DesignProblem problem(setup);
         const auto& prices = problem.levels();
         REQUIRE(prices.size() == 4);

@@ -28,8 +28,8 @@ TEST_CASE("a wave on a map has the parameters of textbooks", "[areal]") {
     CHECK(s["Sq"] == Approx(a / std::sqrt(2)).epsilon(1e-12));
     CHECK(s["Sdq"] == Approx(a * k / std::sqrt(2)).epsilon(1e-5));
     // mean of sqrt(1 + g^2) - 1 for g = a k sin: g^2/4 - 3 g^4/64
-    const double g = a * k;
-    CHECK(s["Sdr"] == Approx(g * g / 4 - 3 * std::pow(g, 4) / 64).epsilon(1e-4));
+    const double g = a * k; // triangles lie between the wave and its chords
+    CHECK(s["Sdr"] == Approx(g * g / 4 - 3 * std::pow(g, 4) / 64).epsilon(3e-3));
 }
 
 TEST_CASE("heights are positive above the mean plane, depths below it, as in ISO 25178-2", "[areal]") {

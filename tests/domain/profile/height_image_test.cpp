@@ -76,7 +76,8 @@ TEST_CASE("a map is read back from its picture to half a grey level") {
 TEST_CASE("the picture of a profile is its strip in nearly square pixels") {
     const Profile profile{Eigen::VectorXd::Random(101), 0.01};
     for (const auto& [width, rows] : {std::pair(0.0, 26), {0.5, 51}, {1e-4, 2}}) {
-        const Picture picture = picture_in(height_image(profile, {.width = width}).png);
+        const Extrusion extrusion{.width = width > 0 ? std::optional(width) : std::nullopt};
+        const Picture picture = picture_in(height_image(profile, extrusion).png);
         CHECK(picture.size == Extent{101, rows});
         CHECK(picture.scale.at("row_spacing_mm") == Approx((width > 0 ? width : 0.25) / (rows - 1)));
         CHECK(std::equal(picture.greys.begin(), picture.greys.end() - 101, picture.greys.begin() + 101));

@@ -115,7 +115,7 @@ std::string x3p_file(char type = 'I') {
 
 namespace {
 
-Scan read(const std::string& bytes, ScanOptions options) {
+Scan read_file(const std::string& bytes, ScanOptions options) {
     const tests::Folder folder;
     options.detrend = Detrend::none;
     return open_scan(folder.write("scan.bin", bytes), options);
@@ -136,8 +136,8 @@ std::optional<HeightMap> any_map(const std::string& bytes) {
     return bytes.starts_with("PK") ? read_x3p(Zip(bytes, "map"), "map") : binary_map(bytes, "map");
 }
 
-std::string refusal(const std::string& bytes, ScanOptions options = {.row = 1}) {
-    return testing::refusal_of([&] { return read(bytes, options); });
+std::string refusal_of_file(const std::string& bytes, ScanOptions options = {.row = 1}) {
+    return testing::refusal_of([&] { return read_file(bytes, options); });
 }
 
 std::string map_refusal(const std::string& bytes, const ScanOptions& options = {}) {
@@ -185,16 +185,17 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
             else
                 CHECK(height == Approx(1e-5 * testing::map_heights[std::size_t(i)]).epsilon(1e-6));
         }
-        const Scan scan = read(bytes, {.row = 1});
+        const Scan scan = read_file(bytes, {.row = 1});
         CHECK(scan.measured.nodes() == 9);
         CHECK(scan.measured.heights[5] == Approx(9e-5).epsilon(1e-6));
         CHECK_THAT(scan.account, Catch::Contains("row 1 of 2 rows of 9 heights"));
-        CHECK(read(bytes, {.fill = true, .row = 2}).measured.heights[7] ==
+        CHECK(read_file(bytes, {.fill = true, .row = 2}).measured.heights[7] ==
               Approx(has_mark ? 3e-5 : -8e-5).epsilon(1e-6));
-        CHECK_THAT(refusal(bytes, {.row = 2}), Catch::Contains(has_mark ? "missing value" : "read as"));
+        CHECK_THAT(refusal_of_file(bytes, {.row = 2}),
+                   Catch::Contains(has_mark ? "missing value" : "read as"));
         for (const Index row : {0, 3})
-            CHECK_THAT(refusal(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
-        CHECK_THAT(refusal(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
+            CHECK_THAT(refusal_of_file(bytes, {.row = row}), Catch::Contains("the row to take, 1 to 2"));
+        CHECK_THAT(refusal_of_file(bytes, {.spacing = 7, .row = 1}), Catch::Contains("spacing"));
     }
     const auto metre = binary_map(changed(testing::gsf_file(), "XReal = 1.8e-5\nYReal = 6e-6\n", ""), "map");
     CHECK(metre->spacing == Approx(1e3 / 9)); // a GSF file without sizes is 1 m x 1 m, as in Gwyddion
@@ -205,10 +206,10 @@ TEST_CASE("every instrument's format gives the same map in mm, rows along x") {
 TEST_CASE("an ASCII surface data file of several profiles is a map") {
     const std::string text = "aISO-1.0\nNumPoints = 3\nNumProfiles = 2\nXscale = 1e-6\nYscale = 2e-6\n"
                              "Zscale = 1e-6\nDataType = 5\n*\n1 2 1\n4 -32768 5\n*\n";
-    CHECK(read(text, {.row = 1}).measured.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
-    CHECK(read(text, {.fill = true, .max_filled = 0.5, .row = 2}).measured.heights[1] == Approx(4.5e-3));
-    CHECK_THAT(refusal(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
-    CHECK_THAT(refusal(text, {}), Catch::Contains("the row to take"));
+    CHECK(read_file(text, {.row = 1}).measured.heights == Eigen::Vector3d(1e-3, 2e-3, 1e-3));
+    CHECK(read_file(text, {.fill = true, .max_filled = 0.5, .row = 2}).measured.heights[1] == Approx(4.5e-3));
+    CHECK_THAT(refusal_of_file(text, {.row = 2}), Catch::Contains("line 10") && Catch::Contains("missing"));
+    CHECK_THAT(refusal_of_file(text, {}), Catch::Contains("the row to take"));
     const Map map = as_map(changed(text, "-32768", "3"));
     CHECK((map.heights.shape() == Extent{3, 2} && map.heights.spacing == Approx(1e-3)));
     CHECK(map.heights.row_spacing == Approx(2e-3));
@@ -219,14 +220,14 @@ TEST_CASE("a profile written as X3P is read back to the last bit") {
     Profile profile{1e-3 * Eigen::VectorXd::Random(500), 0.84942 / 511};
     const std::string bytes = x3p(profile);
     CHECK(bytes == x3p(profile)); // without a date
-    const Scan scan = read(bytes, {});
+    const Scan scan = read_file(bytes, {});
     CHECK(scan.measured.spacing == Approx(profile.spacing).epsilon(1e-15));
     CHECK((scan.measured.heights - profile.heights).cwiseAbs().maxCoeff() < 1e-18);
     CHECK_THAT(scan.account, Catch::Contains("X3P"));
-    CHECK_THAT(refusal(bytes), Catch::Contains("omit the row"));
-    CHECK_THAT(refusal(bytes, {.spacing = -1}),
+    CHECK_THAT(refusal_of_file(bytes), Catch::Contains("omit the row"));
+    CHECK_THAT(refusal_of_file(bytes, {.spacing = -1}),
                Catch::Contains("spacing: -1 is out of range (a length above 0)"));
-    CHECK_THAT(refusal(bytes, {.row = -1}), Catch::Contains("row: -1 is out of range (1 or more)"));
+    CHECK_THAT(refusal_of_file(bytes, {.row = -1}), Catch::Contains("row: -1 is out of range (1 or more)"));
     const Zip zip(bytes, "x");
     // the MD5 of md5sum
     const tests::Folder folder;
@@ -241,7 +242,7 @@ TEST_CASE("an X3P with a wrong check sum or mask is refused") {
     const auto refused = [&](const std::string& description,
                              std::vector<std::pair<std::string, std::string>> more) {
         more.insert(more.begin(), {{"main.xml", description}, {"bindata/data.bin", data}});
-        return refusal(zipped(more));
+        return refusal_of_file(zipped(more));
     };
     const auto with_sum = [&](const std::string& name, const std::string& sum) {
         return changed(xml, "</DataLink>", "<" + name + ">" + sum + "</" + name + "></DataLink>");
@@ -261,8 +262,8 @@ TEST_CASE("an X3P with a wrong check sum or mask is refused") {
     std::string other = zip.entry("bindata/data.bin", 1000).value();
     other[3] ^= 1;
     CHECK_THAT(
-        refusal(zipped({{"main.xml", zip.entry("main.xml", 10000).value()}, {"bindata/data.bin", other}}),
-                {}),
+        refusal_of_file(
+            zipped({{"main.xml", zip.entry("main.xml", 10000).value()}, {"bindata/data.bin", other}}), {}),
         Catch::Contains("but the archive gives"));
 }
 
@@ -277,11 +278,11 @@ TEST_CASE("X3P with heights in its XML is read under any namespace") {
     REQUIRE(map->heights.size() == 4);
     CHECK(map->heights[1] == 4.5);
     CHECK(std::isnan(map->heights[2]));
-    CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))),
+    CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "<q:Datum>-1</q:Datum>", ""))),
                Catch::Contains("lists 3 heights"));
-    CHECK_THAT(refusal(x3p_of(changed(xml, "<q:Datum>-1<", "<q:Datum>0</q:Datum><q:Datum>-1<"))),
+    CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "<q:Datum>-1<", "<q:Datum>0</q:Datum><q:Datum>-1<"))),
                Catch::Contains("lists 5 heights"));
-    CHECK_THAT(refusal(x3p_of(changed(xml, "4.5", "high"))), Catch::Contains("'high'"));
+    CHECK_THAT(refusal_of_file(x3p_of(changed(xml, "4.5", "high"))), Catch::Contains("'high'"));
 }
 
 TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
@@ -321,7 +322,7 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
         {"\x89HDF\r\n" + std::string(8, '\0'), "(an HDF5 file, as Zygo's DATX)"},
     };
     for (const auto& [bytes, fault] : damaged)
-        CHECK_THAT(refusal(bytes), Catch::Contains(fault));
+        CHECK_THAT(refusal_of_file(bytes), Catch::Contains(fault));
 }
 
 TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
@@ -335,7 +336,7 @@ TEST_CASE("surfaces written as X3P or SUR are read back", "[map]") {
         CHECK(map.heights.row_spacing == Approx(0.025).epsilon(spacing_error));
         CHECK((map.heights.heights - relief.heights).cwiseAbs().maxCoeff() <= height_error * largest);
         CHECK_THAT(map.account, Catch::Contains(format));
-        CHECK((read(write(line), {}).measured.heights - line.heights).cwiseAbs().maxCoeff() <=
+        CHECK((read_file(write(line), {}).measured.heights - line.heights).cwiseAbs().maxCoeff() <=
               height_error * line.heights.cwiseAbs().maxCoeff());
     }
     CHECK_THAT(map_refusal(x3p(relief), {.spacing = 0.02}),

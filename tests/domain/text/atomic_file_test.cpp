@@ -67,12 +67,12 @@ TEST_CASE("a replaced file keeps its mode") {
     CHECK(fs::status(file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }
 
-TEST_CASE("a file above the maximum size and an endless device are refused") {
+TEST_CASE("a file above the maximum size and a device are refused") {
     const Folder folder;
     const fs::path file = folder.write("sparse.txt", "");
     fs::resize_file(file, 3'000'000'000'000);
     CHECK_THROWS_WITH(rough::read_whole(file), Catch::Contains("400000000 bytes"));
-    CHECK_THROWS_WITH(rough::read_whole("/dev/zero", 1000), Catch::Contains("1000 bytes"));
+    CHECK_THROWS_WITH(rough::read_whole("/dev/zero", 1000), Catch::Contains("is a device"));
     CHECK(rough::read_whole(folder.write("full", std::string(1000, 'x')), 1000).size() == 1000);
 }
 
