@@ -13,7 +13,7 @@ using namespace rough;
 namespace {
 
 using std::numbers::pi;
-using Matrix = Eigen::MatrixXd;
+using DenseMatrix = Eigen::MatrixXd;
 
 constexpr double friction = 0.3;
 
@@ -32,7 +32,7 @@ Body on_rigid(double thickness, double modulus, double nu) {
 }
 
 Body strip(double width, double modulus, double nu) {
-    Body body{Kernel::strip, effective_modulus(modulus, nu), 0, width};
+    Body body{Kernel::strip, effective_modulus(modulus, nu), std::nullopt, width};
     body.layering.poissons_ratio = nu;
     return body;
 }
@@ -40,7 +40,7 @@ Body strip(double width, double modulus, double nu) {
 /// Tangential influence numbers, mm/MPa, by printed formulas. A layer on a rigid base: u/p over 2/(E* q) is
 /// [(3 - 4 nu) sinh 2s + 2 s]/[...] with the denominator under pressure. A strip: 1/r + nu/(1 - nu) x^2/r^3
 /// (Cerruti) integrated over patches, by Gauss's rule along x.
-Matrix tangential_matrix(const Profile& profile, const Body& body) {
+DenseMatrix tangential_matrix(const Profile& profile, const Body& body) {
     const Index n = profile.nodes();
     const double dx = profile.spacing;
     Eigen::VectorXd h = Eigen::VectorXd::Zero(n);
@@ -59,7 +59,7 @@ Matrix tangential_matrix(const Profile& profile, const Body& body) {
                         std::cos(2 * pi * static_cast<double>(j * k % n) / static_cast<double>(n));
         }
     } else {
-        const double b = body.strip_width / 2, nu = body.layering.poissons_ratio;
+        const double b = *body.strip_width / 2, nu = body.layering.poissons_ratio;
         constexpr int parts = 4000; // half an element has these, graded towards the node
         for (Index j = 0; j < n; ++j)
             for (int m = 0; m < parts; ++m) {
@@ -69,11 +69,11 @@ Matrix tangential_matrix(const Profile& profile, const Body& body) {
                             (2 * std::asinh(b / std::abs(x)) + nu / (1 - nu) * 2 * b / std::hypot(x, b));
             }
     }
-    return Matrix::NullaryExpr(n, n, [&](Index i, Index j) { return h[std::abs(i - j)]; });
+    return DenseMatrix::NullaryExpr(n, n, [&](Index i, Index j) { return h[std::abs(i - j)]; });
 }
 
 /// The tractions |q| <= limit at a tangential displacement, by relaxation of node after node.
-Eigen::VectorXd relaxed(const Matrix& matrix, const Eigen::VectorXd& limit, double displacement) {
+Eigen::VectorXd relaxed(const DenseMatrix& matrix, const Eigen::VectorXd& limit, double displacement) {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(limit.size());
     for (double change = 1; change > 1e-14 * limit.maxCoeff();) {
         change = 0;
@@ -99,10 +99,10 @@ TEST_CASE("partial slip of strips and layers is that of dense tangential influen
         const PartialSlip slip = partial_slip(profile, body, normal, friction);
         const ContactState state =
             solve_contact(profile, body, {normal.displacement[3]}, {.states = true}).states[0];
-        const Matrix matrix = tangential_matrix(profile, body)(state.nodes, state.nodes);
+        const DenseMatrix matrix = tangential_matrix(profile, body)(state.nodes, state.nodes);
         const Eigen::VectorXd limit = friction * state.pressure;
         const double cell = normal.pressure[3] / state.pressure.sum();
-        CAPTURE(body.strip_width, body.layering.poissons_ratio);
+        CAPTURE(body.strip_width.value_or(0), body.layering.poissons_ratio);
         CHECK(slip.displacement[4] == Approx((matrix * limit).maxCoeff()).epsilon(1e-7));
         CHECK(slip.traction[4] == Approx(friction * normal.pressure[3]).epsilon(1e-9));
         CHECK(slip.stiffness[0] ==

