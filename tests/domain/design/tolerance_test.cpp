@@ -145,7 +145,7 @@ TEST_CASE("a unit tilt of a map rises by 1 along one side and is level along the
     REQUIRE(tilts.size() == 2);
     for (Index i = 0; i < 20; ++i) {
         CHECK(tilts[0][i] == Approx(static_cast<double>(i % 5) / 5)); // over five cells
-        CHECK(tilts[1][i] == Approx(std::floor(static_cast<double>(i) / 5) / 3));
+        CHECK(tilts[1][i] == Approx(std::floor(static_cast<double>(i) / 5) / 4));
     }
 }
 

