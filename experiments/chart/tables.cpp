@@ -59,7 +59,7 @@ json fastest(const ChartData& data, const Columns& columns, Counts counts) {
                     counts(run, column))
                     runs.push_back(&run);
             fastest_first(runs);
-            json cell{{"method", ""}, {"next", ""}};
+            json cell{{"method", ""}, {"seconds", nullptr}, {"next", ""}};
             if (!runs.empty())
                 cell.update({{"method", method_of(*runs[0])},
                              {"seconds", runs[0]->seconds},

@@ -145,16 +145,17 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
                     all.push_back(bbob_benchmark(bbob->first, function));
         } else if (name == "roughness" && roughness.empty()) {
             rough::refuse("roughness: has no target; give its file (CSV)");
-        } else if (name == "roughness") {
-            for (const rough::DesignSetup& setup : roughness) {
-                const std::string of_target =
-                    "roughness" + (roughness.size() == 1 ? "" : "-" + setup.targets[0].name);
-                const Roughness problem{
-                    setup, setup.model.grid.is_2d() ? std::make_shared<rough::ResponseMemory>() : nullptr};
-                all.push_back(benchmark(of_target, of_target, "surfaces", precisions(1, 1e-3),
-                                        [problem](int) { return problem; }));
-                all.back().setup = setup;
-            }
+        }
+        for (const rough::DesignSetup& setup : roughness) {
+            const std::string of_target =
+                "roughness" + (roughness.size() == 1 ? "" : "-" + setup.targets[0].name);
+            if (name != "roughness" && name != of_target)
+                continue;
+            const Roughness problem{
+                setup, setup.model.grid.is_2d() ? std::make_shared<rough::ResponseMemory>() : nullptr};
+            all.push_back(benchmark(of_target, of_target, "surfaces", precisions(1, 1e-3),
+                                    [problem](int) { return problem; }));
+            all.back().setup = setup;
         }
         for (const Benchmark& each : fixed)
             if (each.name == name || each.group == name)

@@ -72,8 +72,9 @@ TEST_CASE("the similarities of a design follow from its genome, for profiles and
         if (is_map) { // the tile to print is that of the answer
             CHECK(genome.series[0].chromosomes[0].phases.size() == 8);
             const rough::Profile answer = sample(genome, setup.model.grid);
-            CHECK(rough::read_whole(folder / "r" / "surface.stl") == binary_stl(answer));
-            CHECK(rough::read_whole(folder / "r" / "surface.3mf") == three_mf(answer));
+            const rough::Extrusion extrusion{.periodic = setup.model.grid.periodic};
+            CHECK(rough::read_whole(folder / "r" / "surface.stl") == binary_stl(answer, extrusion));
+            CHECK(rough::read_whole(folder / "r" / "surface.3mf") == three_mf(answer, extrusion));
             CHECK(rough::read_whole(folder / "r" / "surface.png") == height_image(answer).png);
         }
         if (!is_map && setup.max_pressure)
@@ -205,8 +206,8 @@ TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas
     folder.write("map.txt", table_text(20, 18, height));
     const json result = result_of(folder, "design --like map.txt --unit um --spacing 40x45" + pictured);
     CHECK(result["nodes"] == json({20, 18}));
-    CHECK(result["length_mm"][0].get<double>() == Approx(0.76));
-    CHECK(result["length_mm"][1].get<double>() == Approx(0.765));
+    CHECK(result["length_mm"][0].get<double>() == Approx(0.8));
+    CHECK(result["length_mm"][1].get<double>() == Approx(0.81));
     CHECK(result["targets"].size() == 2);
 }
 

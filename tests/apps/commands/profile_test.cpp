@@ -147,7 +147,7 @@ TEST_CASE("profile describes a genome on a 2-D grid as a map, with the requested
                               Catch::Contains("Smc(90 %)"));
     const auto numbers = json_in(folder / "o" / "surface.json");
     CHECK(numbers["nodes"] == nlohmann::json({40, 30}));
-    CHECK(numbers["spacing_mm"][1].get<double>() == Approx(0.6 / 29));
+    CHECK(numbers["spacing_mm"][1].get<double>() == Approx(0.6 / 30));
     CHECK(numbers["Smr_of_heights"][0]["material_ratio"] == numbers["Smr"]);
     CHECK(numbers["Smr_of_heights"][1]["material_ratio"].get<double>() >= numbers["Smr"].get<double>());
     CHECK(numbers["Smc_of_ratios"][0]["height_mm"] == numbers["Smc10_mm"]);
@@ -159,7 +159,7 @@ TEST_CASE("profile describes a genome on a 2-D grid as a map, with the requested
     grid.width = 0.6;
     const rough::Map back =
         rough::read_map(folder / "o" / "heights.txt",
-                        {.spacing = 0.8 / 39, .row_spacing = 0.6 / 29, .detrend = rough::Detrend::none});
+                        {.spacing = 0.8 / 40, .row_spacing = 0.6 / 30, .detrend = rough::Detrend::none});
     CHECK((back.heights.heights - sample(file.genome, grid).heights).cwiseAbs().maxCoeff() < 1e-15);
-    CHECK(std::filesystem::file_size(folder / "o" / "surface.stl") == 84 + 50 * 4 * (40 * 30 - 1));
+    CHECK(std::filesystem::file_size(folder / "o" / "surface.stl") == 84 + 50 * 4 * (42 * 32 - 1));
 }

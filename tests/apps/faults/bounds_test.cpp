@@ -53,6 +53,7 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
         fs::resize_file(folder / name, static_cast<std::uintmax_t>(bytes));
     }
     const std::string design = "design --target target.csv --nodes 64 --out o --pipeline ";
+    folder.write("few.txt", "0\n2\n1\n3\n");
     std::string layers;
     for (int layer = 0; layer < 33; ++layer)
         layers += " --layer 0.1";
@@ -67,7 +68,7 @@ TEST_CASE("input beyond the limits is refused at once and in little memory", "[b
              {design + "'sample 4 | score | islands 1e8 rounds=2 { score }'", "10000"},
              {"design --target /dev/zero --out o", "is a device"},
              {"contact --profile /dev/urandom --spacing 0.1 --out c.csv", "is a device"},
-             {"contact --profile small.txt --spacing 0.1 --kernel periodic --out c.csv" + layers,
+             {"contact --profile few.txt --spacing 0.1 --kernel periodic --out c.csv" + layers,
               "more than 32 layers"},
              {design + "'sample 1e10 | score'", "sample"}}) {
         const Spent refused = spent(words, folder.path());
@@ -139,7 +140,7 @@ TEST_CASE("reading takes at most 20 times the file or 200 MB, for every class of
                  entries.emplace_back(std::to_string(i), "");
              return rough::zipped(entries);
          }},
-        {"levels of JSON", genome, "deep", [&] { return times(15'000'000, "["); }},
+        {"levels of JSON", genome, "deep", [&] { return times(900'000, "["); }},
         {"values of JSON", genome, "values", [&] { return "[" + times(7'000'000, "0,") + "0]"; }},
         {"names in an .ini file", "run --out o ", "characters",
          [&] { return "[" + times(100'000, "a") + "]\n" + times(12'000, "k=1\n"); }},

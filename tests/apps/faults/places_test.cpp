@@ -21,6 +21,10 @@ Ended moved(const Folder& folder, const std::string& commands) {
 
 TEST_CASE("a checkpoint without room on the disk is reported once, and the result is written") {
     const Folder folder;
+    // A checkpoint holds the outcomes of all genomes, which take more room than the result.
+    const std::string design = "design --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' --nodes 64 "
+                               "--threads 1 --pictures off --pipeline 'sample 3000 | score | best 20 | "
+                               "repeat 4 { tournament 2 | mutate 0.1 | score } | best 1' ";
     const Ended whole = rugosa(design + "--out whole", folder.path());
     REQUIRE(whole.code != 2);
     // The limit is as many blocks as the result needs.

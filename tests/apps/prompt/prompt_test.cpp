@@ -18,7 +18,7 @@ struct Desk : Folder {
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
         write("conductance.csv", "pressure_MPa,conductance\n1,10\n");
         write("one.txt", "1\n3\n0.5\n2\n1\n");
-        write("map.txt", "0 1 2\n1 2 3\n");
+        write("map.txt", "0 1 2 1\n1 2 3 2\n");
         write("recorded.csv", "# kernel: strip\n# length_mm: 0.004\n# strip_width_mm: "
                               "1e-5\npressure_MPa,stiffness_MPa_per_mm\n1e-6,0.1\n");
         write("datum.csv", "# kernel: free\n# length_mm: 0.004\n# datum_mm: "

@@ -27,7 +27,7 @@ TEST_CASE("a command overwrites no existing file in its folder") {
     const Desk desk;
     for (const std::string& words : {std::string("profile genome.json --nodes 64 --out "), quick_design,
                                      "run '" + experiment +
-                                         "paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
+                                         "paper/paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
                                          "paper.sweep-points=0 --out ",
                                      std::string("stability --scene spike --out ")}) {
         answered(rugosa(words + "first", desk.path()));

@@ -10,7 +10,7 @@ TEST_CASE("the record of an endless run stays bounded and keeps its last generat
     ga::Counters counters;
     for (long generation = 0; generation < 500; ++generation)
         for (const std::string path : {"v/repeat.1/cross.1", "v/repeat.1/score.1"}) {
-            counters.evaluations = generation;
+            counters.price = static_cast<double>(generation);
             observe({path, {static_cast<std::size_t>(generation)}, population, counters, 0});
         }
     CHECK(stages.size() == max_candidates / 1000);
