@@ -389,9 +389,9 @@ Profile filled(Profile surface, const MissingPoints& missing, double max_share) 
         return surface;
     }
     const auto [columns, rows] = surface.shape();
-    const auto powers = [&, wide = columns](Index node) {
+    const auto powers = [wide = columns, high = rows](Index node) {
         return Eigen::Vector3d(1, static_cast<double>(2 * (node % wide)) / static_cast<double>(wide) - 1,
-                               static_cast<double>(2 * (node / wide)) / static_cast<double>(rows) - 1);
+                               static_cast<double>(2 * (node / wide)) / static_cast<double>(high) - 1);
     };
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     Eigen::Vector3d sums = Eigen::Vector3d::Zero();
