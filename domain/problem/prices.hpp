@@ -6,7 +6,7 @@
 namespace rough {
 
 /// The time of one contact curve relative to that of another model, by a table that was measured once
-/// (tests/benchmarks/README.md). It depends on the numbers of nodes and of load steps, and on whether the
+/// (tests/benchmarks/prices.cpp). It depends on the numbers of nodes and of load steps, and on whether the
 /// surface is a map, never on a clock.
 double relative_price(const Model& model, const Model& unit);
 
