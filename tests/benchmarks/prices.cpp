@@ -36,14 +36,12 @@ void print_row(bool is_map, Index nodes, int steps) {
     std::mt19937_64 random(3);
     std::vector<double> curves, gradients;
     for (int genome = 0; genome < 3; ++genome) {
-        DesignSetup setup;
-        setup.model.grid.nodes = nodes;
+        Model model{.grid = {.nodes = nodes}, .loading = {.steps = steps}};
         if (is_map)
-            setup.model.grid.rows = nodes, setup.model.grid.width = setup.model.grid.length;
-        setup.model.loading.steps = steps;
-        setup.max_pressure = 1.6e-4;
-        setup.targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")};
-        setup = completed(std::move(setup));
+            model.grid.rows = nodes, model.grid.width = model.grid.length;
+        const DesignSetup setup{.model = completed(model),
+                                .targets = {read_target(RUGOSA_SOURCE "/experiments/targets/drawn.csv")},
+                                .max_pressure = 1.6e-4};
         const Genome surface = random_genome(
             [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); }, 2,
             is_map ? 8 : 1, setup.model.grid.length,
