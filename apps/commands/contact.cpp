@@ -67,8 +67,8 @@ std::vector<Setting> contact_settings() {
         threads_setting(),
         ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
         accuracy_setting(
-            "", "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
-                "solved on its nodes; so is a map, unless one line is enough"),
+            "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
+            "solved on its nodes; so is a map, unless one line is enough"),
         positive("friction", "",
                  "friction coefficient; writes partial slip under the last load to CURVE-slip.csv [none]"),
     };

@@ -47,15 +47,15 @@ DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std
     DesignAnswer answer;
     if (task.from) {
         const Production& from = *task.from;
-        answer.morphed = rough::morph(task.searched, from.genome, from.control, from.largest_change,
-                                      task.searched.required_similarity);
-        answer.found = as_found(task.searched, *answer.morphed);
+        answer.morphed = rough::morph(task.setup, from.genome, from.control, from.largest_change,
+                                      task.setup.required_similarity);
+        answer.found = as_found(task.setup, *answer.morphed);
         answer.found.name = answer.found.pipeline = "morph";
     } else {
         const auto evaluator = design_evaluator(options.threads);
         options.evaluator = evaluator.get();
         answer.found = rough::search(
-            task.searched, options,
+            task.setup, options,
             {recorder(stages),
              ga::progress<rough::Genome>([&](const std::string& text) { progress.show(text); })});
     }

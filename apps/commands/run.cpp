@@ -9,7 +9,7 @@ namespace {
 
 /// The model's settings, as flags of every experiment that has one.
 std::vector<Setting> model_flags() {
-    std::vector<Setting> flags = joined({model_settings(), {accuracy_setting()}});
+    std::vector<Setting> flags = model_settings();
     for (Setting& flag : flags)
         flag.fallback = "";
     return flags;

@@ -245,8 +245,8 @@ std::vector<Setting> cap_settings(const std::string& prefix) {
     };
 }
 
-Setting accuracy_setting(const std::string& prefix, const std::string& against) {
-    return ga::number(prefix + "accuracy", "", 1e-9, 1,
+Setting accuracy_setting(const std::string& against) {
+    return ga::number("accuracy", "", 1e-9, 1,
                       "largest relative error allowed for a response, 1e-9 to 1, against " + against +
                           " [none: no response is approximated]");
 }

@@ -54,8 +54,7 @@ Bindings with_bounds(Bindings bindings, Bounds& of, double min_gamma = 1.001) {
 }
 
 /// --accuracy: the error allowed for the response of a genome. `against` says what the error is relative to.
-Setting accuracy_setting(const std::string& prefix = "",
-                         const std::string& against = "the response of the whole model");
+Setting accuracy_setting(const std::string& against);
 
 ///@{
 /// The complete model that the settings describe. Its grid is given, the default or that of a source;

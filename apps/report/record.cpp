@@ -35,19 +35,7 @@ json account_json(const rough::AccuracyReport& account) {
 
 namespace {
 
-/// The account of a genome's response in a search, and its error against the exact model (`true_error`).
-json modelled_json(const rough::Genome& genome, const rough::Model& model) {
-    const rough::ReportedResponse found = respond_within(genome, model);
-    json result = account_json(found.account);
-    result.erase("seconds"); // the variant has the seconds of its search
-    result["true_error"] =
-        model.accuracy > 0
-            ? rough::relative_error(found.response.pressure, respond(genome, exactly(model)).pressure)
-            : 0.0;
-    return result;
-}
-
-json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
+json variant_json(const VariantRun& variant, const rough::Model& model) {
     json stages = variant.stages;
     for (json& stage : stages)
         stage.erase("spent");
@@ -57,12 +45,7 @@ json variant_json(const VariantRun& variant, const std::vector<rough::Model>& lo
                    {"notes", variant.notes}});
     if (!variant.pipeline.empty())
         result["pipeline"] = variant.pipeline;
-    for (rough::Model model : loaded) {
-        model.loading = up_to_full_contact(model.loading, sample(variant.answer.genome, model.grid), model);
-        result["modelled"].push_back(modelled_json(variant.answer.genome, model));
-    }
-    if (const rough::Model& model = loaded.front();
-        model.body.kernel == rough::Kernel::free && !model.grid.is_2d())
+    if (model.body.kernel == rough::Kernel::free && !model.grid.is_2d())
         for (const double stiffness : variant.answer.response.tangent_stiffness)
             result["tangent_stiffness_per_ln_datum_MPa_per_mm"].push_back(
                 rough::datum_sensitivity(stiffness, model.grid.length, model.body.effective_modulus));
@@ -95,10 +78,7 @@ json model_json(const rough::Model& model) {
                    {"datum_mm", nullptr},
                    {"strip_width_mm", nullptr},
                    {"steps", model.loading.steps},
-                   {"reach", *model.loading.reach},
-                   {"accuracy", nullptr}};
-    if (model.accuracy > 0)
-        result["accuracy"] = model.accuracy;
+                   {"reach", *model.loading.reach}};
     if (model.grid.is_2d()) {
         result["nodes"] = {model.grid.nodes, model.grid.rows};
         result["length_mm"] = {model.grid.length, model.grid.width};
@@ -144,7 +124,7 @@ json result_json(const Origin& origin, const rough::DesignSetup& setup,
     result["target"] = target_json(setup.targets.front());
     result["variants"] = json::object();
     for (const VariantRun& variant : variants)
-        result["variants"][variant.name] = variant_json(variant, loaded_models(setup));
+        result["variants"][variant.name] = variant_json(variant, setup.model);
     return result;
 }
 

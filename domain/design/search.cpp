@@ -144,9 +144,9 @@ DesignResponse response_of(const DesignSetup& setup, const Answer& answer) {
                                 : design_response(setup, answer.on_grid);
 }
 
-std::vector<Compromise> compromises(const DesignSetup& searched, const std::vector<Genome>& genomes,
+std::vector<Compromise> compromises(const DesignSetup& given, const std::vector<Genome>& genomes,
                                     std::size_t max_count, int threads) {
-    const DesignSetup setup = as_reported(searched);
+    const DesignSetup setup = as_reported(given);
     const auto each = [&](std::vector<Compromise>& all, auto work) {
         ga::parallel_for(all.size(), ga::thread_count(threads), [&](std::size_t i) {
             try {
@@ -290,7 +290,7 @@ Unreachable unreachable(std::vector<OutOfReach> reasons, double required) {
 }
 
 Unreachable unreachable(const DesignSetup& setup, double required) {
-    return unreachable(out_of_reach(setup.targets, exactly(setup).model, setup.max_pressure), required);
+    return unreachable(out_of_reach(setup.targets, setup.model, setup.max_pressure), required);
 }
 
 } // namespace rough

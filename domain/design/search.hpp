@@ -28,8 +28,8 @@ struct Answer : Verification {
 /// verification, the similarity on the set-up's grid and load steps is still computed. The other similarities
 /// may then be NaN. Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The answer's response under the set-up. For a response without approximations, pass exactly(setup). If the
-/// verification is incomplete, the response that the answer stores is returned.
+/// The answer's response under the set-up. If the verification is incomplete, the response that the answer
+/// stores is returned.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.
@@ -85,7 +85,7 @@ constexpr double exact_enough = 0.999;
 /// The reasons, and the lowest of their bounds.
 Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
 
-/// The reasons and the bound for a set-up without approximations. The targets are out of reach if no profile
+/// The reasons and the bound for a set-up. The targets are out of reach if no profile
 /// can have the similarity `required`.
 Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
 

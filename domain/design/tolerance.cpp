@@ -32,7 +32,7 @@ class ErrorTrials {
   public:
     ErrorTrials(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options)
         : options_(options), threads_(ga::thread_count(options.threads)),
-          watch_({std::numeric_limits<long>::max(), options.seconds, options.stop}), setup_(exactly(given)),
+          watch_({std::numeric_limits<long>::max(), options.seconds, options.stop}), setup_(given),
           made_(stopping(setup_), genome),
           range_(made_.surface().heights.maxCoeff() - made_.surface().heights.minCoeff()) {}
     ErrorTrials(const ErrorTrials&) = delete; // the surface refers to the clock

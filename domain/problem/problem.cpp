@@ -181,7 +181,7 @@ DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) con
     }
     const Genome final = final_genome(genome, outcome);
     if (level == level::made)
-        outcome.similarity = std::min(outcome.similarity, errors_->similarity({exactly(*setup_), final}));
+        outcome.similarity = std::min(outcome.similarity, errors_->similarity({*setup_, final}));
     outcome.excess = excess(final, setup_->model.grid, setup_->limits);
     return outcome;
 }
@@ -313,7 +313,7 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
     if (setup_->max_pressure)
         shape.scale = all[0].factor;
     if (objective == "made") {
-        const SurfaceWithErrors made(exactly(*setup_), shape);
+        const SurfaceWithErrors made(*setup_, shape);
         std::vector<ga::Sensitivity> parts{std::move(rows)};
         for (const auto* errors : {&errors_->noise, &errors_->tilts})
             for (const Eigen::VectorXd& heights : *errors)

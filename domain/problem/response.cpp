@@ -156,15 +156,6 @@ std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loadin
     return loadings;
 }
 
-std::vector<Model> loaded_models(const DesignSetup& setup) {
-    std::vector<Model> models;
-    for (const Loading& loading : loadings_of(setup, setup.model.loading)) {
-        models.push_back(setup.model);
-        models.back().loading = loading;
-    }
-    return models;
-}
-
 Genome at_scale_one(Genome genome, const DesignSetup& setup) {
     if (setup.max_pressure)
         genome.scale = 1;
@@ -260,7 +251,7 @@ double similarity(const DesignSetup& setup, const Genome& genome, Index refine) 
 
 Genome in_final_form(const DesignSetup& setup, Genome genome) {
     if (setup.max_pressure)
-        genome.scale = respond(setup, genome, exactly(setup.model)).scale;
+        genome.scale = respond(setup, genome, setup.model).scale;
     return genome;
 }
 

@@ -10,8 +10,6 @@ std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loadin
 /// Returns the load steps, or steps to 0.999 of the full-contact displacement if the given steps go further.
 /// Only an elastic periodic body has such a limit.
 Loading up_to_full_contact(Loading loading, const Profile& profile, const Model& model);
-/// The set-up's model with each of its targets' loadings.
-std::vector<Model> loaded_models(const DesignSetup& setup);
 
 /// Returns the genome. Under Eq. 11 its scale becomes 1, because only the shape then affects the curves.
 Genome at_scale_one(Genome genome, const DesignSetup& setup);
@@ -32,11 +30,11 @@ struct DesignResponse {
 /// The responses and curves of a genome from its responses at scale 1, one for each loading.
 DesignResponse design_response(const DesignSetup& setup, std::vector<Response> responses);
 
-/// The responses of a genome (at scale 1 under Eq. 11) to each loading, within the model's accuracy.
+/// The responses of a genome (at scale 1 under Eq. 11) to each loading.
 std::vector<Response> responses_of(const DesignSetup& setup, const Genome& genome, const Model& model);
 
-/// The responses and curves of a genome within the accuracy of `model`, which may have another grid, load
-/// steps or kernel than the set-up.
+/// The responses and curves of a genome under `model`, which may have another grid, load steps or kernel than
+/// the set-up.
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model);
 
 /// Misfits to each target at its points.
@@ -49,12 +47,12 @@ std::vector<double> similarities(const DesignSetup& setup, const DesignResponse&
 double min_similarity(const std::vector<Eigen::VectorXd>& misfits);
 /// The lowest similarity of a response over all targets.
 double similarity(const DesignSetup& setup, const DesignResponse& response);
-/// The lowest similarity of a genome over all targets, on a grid `refine` times finer, within the set-up's
-/// accuracy. Eq. 11 is applied to that grid's response.
+/// The lowest similarity of a genome over all targets, on a grid `refine` times finer. Eq. 11 is applied to
+/// that grid's response.
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine = 1);
 
 /// The genome in its final form, in which it is reported. Under Eq. 11 its scale is the factor of Eq. 11,
-/// computed on the set-up's grid without approximation. Without Eq. 11 the genome is unchanged.
+/// computed on the set-up's grid. Without Eq. 11 the genome is unchanged.
 Genome in_final_form(const DesignSetup& setup, Genome genome);
 
 /// The misfits to all targets under a model, target after target, and their derivatives. Contact fractions

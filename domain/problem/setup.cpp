@@ -37,8 +37,8 @@ void validate(const DesignSetup& setup) {
     const Index fewest = grid.is_2d() ? std::min(grid.nodes, grid.rows) : grid.nodes;
     if (!setup.phases && fewest < 16)
         refuse_value("nodes", fewest, " are too few for a design; give at least 16");
-    if (grid.is_2d() && setup.model.accuracy > 0)
-        refuse_value("accuracy", setup.model.accuracy, " does not apply to a map; omit it");
+    if (setup.model.accuracy > 0)
+        refuse_value("accuracy", setup.model.accuracy, " does not apply to a design; omit it");
     if (grid.is_2d() && setup.model.body.kernel == Kernel::strip)
         refuse_value("kernel", "strip does not apply to a map; give free or periodic");
     validate(setup.model);
@@ -85,13 +85,7 @@ std::vector<Index> points_of_half(const DesignSetup& setup, bool high) {
     return points;
 }
 
-DesignSetup exactly(DesignSetup setup) {
-    setup.model = exactly(std::move(setup.model));
-    return setup;
-}
-
-DesignSetup as_reported(DesignSetup searched) {
-    DesignSetup setup = exactly(std::move(searched));
+DesignSetup as_reported(DesignSetup setup) {
     ContactOptions& contact = setup.model.contact;
     const Index nodes = refined(setup.model, 4).grid.nodes;
     if (!setup.model.grid.is_2d() && nodes <= max_exactly_reported)

@@ -48,7 +48,7 @@ struct DesignSetup {
 };
 
 /// Throws InputError on a model that is not complete or has no solution. Also throws it on fewer than 16
-/// nodes along an axis, and on a map with an accuracy or a strip. Unless only phases move, throws it on a
+/// nodes along an axis, on an accuracy, and on a map with a strip. Unless only phases move, throws it on a
 /// shortest wavelength below a node spacing or above the longest.
 ///
 /// Throws it, too, if targets are missing, invalid, recorded for another model, or beyond max_pressure. Also
@@ -59,13 +59,10 @@ void validate(const DesignSetup& setup);
 /// from the threshold on.
 std::vector<Index> points_of_half(const DesignSetup& setup, bool high);
 
-/// The set-up with Model::accuracy 0: its responses are computed without approximations.
-DesignSetup exactly(DesignSetup setup);
-
-/// The set-up with which answers are reported, without approximations. If the finer grid of a line has up to
-/// 16385 nodes, the tolerance is lowered so that similarities have nine digits with every solver. Larger
-/// grids and maps keep the tolerance.
-DesignSetup as_reported(DesignSetup searched);
+/// The set-up with which answers are reported. If the finer grid of a line has up to 16385 nodes, the
+/// tolerance is lowered so that similarities have nine digits with every solver. Larger grids and maps keep
+/// the tolerance.
+DesignSetup as_reported(DesignSetup setup);
 
 /// A design with the response of a measured profile as target. The targets are the profile's response under
 /// `model`. They have `points` evenly spaced pressures up to `max_pressure` (MPa) if it is given, otherwise

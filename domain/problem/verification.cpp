@@ -56,7 +56,7 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     setup.model.loading.steps *= times;
     if (!setup.measured)
         return setup;
-    const Response response = respond(*setup.measured, exactly(setup.model));
+    const Response response = respond(*setup.measured, setup.model);
     for (Target& target : setup.targets) {
         const Curve curve = curve_of(target.quantity, response);
         for (Index k = 0; k < target.points(); ++k) {

@@ -132,12 +132,6 @@ inline Response respond(const Profile& profile, const Model& model) {
     return respond(profile, model.body, model.loading, model.contact);
 }
 
-/// The model without approximations.
-inline Model exactly(Model model) {
-    model.accuracy = 0;
-    return model;
-}
-
 /// The model on a grid with `refine` elements for each element of its grid.
 inline Model refined(Model model, Index refine) {
     model.grid = refined(model.grid, refine);

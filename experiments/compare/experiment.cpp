@@ -36,7 +36,7 @@ std::vector<Setting> compare_settings() {
     for (Setting& setting : model)
         if (setting.name == "model.nodes") // several grids, separated by commas
             setting.takes = ga::word_list({}, {});
-    return joined({settings, model, {accuracy_setting("model.")}});
+    return joined({settings, model});
 }
 
 std::string text_of(const Settings& settings, const std::string& key, const char* usual, const char* quick) {
@@ -115,7 +115,6 @@ std::vector<rough::DesignSetup> roughness_from(const Settings& settings) {
                 .model = surface_model_from(settings.with({{"model.nodes", nodes}}, model_settings("model.")),
                                             "model."),
                 .targets = {rough::read_target(path)}};
-            settings.take("model.accuracy", setup.model.accuracy);
             settings.take("compare.ridges", setup.ridges);
             setup.targets[0].name = path.stem().string() + (nodes == grids[0] ? "" : "-" + nodes);
             settings.take("compare.max-pressure", setup.max_pressure);

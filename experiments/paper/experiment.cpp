@@ -77,16 +77,16 @@ rough::Target stiffness_from(const std::string& file) {
 void take_targets(const Settings& settings, PaperRun& run) {
     if (settings.has("target.profile")) {
         const Source scan = scan_from(settings.path("target.profile"), settings, 0, "target.");
-        run.searched = model_from(settings, scan, "model.");
+        run.model = model_from(settings, scan, "model.");
         if (!settings.has("model.nodes"))
-            run.searched.grid.nodes = 512;
-        run.targets = {{"measured", target_of(scan, run.searched, settings.text("target.profile"))}};
+            run.model.grid.nodes = 512;
+        run.targets = {{"measured", target_of(scan, run.model, settings.text("target.profile"))}};
         return;
     }
     if (!settings.has("target.file"))
         settings.refuse("target.file",
                         "missing; name a target (CSV), or a measured profile as target.profile");
-    run.searched = model_from(settings, "model.");
+    run.model = model_from(settings, "model.");
     run.targets = {{"drawn", stiffness_from(settings.path("target.file"))}};
     if (settings.has("heldout.file"))
         run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file"))});
@@ -124,8 +124,7 @@ std::vector<Setting> paper_settings() {
                    settings_of(bindings_of(run)),
                    settings_of(with_bounds({}, run.layout), "database."),
                    scan_settings("target."),
-                   model_settings("model."),
-                   {accuracy_setting("model.")}});
+                   model_settings("model.")});
 }
 
 /// The requested models, targets, database and seed; nothing is run. Throws rough::InputError.
@@ -133,8 +132,6 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     PaperRun run;
     run.origin = origin;
     take_targets(settings, run);
-    settings.take("model.accuracy", run.searched.accuracy);
-    run.model = exactly(run.searched);
     run.layout.lambda = run.model.grid.length;
     run.layout.shortest = run.model.grid.spacing();
     take(settings, bindings_of(run));
@@ -239,7 +236,7 @@ class Paper {
         : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
           variants_(variants_from(
               settings,
-              {std::make_shared<DominanceRule>(run.searched, run.dominance, run.dominant_above), run.reach},
+              {std::make_shared<DominanceRule>(run.model, run.dominance, run.dominant_above), run.reach},
               run.reduces_children)) {
         conditions.progress.show("database");
         run.database = answered(genomes_, run.model, run.max_pressure, run.origin.threads);
@@ -284,7 +281,7 @@ class Paper {
 
   private:
     rough::DesignSetup setup_for(const TargetRun& target, double p_bar) const {
-        return paper_setup(run_.searched, target.target, run_.max_pressure, p_bar, run_.reach);
+        return paper_setup(run_.model, target.target, run_.max_pressure, p_bar, run_.reach);
     }
 
     /// Runs a variant and records its stages; its answer is solved exactly. Returns false if the run was
@@ -305,7 +302,7 @@ class Paper {
         run.seconds = result.seconds;
         run.notes = result.notes;
         run.answer.genome = in_final_form(problem.setup(), result.population.front().genome);
-        run.answer.response = respond(run.answer.genome, exactly(problem.setup().model));
+        run.answer.response = respond(run.answer.genome, problem.setup().model);
         run.similarity = similarity(as_reported(problem.setup()), run.answer.genome);
         run.curves = result.counters.evaluations;
         run.gradients = result.counters.gradients;

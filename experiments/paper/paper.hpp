@@ -36,8 +36,7 @@ struct TargetRun {
 struct PaperRun {
     Origin origin;
     double seconds = 0;      ///< wall time of the run without the page
-    rough::Model model;      ///< solved exactly, for all reported numbers
-    rough::Model searched;   ///< with the accuracy of the searches
+    rough::Model model;
     double max_pressure = 0; ///< p_max
     double p_bar = 0;        ///< threshold of the variants, except in the sweep
     rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1

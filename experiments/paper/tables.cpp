@@ -173,7 +173,7 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
         add_search_tables(target, place, found);
         add_answer_tables(run, target, place, found);
         json result = result_json(
-            run.origin, paper_setup(run.searched, target.target, run.max_pressure, run.p_bar, run.reach),
+            run.origin, paper_setup(run.model, target.target, run.max_pressure, run.p_bar, run.reach),
             target.variants);
         result["threshold_MPa"] = run.p_bar;
         if (first)

@@ -46,7 +46,7 @@ CapRun cap_run_from(const Settings& settings) {
     std::erase_if(others, [](const std::string& name) {
         return rough::is_in(
             " variant pipeline seconds evaluations alternatives seed threads reach-similarity "
-            "nodes material modulus poisson accuracy ",
+            "nodes material modulus poisson ",
             name);
     });
     expect_none(settings, others, "given with --asperities; omit it, as it is for sums of cosines only");
@@ -232,9 +232,11 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
 } // namespace
 
 std::vector<Setting> asperity_settings() {
-    return joined({cap_settings(),
-                   {{"positions", "",
-                     "exchange caps at the end of the usual search, which changes interaction only", true}}});
+    return joined(
+        {cap_settings(),
+         {{"positions", "", "exchange caps at the end of the usual search, which changes interaction only",
+           true},
+          accuracy_setting("interacting caps; from 0.02 on, caps that do not interact serve areas")}});
 }
 
 int design_asperities(const Settings& settings, const std::string& line) {

@@ -89,7 +89,7 @@ json morph_json(const DesignRun& run) {
 json design_json(const DesignRun& run) {
     VariantRun variant = variant_run(run.found.name, run.found, run.stages, run.seconds);
     variant.answer.response = run.response.responses.front();
-    json result = result_json(run.origin, run.searched, {variant});
+    json result = result_json(run.origin, run.setup, {variant});
     result.update(record_json(run, run.setup.targets,
                               std::string(run.found.best.on_finer.empty() ? "" : " finer") +
                                   (run.from ? " before" : "")));

@@ -65,8 +65,7 @@ struct DesignRequest {
 
 /// A design that the settings describe completely.
 struct DesignTask {
-    rough::DesignSetup setup;    ///< solved throughout, for all results on the answer
-    rough::DesignSetup searched; ///< the set-up with the accuracy that the search was allowed
+    rough::DesignSetup setup;
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     rough::ToleranceOptions tolerance_options;

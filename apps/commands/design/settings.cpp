@@ -128,8 +128,7 @@ std::vector<Setting> search_settings() {
     return joined({settings,
                    settings_of(bindings_of(options)),
                    settings_of(bindings_of(setup)),
-                   model_settings(),
-                   {accuracy_setting()}});
+                   model_settings()});
 }
 
 std::vector<Setting> design_settings() {
@@ -262,8 +261,6 @@ DesignRun design_from(const Settings& settings, DesignRequest request) {
                                                                                   : rough::exact_enough);
     if (!unreachable.reasons.empty())
         options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
-    rough::DesignSetup searched = setup;
-    settings.take("accuracy", searched.model.accuracy);
     rough::TrustOptions trust{.seed = options.seed, .threads = options.threads};
     settings.take("hardness", trust.hardness);
     if (from)
@@ -272,7 +269,6 @@ DesignRun design_from(const Settings& settings, DesignRequest request) {
         .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
     return {{.clock = clock, .unreachable = std::move(unreachable)},
             {.setup = setup,
-             .searched = std::move(searched),
              .options = std::move(options),
              .trust_options = trust,
              .tolerance_options = tolerance,

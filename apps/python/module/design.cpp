@@ -111,7 +111,7 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
         observers.push_back(observer(*progress, callback));
     {
         const py::gil_scoped_release unlocked;
-        run.found = search(run.searched, run.options, observers);
+        run.found = search(run.setup, run.options, observers);
         static_cast<rough::Response&>(run.curve) = response_of(run.setup, run.found.best).responses.front();
     }
     callback.rethrow();

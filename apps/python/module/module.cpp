@@ -84,7 +84,7 @@ rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
 
 const std::vector<app::Setting>& response_settings() {
     static const auto all =
-        app::joined({app::model_settings(), {app::accuracy_setting()}, app::loading_settings()});
+        app::joined({app::model_settings(), {app::accuracy_setting("the response of the whole model")}, app::loading_settings()});
     return all;
 }
 

@@ -177,27 +177,6 @@ TEST_CASE("a design from a database is better than its nearest curves") {
           rough::Verifier(setup).of(nearest).worst() - 1e-9);
 }
 
-TEST_CASE("a design within an accuracy reports what it modelled and has exact similarities") {
-    const Folder folder;
-    const std::string words = drawn +
-                              " --pictures off --nodes 1025 --shortest-wave 0.1 --max-pressure 1.6e-4 "
-                              "--pipeline 'sample 8 | score | best 2 | refine lm 3 | score verified' ";
-    answered(rugosa(words + "--out exact", folder.path()));
-    const json result = result_of(folder, words + "--accuracy 0.01"),
-               &variant = result["variants"]["pipeline"], &account = variant["modelled"][0];
-    const auto genome = rough::genome_from_json(variant["genome"], "genome");
-    const rough::DesignSetup setup = setup_of(result);
-    CHECK(similarity(setup, genome) == Approx(variant["similarity"].get<double>()).margin(1e-9));
-    CHECK(similarity(setup, genome, 4) == Approx(variant["similarity_refined"].get<double>()).margin(1e-9));
-    CHECK(account["resolved_nodes"] == 1025);
-    CHECK(account["estimated_error"] <= 0.01);
-    CHECK(account["true_error"] <= 0.01);
-    CHECK_THAT(account["words"].get<std::string>(), Catch::Contains("0.01 was requested"));
-    const json exact = result_in(folder / "exact")["variants"]["pipeline"]["modelled"][0];
-    CHECK(exact["true_error"] == 0);
-    CHECK(exact["grids"] == json{1025});
-}
-
 TEST_CASE("a design like a map has two targets on the nodes of the map", "[areas]") {
     const Folder folder;
     const auto height = [](int i, int j) {

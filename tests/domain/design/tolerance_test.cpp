@@ -47,8 +47,11 @@ double similarity_with(const Case& one, const Eigen::VectorXd& errors) {
     Profile made = sample(one.genome, one.setup.model.grid);
     made.heights += errors;
     std::vector<Response> responses;
-    for (const Model& model : loaded_models(one.setup))
+    Model model = one.setup.model;
+    for (const Loading& loading : loadings_of(one.setup, model.loading)) {
+        model.loading = loading;
         responses.push_back(respond(made, model));
+    }
     return similarity(one.setup, design_response(one.setup, std::move(responses)));
 }
 
