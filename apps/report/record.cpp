@@ -63,7 +63,7 @@ VariantRun variant_run(const std::string& name, const rough::SearchResult& found
             .answer = {found.best.genome, {}},
             .similarity = found.best.similarity,
             .similarity_refined = found.best.refined,
-            .similarity_worst = found.best.worst(),
+            .similarity_worst = found.best.worst,
             .seconds = seconds,
             .curves = found.counters.evaluations,
             .gradients = found.counters.gradients,

@@ -43,8 +43,8 @@ struct VariantRun {
     std::vector<std::string> notes;  ///< the engine's remarks, e.g. that a threshold took its "at least"
     Answered answer;
     double similarity = 0;          ///< similarity of the answer on the run's grid
-    double similarity_refined = 0;  ///< similarity at 4(N-1)+1 nodes, with Eq. 11 applied again
-    double similarity_worst = 0;    ///< lowest of these and of four times the load steps on either grid
+    double similarity_refined = 0;  ///< similarity on the finer grid, with Eq. 11 applied again
+    double similarity_worst = 0;    ///< verdict: on the finer grid in finer load steps, less the error
     double seconds = 0;             ///< wall time
     long curves = 0, gradients = 0; ///< evaluations and derivatives at all levels
     double price = 0;               ///< what they cost, in contact curves on the run's grid in its load steps

@@ -65,43 +65,67 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
     return shorter;
 }
 
-/// Runs `body` on a grid with half the nodes along each side, on which contact curves cost less. The nodes
-/// are halved as often as requested, unless the grid becomes too coarse.
-DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {
-    const std::size_t halvings = arguments.count("n");
+/// A block that runs `body` under the problem of a changed set-up.
+template <class Change>
+DesignPipeline under(const std::string& name, const DesignPipeline& body, Change change) {
     return ga::derived_stage<DesignProblem>(
-        "coarser " + std::to_string(halvings), body,
-        [halvings](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
-            DesignSetup setup = context.problem().setup();
-            for (std::size_t i = 0; i < halvings; ++i) {
-                Grid grid = setup.model.grid;
-                grid.nodes /= 2;
-                if (grid.is_2d())
-                    grid.rows /= 2;
-                if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
-                    setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
-                    break;
-                setup.model.grid = grid;
-            }
-            return run_derived(stages,
-                               DesignProblem(setup, nullptr, context.threads(), context.problem().unit()),
-                               std::move(designs), context);
+        name, body,
+        [change](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
+            const DesignProblem& problem = context.problem();
+            return run_derived(stages, problem.with(change(problem.setup())), std::move(designs), context);
         });
 }
 
-/// The set-up with targets corrected by the change of a verified answer's curve on finer grids and in finer
-/// load steps. An answer that meets them on the search grid is equally far above and below the given targets
-/// in all verifications.
-DesignSetup corrected_targets(DesignSetup setup, const DesignOutcome& verified) {
-    const std::size_t targets = setup.targets.size();
-    for (std::size_t t = 0; t < targets; ++t) {
+/// The set-up with half the nodes along each side. The nodes are halved as often as requested, unless the
+/// grid becomes too coarse.
+DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
+    for (std::size_t i = 0; i < halvings; ++i) {
+        Grid grid = setup.model.grid;
+        grid.nodes /= 2;
+        if (grid.is_2d())
+            grid.rows /= 2;
+        if (std::min(grid.nodes, grid.is_2d() ? grid.rows : grid.nodes) < min_coarse_nodes ||
+            setup.limits.shortest_wave < min_coarse_spacings * grid.widest_spacing())
+            break;
+        setup.model.grid = grid;
+    }
+    return setup;
+}
+
+DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {
+    const std::size_t halvings = arguments.count("n");
+    return under("coarser " + std::to_string(halvings), body,
+                 [=](const DesignSetup& setup) { return on_coarser_grid(setup, halvings); });
+}
+
+DesignPipeline in_more_steps(const ga::Arguments& arguments, const DesignPipeline& body) {
+    const auto times = static_cast<int>(arguments.count("n"));
+    return under("more-steps " + std::to_string(times), body,
+                 [=](const DesignSetup& setup) { return in_finer_steps(setup, times); });
+}
+
+DesignPipeline within_tolerance(const ga::Arguments& arguments, const DesignPipeline& body) {
+    const double tolerance = arguments.number("t");
+    return under("tolerance " + ga::number(tolerance), body, [=](DesignSetup setup) {
+        setup.model.contact.tolerance = std::max(setup.model.contact.tolerance, tolerance);
+        return setup;
+    });
+}
+
+/// The set-up with targets corrected by the difference of two curves of one genome: that of the problem, with
+/// the misfits `own`, and that of the finest model, with the misfits `finest` to the targets before any
+/// correction. A genome with the same difference that meets the corrected targets meets the given ones in the
+/// finest model (space mapping; Bandler and others, IEEE Trans. Microw. Theory Tech. 52, 2004, 337).
+DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::VectorXd>& own,
+                              const std::vector<Eigen::VectorXd>& finest) {
+    constexpr double most = 2; // larger factors are no correction
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         Target& target = setup.targets[t];
         for (Index k = 0; k < target.points(); ++k) {
-            std::array<double, 4> misfits;
-            for (std::size_t solution = 0; solution < misfits.size(); ++solution)
-                misfits[solution] = verified.misfits[solution * targets + t][k];
-            const auto [lowest, highest] = std::ranges::minmax(misfits);
-            const double factor = 1 + (misfits[0] - 0.5 * (lowest + highest)) / target.weight;
+            const auto value = [&](const auto& misfits) {
+                return std::max(1 + misfits[t][k] / target.weight, 1 / most);
+            };
+            const double factor = std::clamp(value(own) / value(finest), 1 / most, most);
             target.y[k] *= factor;
             if (target.has_band())
                 target.lower[k] *= factor, target.upper[k] *= factor;
@@ -115,18 +139,21 @@ DesignPipeline corrected(const ga::Arguments&, const DesignPipeline& body) {
     return ga::derived_stage<DesignProblem>(
         "corrected", body,
         [](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
-            Designs first{designs.front()};
-            std::optional<DesignOutcome> verified;
-            read_outcomes(first, level::verified, context, [&](const DesignOutcome* outcome) {
-                if (outcome)
-                    verified = *outcome;
-            });
-            if (!verified)
+            std::vector<DesignOutcome> outcomes;
+            for (const ga::Level level : {level::search, level::verified}) {
+                Designs first{designs.front()};
+                read_outcomes(first, level, context, [&](const DesignOutcome* outcome) {
+                    if (outcome)
+                        outcomes.push_back(*outcome);
+                });
+            }
+            if (outcomes.size() < 2)
                 return designs;
             const DesignProblem& problem = context.problem();
-            const DesignProblem corrected_problem(corrected_targets(problem.setup(), *verified), nullptr,
-                                                  context.threads(), problem.unit());
-            Designs all = run_derived(stages, corrected_problem, {designs.front()}, context);
+            Designs all = run_derived(
+                stages,
+                problem.with(corrected_targets(problem.setup(), outcomes[0].misfits, outcomes[1].misfits)),
+                {designs.front()}, context);
             for (auto& design : all)
                 context.make_child(design, ga::Parents(designs.front().identity));
             all.insert(all.end(), designs.begin(), designs.end());
@@ -208,9 +235,13 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     };
     block("coarser", "runs the pipeline on a grid with half the nodes along each side, n times",
           {ga::whole("n", std::nullopt, 1, "how often the nodes are halved")}, coarser);
+    block("more-steps", "runs the pipeline in n times the load steps",
+          {ga::whole("n", std::nullopt, 2, "the factor").up_to(64)}, in_more_steps);
+    block("tolerance", "runs the pipeline with a larger tolerance of iterative contact solvers",
+          {ga::number("t", std::nullopt, 1e-12, 0.1, "the tolerance")}, within_tolerance);
     block("corrected",
           "runs the pipeline on the first individual, with targets corrected by the change of its curve on "
-          "finer grids and in more load steps",
+          "the finer grid and in finer load steps",
           {}, corrected);
     block("within-limits",
           "if no individual keeps the limits on shape, runs the pipeline on each without its shortest waves",

@@ -272,11 +272,6 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
     if (!result.best.is_verified() && !(options.stop && options.stop->load()))
         result.notes.push_back(
             "the answer was not verified on this grid and the finer one, for lack of time");
-    if (const double error = result.best.interpolation_error; error > 0 && result.best.is_verified())
-        result.notes.push_back(
-            line_of("some load steps on the finer grid are interpolated; the error that this "
-                    "makes on the search grid is subtracted from similarity_worst: ",
-                    error));
     return result;
 }
 

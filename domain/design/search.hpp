@@ -9,7 +9,7 @@ namespace rough {
 using SearchOptions = SearchOptionsOf<DesignProblem>; ///< options of a search for genomes
 
 /// A genome that a search returns, and its similarities. If time ran out during the verification of a map,
-/// the similarities without a result and worst() are NaN; `similarity` is always known.
+/// the similarities without a result and `worst` are NaN; `similarity` is always known.
 struct Answer : Verification {
     Genome genome = {}; ///< if Eq. 11 is used, its amplitude contains the factor of Eq. 11
     /// The lower of two similarities under DesignSetup::errors. The first is the similarity that 95 % of 200
@@ -19,9 +19,9 @@ struct Answer : Verification {
     bool within_limits = true; ///< whether the genome keeps every limit of the set-up
     double difference = 1;     ///< smallest difference() from the answers before it in a list
 
-    /// The similarity that counts: the lowest on finer grids, in finer load steps and under the given errors.
-    double lowest() const { return similarity_made < worst() ? similarity_made : worst(); }
-    bool is_verified() const { return !std::isnan(worst()); } ///< whether worst() is known
+    /// The similarity that counts: `worst`, or the similarity under the given errors if that is lower.
+    double lowest() const { return similarity_made < worst ? similarity_made : worst; }
+    bool is_verified() const { return !std::isnan(worst); } ///< whether `worst` is known
 };
 
 /// Verifies one genome. `reported` is the set-up that as_reported() returns. If ContactOptions::stop ends the

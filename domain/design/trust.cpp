@@ -93,15 +93,20 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
         else
             jobs.push_back({check, name, [=] { return verified->*known; }});
     };
+    const Refinement by = verified_refinement(setup.model.grid);
+    const auto times = [](auto factor, const char* of) {
+        return std::to_string(factor) + " times the " + of;
+    };
     ask(as_designed, setup.model, &Verification::similarity);
-    ask("2 times the nodes", refined(setup.model, 2), nullptr);
-    ask("4 times the nodes", refined(setup.model, 4), &Verification::refined);
+    if (by.nodes > 2)
+        ask(times(2, "nodes"), refined(setup.model, 2), nullptr);
+    ask(times(by.nodes, "nodes"), refined(setup.model, by.nodes), &Verification::refined);
     Model steps = setup.model;
-    steps.loading.steps *= 4;
-    ask("4 times the load steps", steps, &Verification::more_steps);
+    steps.loading.steps *= by.steps;
+    ask(times(by.steps, "load steps"), steps, &Verification::more_steps);
     if (setup.measured)
         jobs.push_back({check, in_finer_steps_too, [&] {
-                            const DesignSetup finer = in_finer_steps(setup);
+                            const DesignSetup finer = in_finer_steps(setup, 4);
                             return similarity(finer, respond(finer, genome, finer.model));
                         }});
     DesignSetup unscaled = setup; // without Eq. 11: the genome's amplitude, loaded as far as the targets go

@@ -45,16 +45,14 @@ double curve_time(const Model& model) {
 double relative_price(const Model& model, const Model& unit) { return curve_time(model) / curve_time(unit); }
 
 std::vector<ga::LevelPrice> level_prices(const Model& model, const Model& unit, std::size_t draws) {
-    Model finer = model;
-    finer.loading.steps *= verified_refinement;
-    const double search = relative_price(model, unit), more_steps = relative_price(finer, unit),
-                 verified = more_steps + relative_price(refined(finer, verified_refinement), unit),
-                 made = search * static_cast<double>(1 + draws);
-    std::vector<ga::LevelPrice> prices;
-    for (const auto& [name, price] :
-         {std::pair("search", search), {"more_steps", more_steps}, {"verified", verified}, {"made", made}})
-        prices.push_back({name, price, gradient_price * price});
-    return prices;
+    Model steps = unit;
+    const Refinement by = verified_refinement(unit.grid);
+    steps.loading.steps *= by.steps;
+    const double search = relative_price(model, unit), made = search * static_cast<double>(1 + draws),
+                 finest = relative_price(refined(steps, by.nodes), unit);
+    return {{"search", search, gradient_price * search},
+            {"verified", relative_price(steps, unit) + finest, gradient_price * finest},
+            {"made", made, gradient_price * made}};
 }
 
 } // namespace rough

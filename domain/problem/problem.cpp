@@ -120,14 +120,21 @@ ga::Descriptor<Genome> descriptor(const std::string& name, Feature (*feature)(co
 
 } // namespace
 
-DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads,
-                             const std::optional<Model>& unit)
-    : setup_(std::make_shared<DesignSetup>(std::move(setup))), unit_(unit.value_or(setup_->model)),
+DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory, int threads)
+    : DesignProblem(setup, std::make_shared<Verifier>(as_reported(setup), threads), std::move(memory)) {}
+
+DesignProblem DesignProblem::with(DesignSetup setup) const {
+    return {std::move(setup), verifier_, std::shared_ptr<ResponseMemory>()};
+}
+
+DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> verifier,
+                             std::shared_ptr<ResponseMemory> memory)
+    : setup_(std::make_shared<DesignSetup>(std::move(setup))), verifier_(std::move(verifier)),
       memory_(std::move(memory)), descriptors_(surface_descriptors(setup_->model.grid)) {
     validate(*setup_);
-    verifier_ = std::make_shared<Verifier>(as_reported(*setup_), threads);
     errors_ = std::make_shared<CommonErrors>(*setup_);
-    levels_ = level_prices(setup_->model, unit_, errors_->noise.size() + errors_->tilts.size());
+    levels_ =
+        level_prices(setup_->model, verifier_->setup().model, errors_->noise.size() + errors_->tilts.size());
     // A genome over the limits is ranked below every genome within them, by its excess.
     const auto limited = [](double similarity, const Outcome& outcome) {
         return outcome.excess > 0 ? std::min(similarity, 0.0) - 1 - outcome.excess : similarity;
@@ -141,7 +148,6 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
     const auto lowest = [limited](const Outcome& outcome) { return limited(outcome.similarity, outcome); };
     objectives_ = {{"similarity", lowest},
                    {"verified", lowest, false, level::verified},
-                   {"more_steps", lowest, false, level::more_steps},
                    {"made", lowest, false, level::made},
                    {"low", part(false)},
                    {"high", part(true)}};
@@ -154,26 +160,12 @@ DesignProblem::DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> 
 DesignOutcome DesignProblem::evaluate(const Genome& genome, ga::Level level) const {
     Outcome outcome;
     if (level == level::verified) {
-        const Verification found = verifier_->of(genome);
-        if (std::isnan(found.worst()))
+        Verification found = verifier_->of(genome);
+        if (std::isnan(found.worst))
             throw ga::Stopped{"stop requested"};
         outcome.scale = eq_11(verifier_->setup(), found.on_grid.front());
-        for (const auto& solution : found.misfits)
-            outcome.misfits.insert(outcome.misfits.end(), solution.begin(), solution.end());
-        outcome.similarity = found.worst();
-    } else if (level == level::more_steps) {
-        const DesignSetup& reported = verifier_->setup();
-        auto all = unless_stopped(reported.model.contact, [&] {
-            const DesignSetup& finer = verifier_->finer();
-            return responses_of(finer, at_scale_one(genome, finer), finer.model);
-        });
-        std::vector<Response> own;
-        for (const Response& response : all)
-            own.push_back(every(verified_refinement, response));
-        const DesignResponse response = design_response(reported, std::move(own));
-        outcome.scale = response.scale;
-        outcome.misfits = misfits_of(verifier_->finer(), design_response(verifier_->finer(), std::move(all)));
-        outcome.similarity = std::min(min_similarity(outcome.misfits), rough::similarity(reported, response));
+        outcome.misfits = std::move(found.misfits[3]);
+        outcome.similarity = found.worst;
     } else {
         const DesignResponse response = design_response(*setup_, search_responses(genome));
         outcome = {response.scale, misfits_of(*setup_, response)};
@@ -208,10 +200,10 @@ bool DesignProblem::valid(const Genome& genome) const {
 
 bool DesignProblem::valid_outcome(const Outcome& outcome) const {
     const std::size_t targets = setup_->targets.size(), found = outcome.misfits.size();
-    if (!(outcome.scale > 0) || !std::isfinite(outcome.scale) || (found != targets && found != 4 * targets))
+    if (!(outcome.scale > 0) || !std::isfinite(outcome.scale) || found != targets)
         return false;
     for (std::size_t t = 0; t < found; ++t)
-        if (outcome.misfits[t].size() != setup_->targets[t % targets].points())
+        if (outcome.misfits[t].size() != setup_->targets[t].points())
             return false;
     return true;
 }
@@ -289,40 +281,28 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
 
 ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::string& objective) const {
     Genome shape = at_scale_one(genome, *setup_);
-    // In the order of Verification: in four times the steps as well, then on the finer grid.
-    std::vector<Rows> all;
-    const auto solve_stepped = [&](Index refine) {
-        auto [fine, coarse] = stepped_rows(*setup_, verifier_->finer(), shape, refine);
-        all.insert(all.end(), {std::move(coarse), std::move(fine)});
-    };
-    if (objective == "verified" || objective == "more_steps")
-        solve_stepped(1);
-    else
-        all.push_back(misfit_rows(*setup_, shape, setup_->model));
-    if (objective == "verified")
-        solve_stepped(verified_refinement);
+    const Rows all = objective == "verified" ? misfit_rows(verifier_->finer(), shape, verifier_->finest())
+                                             : misfit_rows(*setup_, shape, setup_->model);
     std::vector<Index> chosen;
     Index first = 0;
     for (std::size_t t = 0; t < setup_->targets.size(); first += setup_->targets[t++].points())
         for (const Index k : points_of(*setup_, objective, t))
             chosen.push_back(first + k);
-    ga::Sensitivity rows{Eigen::VectorXd(all[0].misfits.residuals(chosen)),
-                         Eigen::MatrixXd(all[0].misfits.jacobian(chosen, Eigen::all))};
-    for (std::size_t i = 1; i < all.size(); ++i)
-        rows = stacked(rows, all[i].misfits);
+    ga::Sensitivity rows{Eigen::VectorXd(all.misfits.residuals(chosen)),
+                         Eigen::MatrixXd(all.misfits.jacobian(chosen, Eigen::all))};
     if (setup_->max_pressure)
-        shape.scale = all[0].factor;
+        shape.scale = all.factor;
     if (objective == "made") {
         const SurfaceWithErrors made(*setup_, shape);
         std::vector<ga::Sensitivity> parts{std::move(rows)};
         for (const auto* errors : {&errors_->noise, &errors_->tilts})
             for (const Eigen::VectorXd& heights : *errors)
-                parts.push_back(made.misfits(heights, all[0]));
+                parts.push_back(made.misfits(heights, all));
         rows = in_power(parts);
     }
     if (setup_->limits.any_shape()) {
         const ga::Sensitivity limits =
-            limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all[0].d_factor);
+            limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all.d_factor);
         rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});
     }
     return rows;

@@ -17,32 +17,30 @@ std::vector<ga::Descriptor<Genome>> surface_descriptors(const Grid& grid);
 
 /// Levels at which a design is evaluated. Each is a key of the engine's memory and has a price.
 namespace level {
-constexpr ga::Level search{0};     ///< one curve per loading, on the set-up's grid in its load steps
-constexpr ga::Level more_steps{1}; ///< on this grid in four times the load steps
-constexpr ga::Level verified{2};   ///< as `more_steps`, and on the finer grid in four times the load steps
-constexpr ga::Level made{3};       ///< as `search`, and under each of the common errors (CommonErrors)
+constexpr ga::Level search{0};   ///< one curve per loading, on the problem's grid in its load steps
+constexpr ga::Level verified{1}; ///< Verification of the whole search's set-up, on both grids
+constexpr ga::Level made{2};     ///< as `search`, and under each of the common errors (CommonErrors)
 } // namespace level
 
 /// The misfits of a genome to all targets at one level.
 struct DesignOutcome {
     double scale = 1; ///< the factor of Eq. 11; 1 without Eq. 11
-    /// Weighted misfits, one vector per target. At the level `verified` they are those of the four solutions
-    /// of Verification::misfits, one solution after another.
+    /// Weighted misfits, one vector per target. At the level `verified` they are those of the finer grid in
+    /// finer load steps.
     std::vector<Eigen::VectorXd> misfits;
     double excess = 0;     ///< the sum by which limits on shape are exceeded (excess())
-    double similarity = 0; ///< the lowest similarity of the level's solutions to all targets
+    double similarity = 0; ///< the lowest similarity to all targets; at `verified` Verification::worst
 };
 
 /// The problem of finding the genome that matches all targets within limits. Its objectives are similarities:
 /// - `similarity`: the lowest similarity over all targets.
-/// - `verified`: Verification::worst, the lowest similarity also on the finer grid and in finer load steps.
-/// - `more_steps`: the lowest similarity, also in finer load steps.
+/// - `verified`: Verification::worst, the similarity on the finer grid in finer load steps, less its error.
 /// - `made`: the lower of `similarity` and the similarity under the set-up's errors (CommonErrors).
 /// - `low`: the similarity on the first target's points with x up to DesignSetup::threshold.
 /// - `high`: the similarity on the first target's points with x from this threshold on.
 /// - `goal1`, `goal2`, ...: the similarity to one target.
-/// The objectives `verified`, `more_steps` and `made` read outcomes of the level of that name, all others
-/// those of `search`. A genome that exceeds a limit is ranked below every genome within the limits.
+/// The objectives `verified` and `made` read outcomes of the level of that name, all others those of
+/// `search`. A genome that exceeds a limit is ranked below every genome within the limits.
 class DesignProblem {
   public:
     using Genome = rough::Genome;  ///< the designed surface
@@ -50,10 +48,12 @@ class DesignProblem {
 
     /// The problem of a set-up. Throws InputError as validate() does, and on invalid limits. Problems may
     /// share a memory if their set-ups differ only in the threshold. Under Eq. 11 targets may differ, too.
-    /// Answers are verified on `threads` threads. Prices are in curves of `unit`, by default of the set-up's
-    /// model; a problem on a coarser grid states that of the search.
+    /// Answers are verified on `threads` threads. Prices are in curves of the set-up's model.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
-                           int threads = 1, const std::optional<Model>& unit = {});
+                           int threads = 1);
+    /// The problem of a changed set-up, for example on a coarser grid. Prices and the level `verified` stay
+    /// those of this problem.
+    DesignProblem with(DesignSetup setup) const;
 
     /// The genome's misfits to all targets at a level. Throws InputError or NotConverged if the genome has no
     /// response, and ga::Stopped if ContactOptions::stop ends the solution.
@@ -106,14 +106,14 @@ class DesignProblem {
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
     const Verifier& verifier() const { return *verifier_; }   ///< verifies under as_reported(setup())
-    const Model& unit() const { return unit_; }               ///< model whose curves are the unit of prices
     bool shares_memory() const { return memory_ != nullptr; } ///< whether it has a memory of responses
 
   private:
+    DesignProblem(DesignSetup setup, std::shared_ptr<const Verifier> verifier,
+                  std::shared_ptr<ResponseMemory> memory);
     std::vector<Response> search_responses(const Genome& genome) const;
 
     std::shared_ptr<const DesignSetup> setup_;
-    Model unit_;
     std::shared_ptr<const Verifier> verifier_;
     std::shared_ptr<const CommonErrors> errors_;
     std::shared_ptr<ResponseMemory> memory_;

@@ -125,15 +125,6 @@ Rows rows_of(const DesignSetup& setup, const ResponsesWithJacobians& all) {
     return result;
 }
 
-ResponsesWithJacobians every(Index part, ResponsesWithJacobians all) {
-    for (Response& response : all.responses)
-        response = every(part, std::move(response));
-    for (ResponseJacobian& jacobian : all.jacobians)
-        for (auto* rows : {&jacobian.pressure, &jacobian.contact_fraction})
-            *rows = Eigen::MatrixXd((*rows)(Eigen::seqN(part - 1, rows->rows() / part, part), Eigen::all));
-    return all;
-}
-
 } // namespace
 
 std::vector<Loading> loadings_of(const DesignSetup& setup, const Loading& loading) {
@@ -279,13 +270,6 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
                  const Model& model, const Pull& in_genes) {
     return rows_of(setup, responses_with_jacobians(setup, profile, loadings, model, in_genes));
-}
-
-std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
-                                 Index refine) {
-    ResponsesWithJacobians fine = responses_with_jacobians(finer, genome, refined(finer.model, refine));
-    Rows all = rows_of(finer, fine);
-    return {std::move(all), rows_of(setup, every(verified_refinement, std::move(fine)))};
 }
 
 } // namespace rough

@@ -70,12 +70,6 @@ Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& mo
 /// (rows x N) into derivatives with respect to genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
                  const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
-/// The rows of a genome on a grid `refine` times finer. The first Rows are for the load steps of `finer`
-/// (in_finer_steps). The second Rows are for every fourth of these steps, which is a load step of the set-up.
-/// One solution gives both Rows.
-std::array<Rows, 2> stepped_rows(const DesignSetup& setup, const DesignSetup& finer, const Genome& genome,
-                                 Index refine);
-
 /// Returns every `part`-th load step. Steps are equally spaced, so a coarser curve has exactly these
 /// displacements.
 Response every(Index part, Response response);

@@ -9,9 +9,6 @@ namespace rough {
 /// Default value of the required similarity, from which an answer is reported as found.
 constexpr double default_required_similarity = 0.99;
 
-/// Factor on the number of elements and on the number of load steps in the verification of an answer.
-constexpr int verified_refinement = 4;
-
 /// Errors of heights in manufacturing, under which an answer must keep its similarity. 0: none.
 struct MakingErrors {
     double noise = 0;        ///< rms of Gaussian height noise, mm: 95 % of draws must keep the similarity

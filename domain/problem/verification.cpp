@@ -8,6 +8,8 @@ namespace rough {
 
 namespace {
 
+/// Factor on the load steps of a map.
+constexpr int map_steps = 4;
 /// The largest error of an interpolated load step, relative to a secant in finer load steps.
 constexpr double interpolation_accuracy = 2e-3;
 
@@ -17,7 +19,7 @@ Response interpolated(Response response, const std::vector<char>& solved) {
     for (Index j = 0; j < response.steps(); ++j) {
         if (solved[static_cast<std::size_t>(j)])
             continue;
-        const Index a = j - (j + 1) % verified_refinement, b = a + verified_refinement;
+        const Index a = j - (j + 1) % map_steps, b = a + map_steps;
         const auto& D = response.displacement;
         const double h = D[b] - D[a], t = (D[j] - D[a]) / h;
         for (auto* column : {&response.pressure, &response.contact_fraction, &response.kkt_residual})
@@ -37,26 +39,20 @@ Response interpolated(Response response, const std::vector<char>& solved) {
 std::vector<char> steps_to_solve(const Response& all) {
     const Index count = all.steps();
     std::vector<char> solved(static_cast<std::size_t>(count), 1);
-    for (Index j = verified_refinement; j < count; ++j)
-        solved[static_cast<std::size_t>(j)] = (j + 1) % verified_refinement == 0;
+    for (Index j = map_steps; j < count; ++j)
+        solved[static_cast<std::size_t>(j)] = (j + 1) % map_steps == 0;
     const Response read = interpolated(all, solved);
-    for (Index a = verified_refinement - 1; a + verified_refinement < count; a += verified_refinement) {
-        const double error =
-            (read.pressure - all.pressure).segment(a + 1, verified_refinement).cwiseAbs().maxCoeff();
-        const double step = (all.pressure[a + verified_refinement] - all.pressure[a]) / verified_refinement;
+    for (Index a = map_steps - 1; a + map_steps < count; a += map_steps) {
+        const double error = (read.pressure - all.pressure).segment(a + 1, map_steps).cwiseAbs().maxCoeff();
+        const double step = (all.pressure[a + map_steps] - all.pressure[a]) / map_steps;
         if (2 * error > interpolation_accuracy * step)
-            std::fill_n(solved.begin() + a + 1, verified_refinement, char{1});
+            std::fill_n(solved.begin() + a + 1, map_steps, char{1});
     }
     return solved;
 }
 
-} // namespace
-
-DesignSetup in_finer_steps(DesignSetup setup, int times) {
-    setup.model.loading.steps *= times;
-    if (!setup.measured)
-        return setup;
-    const Response response = respond(*setup.measured, setup.model);
+/// The set-up with the targets that its measured surface has by this response.
+DesignSetup with_measured(DesignSetup setup, const Response& response) {
     for (Target& target : setup.targets) {
         const Curve curve = curve_of(target.quantity, response);
         for (Index k = 0; k < target.points(); ++k) {
@@ -69,20 +65,57 @@ DesignSetup in_finer_steps(DesignSetup setup, int times) {
     return setup;
 }
 
-double Verification::worst() const {
-    return std::isnan(similarity + refined + more_steps + both)
-               ? std::numeric_limits<double>::quiet_NaN()
-               : std::min({similarity, refined, more_steps, both});
+/// The values of each target's curve at its points, relative to the target.
+std::vector<Eigen::VectorXd> relative_values(const DesignSetup& setup, const DesignResponse& response) {
+    std::vector<Eigen::VectorXd> all;
+    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
+        const Target& target = setup.targets[t];
+        all.emplace_back(
+            target.x.unaryExpr([&](double x) { return response.curves[t].at(x); }).cwiseQuotient(target.y));
+    }
+    return all;
 }
 
-const DesignSetup& Verifier::finer() const {
-    std::call_once(is_finer_known_, [&] { finer_ = in_finer_steps(setup_); });
+/// Each entry's largest value of itself and its neighbours.
+Eigen::VectorXd with_neighbours(const Eigen::VectorXd& values) {
+    Eigen::VectorXd largest = values;
+    const Index n = values.size() - 1;
+    largest.head(n) = largest.head(n).cwiseMax(values.tail(n));
+    largest.tail(n) = largest.tail(n).cwiseMax(values.head(n));
+    return largest;
+}
+
+} // namespace
+
+Refinement verified_refinement(const Grid& grid) {
+    constexpr Index large = 512;
+    if (!grid.is_2d())
+        return {4, 16};
+    return {std::max(grid.nodes, grid.rows) >= large ? 2 : 4, map_steps};
+}
+
+DesignSetup in_finer_steps(DesignSetup setup, int times) {
+    setup.model.loading.steps *= times;
+    return setup.measured ? with_measured(setup, respond(*setup.measured, setup.model)) : setup;
+}
+
+const Verifier::Finer& Verifier::finer_setups() const {
+    std::call_once(is_finer_known_, [&] {
+        finer_ = {setup_, setup_};
+        finer_.all.model.loading.steps *= by_.steps;
+        finer_.half.model.loading.steps *= by_.steps / 2;
+        if (setup_.measured) {
+            const Response response = respond(*setup_.measured, finer_.all.model);
+            finer_.all = with_measured(std::move(finer_.all), response);
+            finer_.half = with_measured(std::move(finer_.half), every(2, response));
+        }
+    });
     return finer_;
 }
 
 std::vector<Response> Verifier::on_fine_map(const Genome& genome,
                                             const std::vector<std::vector<char>>& to_solve) const {
-    const Model model = refined(finer().model, verified_refinement);
+    const Model model = finest();
     const Profile map = sample(at_scale_one(genome, finer()), model.grid);
     std::vector<Response> responses;
     for (const Loading& loading : loadings_of(finer(), finer().model.loading)) {
@@ -116,34 +149,53 @@ std::vector<Response> Verifier::on_fine_map(const Genome& genome,
 
 void Verifier::verify(const Genome& genome, Verification& result) const {
     const bool is_map = setup_.model.grid.is_2d();
-    // The misfits in all steps, then in every fourth, which are the set-up's.
-    const auto misfits_in = [&](std::vector<Response> fine, std::size_t own_steps, std::size_t all_steps) {
+    using Values = std::vector<Eigen::VectorXd>; // of each target
+    // The misfits in all steps, then in the set-up's, which are among them.
+    const auto misfits_in = [&](const std::vector<Response>& fine, std::size_t own_steps,
+                                std::size_t all_steps) {
         std::vector<Response> found;
         for (const Response& response : fine)
-            found.push_back(every(verified_refinement, response));
-        result.misfits[all_steps] = misfits_of(finer(), design_response(finer(), std::move(fine)));
+            found.push_back(every(by_.steps, response));
+        result.misfits[all_steps] = misfits_of(finer(), design_response(finer(), fine));
         result.misfits[own_steps] = misfits_of(setup_, design_response(setup_, found));
         return found;
     };
-    std::vector<Response> fine = responses_of(finer(), genome, refined(finer().model, 1));
+    const auto values_in = [](const DesignSetup& setup, std::vector<Response> responses) {
+        return relative_values(setup, design_response(setup, std::move(responses)));
+    };
+    const std::vector<Response> coarse = responses_of(finer(), genome, finer().model);
     std::vector<std::vector<char>> to_solve;
+    const Values on_grid = values_in(finer(), coarse);
+    Values interpolation;
     if (is_map) {
         std::vector<Response> read;
-        for (const Response& response : fine) {
+        for (const Response& response : coarse) {
             to_solve.push_back(steps_to_solve(response));
             read.push_back(interpolated(response, to_solve.back()));
         }
-        const auto by_interpolation = misfits_of(finer(), design_response(finer(), std::move(read))),
-                   exact = misfits_of(finer(), design_response(finer(), fine));
-        for (std::size_t t = 0; t < exact.size(); ++t)
-            result.interpolation_error =
-                std::max(result.interpolation_error, (by_interpolation[t] - exact[t]).cwiseAbs().maxCoeff());
+        interpolation = values_in(finer(), std::move(read));
     }
-    result.on_grid = misfits_in(std::move(fine), 0, 2);
-    result.on_finer =
-        misfits_in(is_map ? on_fine_map(genome, to_solve)
-                          : responses_of(finer(), genome, refined(finer().model, verified_refinement)),
-                   1, 3);
+    result.on_grid = misfits_in(coarse, 0, 2);
+    const std::vector<Response> fine =
+        is_map ? on_fine_map(genome, to_solve) : responses_of(finer(), genome, finest());
+    result.on_finer = misfits_in(fine, 1, 3);
+    std::vector<Response> half;
+    for (const Response& response : fine)
+        half.push_back(every(2, response));
+    const Values finest = values_in(finer(), fine), in_half = values_in(finer_setups().half, std::move(half));
+    for (std::size_t t = 0; t < finest.size(); ++t) {
+        const Target& target = finer().targets[t];
+        Eigen::VectorXd error =
+            with_neighbours((in_half[t] - finest[t]).cwiseAbs()) +
+            with_neighbours((on_grid[t] - finest[t]).cwiseAbs()) / static_cast<double>(by_.nodes - 1);
+        if (is_map)
+            error += (interpolation[t] - on_grid[t]).cwiseAbs();
+        const auto moved_by = [&](double side) {
+            return misfit(target, (finest[t] + side * error).cwiseProduct(target.y).eval());
+        };
+        const Eigen::VectorXd down = moved_by(-1), up = moved_by(1);
+        result.largest.emplace_back((up.cwiseAbs().array() > down.cwiseAbs().array()).select(up, down));
+    }
 }
 
 Verification Verifier::of(const Genome& genome) const {
@@ -162,9 +214,10 @@ Verification Verifier::of(const Genome& genome) const {
     result.similarity = likeness(0);
     result.refined = likeness(1);
     result.more_steps = likeness(2);
-    result.both = likeness(3) - result.interpolation_error;
+    result.both = likeness(3);
+    result.worst = result.misfits[3].empty() ? result.both : min_similarity(result.largest);
     result.seconds = clock.seconds();
-    if (!std::isnan(result.worst()))
+    if (!std::isnan(result.worst))
         known_.keep(key_of(setup_, genome), result);
     return result;
 }

@@ -7,35 +7,53 @@ namespace rough {
 
 /// The set-up with `times` the load steps. Targets that are a measured profile's response
 /// (DesignSetup::measured) are computed again in the finer steps; other targets do not change.
-DesignSetup in_finer_steps(DesignSetup setup, int times = verified_refinement);
+DesignSetup in_finer_steps(DesignSetup setup, int times);
+
+/// Factors on the nodes along each axis and on the load steps.
+struct Refinement {
+    Index nodes;
+    int steps;
+};
+/// The factors of the verification: 4 times the nodes, or twice those of a map with 512 or more along an
+/// axis. 16 times the load steps of a line, because its stiffness rises steeply where a crest begins to
+/// touch, and 4 times those of a map, whose stiffness is smooth.
+Refinement verified_refinement(const Grid& grid);
 
 /// The four similarities of a genome: under the set-up, and on a finer grid and in finer load steps. Eq. 11
 /// is applied each time. NaN: not verified, because the verifier was stopped before.
 struct Verification {
     double similarity = 0; ///< similarity on the set-up's grid, in its load steps
-    double refined = 0;    ///< similarity on a grid of 4(N - 1) + 1 nodes (periodic: 4 N) along each axis
-    double more_steps = 0; ///< similarity in four times the load steps (in_finer_steps)
-    double both = 0;       ///< similarity on the finer grid in four times the load steps
-    double interpolation_error = 0; ///< error of interpolated load steps, already subtracted from `both`
+    double refined = 0;    ///< similarity on the finer grid (verified_refinement), in the set-up's load steps
+    double more_steps = 0; ///< similarity in finer load steps (in_finer_steps)
+    double both = 0;       ///< similarity on the finer grid in finer load steps
+    /// The similarity on the finer grid in finer load steps, less the estimated error of that curve
+    /// (README.md). It is the verdict on the surface.
+    double worst = 0;
     std::vector<Response> on_grid;  ///< responses on the set-up's grid in its load steps
     std::vector<Response> on_finer; ///< responses on the finer grid in the set-up's load steps
     double seconds = 0;             ///< wall time of the verification
     /// Misfits of each target, in the order of the four similarities.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
-
-    /// The lowest of the four similarities; NaN unless all are known.
-    double worst() const;
+    /// For each target, the misfits from which `worst` follows: those of the curve's values moved by their
+    /// estimated error, up or down, whichever is larger in size.
+    std::vector<Eigen::VectorXd> largest = {};
 };
 
 /// Verifies the genomes of one set-up.
 class Verifier {
   public:
     /// The verifier of a set-up. It solves the load steps of a fine map on up to `threads` threads.
-    explicit Verifier(DesignSetup setup, int threads = 1) : setup_(std::move(setup)), threads_(threads) {}
+    explicit Verifier(DesignSetup setup, int threads = 1)
+        : setup_(std::move(setup)), by_(verified_refinement(setup_.model.grid)), threads_(threads) {}
 
     /// Verifies one genome. One solution on each grid in finer load steps gives all four similarities,
-    /// because every fourth step is a load step of the set-up. On a fine map, steps between are interpolated
-    /// unless the same interpolation on the set-up's grid has an error above 2e-3 times a secant.
+    /// because the set-up's load steps are among the finer ones. On a fine map, steps between are
+    /// interpolated unless the same interpolation on the set-up's grid has an error above 2e-3 times a
+    /// secant.
+    ///
+    /// The estimated error is that of a curve whose error falls with the first power of the node spacing and
+    /// of the load step: the change by the finer grid over the factor less 1, and the change from half of the
+    /// load steps to all. A point takes the largest change of its neighbours and itself.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.
@@ -45,19 +63,27 @@ class Verifier {
         return known_.find(key_of(setup_, genome));
     }
     const DesignSetup& setup() const { return setup_; } ///< the set-up that was given
-    /// The set-up in four times the load steps. The finer response of a measured surface is solved on the
+    /// The model on the finer grid in the finer load steps.
+    Model finest() const { return refined(finer().model, by_.nodes); }
+    /// The set-up in the finer load steps. The finer response of a measured surface is solved on the
     /// first call, because most problems never verify.
-    const DesignSetup& finer() const;
+    const DesignSetup& finer() const { return finer_setups().all; }
 
   private:
+    struct Finer {
+        DesignSetup all = {};  ///< in the finer load steps
+        DesignSetup half = {}; ///< in every second of these
+    };
+    const Finer& finer_setups() const;
     void verify(const Genome& genome, Verification& result) const;
     std::vector<Response> on_fine_map(const Genome& genome,
                                       const std::vector<std::vector<char>>& to_solve) const;
 
     DesignSetup setup_;
+    Refinement by_;
     int threads_;
     mutable std::once_flag is_finer_known_;
-    mutable DesignSetup finer_;
+    mutable Finer finer_;
     mutable KeyedMemory<Verification> known_{32}; ///< under key_of()
 };
 

@@ -256,7 +256,7 @@ class Paper {
                 continue;
             const auto verified = rough::Verifier(as_reported(setup)).of(run.answer.genome);
             run.similarity_refined = verified.refined;
-            run.similarity_worst = verified.worst();
+            run.similarity_worst = verified.worst;
             target.variants.push_back(std::move(run));
         }
     }

@@ -15,9 +15,13 @@ namespace {
 using nlohmann::json;
 
 json answer_json(const rough::Answer& answer) {
-    return {{"similarity", answer.similarity},    {"similarity_refined", answer.refined},
-            {"similarity_worst", answer.worst()}, {"similarity_made", answer.similarity_made},
-            {"difference", answer.difference},    {"genome", rough::genome_to_json(answer.genome)}};
+    return {{"similarity", answer.similarity},
+            {"similarity_refined", answer.refined},
+            {"similarity_finest", answer.both},
+            {"similarity_worst", answer.worst},
+            {"similarity_made", answer.similarity_made},
+            {"difference", answer.difference},
+            {"genome", rough::genome_to_json(answer.genome)}};
 }
 
 } // namespace

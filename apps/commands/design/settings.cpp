@@ -125,10 +125,8 @@ std::vector<Setting> search_settings() {
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
     };
-    return joined({settings,
-                   settings_of(bindings_of(options)),
-                   settings_of(bindings_of(setup)),
-                   model_settings()});
+    return joined(
+        {settings, settings_of(bindings_of(options)), settings_of(bindings_of(setup)), model_settings()});
 }
 
 std::vector<Setting> design_settings() {

@@ -88,23 +88,19 @@ std::string verdict_of(const DesignRun& run) {
     return line + (run.found.best.within_limits ? "" : "; no answer meets all limits on shape");
 }
 
-/// The largest misfit of an answer to a target over all verifications, relative to the target.
+/// The largest misfit of an answer to a target with its estimated error, relative to the target.
 struct LargestMisfit {
     double misfit = 0;
     rough::Index point = 0; ///< index of the target's point
 };
 
 LargestMisfit largest_misfit(const DesignRun& run, std::size_t t) {
-    std::vector<std::vector<Eigen::VectorXd>> all{misfits_of(run.setup, run.response)};
-    const auto& verified = run.found.best.misfits;
-    if (!run.morphed && run.found.best.is_verified())
-        all.insert(all.end(), verified.begin(), verified.end());
-    const double weight = run.setup.targets[t].weight;
+    const bool as_designed = run.morphed || !run.found.best.is_verified();
+    const Eigen::VectorXd misfits =
+        (as_designed ? misfits_of(run.setup, run.response) : run.found.best.largest)[t];
     LargestMisfit largest;
-    for (const auto& misfits : all)
-        for (rough::Index k = 0; k < misfits[t].size(); ++k)
-            if (std::abs(misfits[t][k]) > std::abs(largest.misfit) * weight)
-                largest = {misfits[t][k] / weight, k};
+    misfits.cwiseAbs().maxCoeff(&largest.point);
+    largest.misfit = misfits[largest.point] / run.setup.targets[t].weight;
     return largest;
 }
 
@@ -118,7 +114,7 @@ std::string matched(const DesignRun& run) {
         join(all, in_words(target.quantity) + ": similarity " + readable(1 - target.weight * error, 4) +
                       (target.has_band() && error == 0 ? ", within the band"
                                                        : ", " + band + " by up to " + percent(error)) +
-                      (as_designed ? " on the search grid" : " in the worst check"));
+                      (as_designed ? " on the search grid" : " with the estimated error"));
     }
     return all;
 }
@@ -135,14 +131,17 @@ std::string not_requested(const DesignRun& run) {
 
 std::string worst_case(const DesignRun& run) {
     const rough::Answer& best = run.found.best;
+    const rough::Refinement by = rough::verified_refinement(run.setup.model.grid);
     const auto known = [](double similarity) {
         return std::isnan(similarity) ? "not verified" : readable(similarity, 4);
     };
     std::string all =
         "similarity " + known(best.similarity) + " on the search grid, " + known(best.refined) +
-        " on a grid 4 times finer, " + known(best.more_steps) + " in 4 times the load steps; " +
-        (best.is_verified() ? "the lowest of these and of one with both together is " + known(best.worst())
-                            : "so the lowest is not known");
+        " on a grid " + std::to_string(by.nodes) + " times finer, " + known(best.more_steps) + " in " +
+        std::to_string(by.steps) + " times the load steps, " + known(best.both) + " with both; " +
+        (best.is_verified() ? "less the estimated error of the last, " + readable(best.both - best.worst, 2) +
+                                  ", it is " + known(best.worst)
+                            : "so the verdict is not known");
     if (!run.trust)
         return all + "; the time did not suffice to verify more";
     for (const rough::Check& check : run.trust->checks)

@@ -54,8 +54,7 @@ void add_database(py::module_& module) {
             "On the grid and load steps of the database.")
         .def_property_readonly(
             "similarity_worst", [](const StoredAnswer& stored) { return stored.answer.lowest(); },
-            "The lowest of `similarity` and those on a grid four times finer, in four times the load steps,\n"
-            "and with both.")
+            "On a finer grid in finer load steps, less the estimated error of this curve.")
         .def_property_readonly(
             "genome", [](const StoredAnswer& stored) { return stored.answer.genome; },
             "The genome with the amplitude that matches the targets best.");

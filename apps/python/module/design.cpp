@@ -177,8 +177,9 @@ void add_design(py::module_& module) {
             "similarity_refined", [](const Answer& a) { return if_verified(a.refined); },
             "On a grid four times finer; None if the time was too short to verify a 2-D design.")
         .def_property_readonly(
-            "similarity_worst", [](const Answer& a) { return if_verified(a.worst()); },
-            "The lowest on that grid, in four times the load steps, and with both; None likewise.")
+            "similarity_worst", [](const Answer& a) { return if_verified(a.worst); },
+            "On that grid in finer load steps, less the estimated error that is left; None "
+            "likewise.")
         .def_readonly("within_limits", &Answer::within_limits, "Whether it keeps all limits on shape.");
     const auto of_heights = [](const char* member) {
         return [member](const py::object& self) -> py::object { return self.attr("profile").attr(member); };
@@ -197,7 +198,7 @@ void add_design(py::module_& module) {
         .def_property_readonly("similarity_refined",
                                [](const Design& d) { return if_verified(d.found.best.refined); })
         .def_property_readonly("similarity_worst",
-                               [](const Design& d) { return if_verified(d.found.best.worst()); })
+                               [](const Design& d) { return if_verified(d.found.best.worst); })
         .def_property_readonly(
             "found", [](const Design& d) { return is_found(d); },
             "Whether similarity_worst is as high as requested, by default 0.99.")

@@ -28,7 +28,7 @@ TEST_CASE("a query lists the nearest genomes with similarities that can be recom
     CHECK(respond(best, setup.model).pressure[19] == Approx(1.6e-4));
     const rough::Verification again = rough::Verifier(setup).of(best);
     CHECK(again.similarity == Approx(similarity).margin(1e-6));
-    CHECK(again.worst() == Approx(worst).margin(1e-6));
+    CHECK(again.worst == Approx(worst).margin(1e-6));
     CHECK(rugosa("database query g.db --target " + target + " --out best.json", folder.path()).code == 2);
 }
 

@@ -71,8 +71,8 @@ TEST_CASE("alternatives differ, are as many as requested, and are verified on fi
             CHECK(answer.similarity == Approx(similarity(reported, answer.genome, 1)).epsilon(1e-9));
             CHECK(answer.refined == Approx(similarity(reported, answer.genome, 4)).epsilon(1e-9));
             CHECK(answer.refined != Approx(similarity(reported, answer.genome, 8)).epsilon(1e-6));
-            CHECK(answer.lowest() == answer.worst());
-            CHECK(answer.lowest() <= std::min({answer.similarity, answer.refined, answer.more_steps}));
+            CHECK(answer.lowest() == answer.worst);
+            CHECK(answer.lowest() <= answer.both);
         }
         if (requested > 1)
             CHECK(found.alternatives[1].difference == Approx(difference(before[0], before[1])));
@@ -83,7 +83,7 @@ TEST_CASE("the default search of an area meets the drawn target on a grid four t
     const DesignSetup setup = drawn(24, true);
     SearchOptions options{.alternatives = 1};
     const SearchResult found = search(setup, options);
-    CHECK(found.best.worst() > 0.85); // K differs by several per cent between the two grids
+    CHECK(found.best.worst > 0.85); // K differs by several per cent between the two grids
     options.threads = 1;
     CHECK(search(setup, options).best.lowest() == found.best.lowest());
     options.seconds = 1e6;

@@ -37,7 +37,8 @@ inline std::array<double, 4> separate_similarities(const DesignSetup& setup, con
         model.loading.steps *= times;
         return similarity(setup, respond(setup, genome, model));
     };
-    return {alone(1, 1), alone(4, 1), alone(1, 4), alone(4, 4)};
+    const auto [nodes, steps] = verified_refinement(setup.model.grid);
+    return {alone(1, 1), alone(nodes, 1), alone(1, steps), alone(nodes, steps)};
 }
 
 /// All values at which a misfit has a corner: contact sets, extreme nodes, the segment of each point, the
@@ -71,16 +72,7 @@ inline std::vector<double> corners(const DesignSetup& setup, const Genome& genom
 /// The corners of every curve that an objective uses.
 inline std::vector<double> corners(const DesignSetup& setup, const Genome& genome,
                                    const std::string& objective) {
-    std::vector<double> marks = corners(setup, genome, 1);
-    std::vector<std::pair<DesignSetup, Index>> finer;
-    if (objective == "verified" || objective == "more_steps")
-        finer.emplace_back(in_finer_steps(setup), 1);
-    if (objective == "verified")
-        finer.insert(finer.end(), {{setup, 4}, {in_finer_steps(setup), 4}});
-    for (const auto& [steps, refine] : finer)
-        for (const double mark : corners(steps, genome, refine))
-            marks.push_back(mark);
-    return marks;
+    return objective == "verified" ? corners(Verifier(setup).finer(), genome, 4) : corners(setup, genome, 1);
 }
 
 /// Checks the Jacobian of an objective against central differences. A gene is omitted if a corner lies

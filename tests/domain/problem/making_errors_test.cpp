@@ -76,7 +76,7 @@ TEST_CASE("a design under noise loses a third less to it, with equal bits on two
     const SearchResult one = under_noise(1), two = under_noise(2);
     CHECK(shape_key(one.best.genome) == shape_key(two.best.genome));
     CHECK(one.best.genome.scale == two.best.genome.scale);
-    CHECK(one.best.lowest() == std::min(one.best.worst(), one.best.similarity_made));
+    CHECK(one.best.lowest() == std::min(one.best.worst, one.best.similarity_made));
     const auto fresh = [&](const Genome& genome) {
         return similarity_under_errors(setup, genome, {.seed = 77}, 400);
     };

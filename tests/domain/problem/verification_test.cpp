@@ -25,8 +25,8 @@ TEST_CASE("a verification agrees with four separate solutions") {
         CHECK(verified.refined == Approx(refined).epsilon(1e-9));
         CHECK(verified.more_steps == Approx(stepped).epsilon(1e-9));
         CHECK(verified.both == Approx(both).epsilon(1e-9));
-        CHECK(verified.worst() ==
-              std::min({verified.similarity, verified.refined, verified.more_steps, verified.both}));
+        CHECK(verified.worst <= verified.both);
+        CHECK(verified.worst == min_similarity(verified.largest));
         CHECK(verified.more_steps != Approx(verified.similarity).epsilon(1e-6));
     }
 }
@@ -42,16 +42,26 @@ TEST_CASE("a measured profile has similarity 1 to its response in any load steps
     CHECK(Verifier(setup).of(three_waves()).more_steps < 0.999);
 }
 
-TEST_CASE("the objectives verified and more_steps agree with the verification and their residuals") {
+TEST_CASE("the objective verified agrees with the verification, its residuals with the finest curve") {
     const DesignProblem problem(nested_setup());
     const Verification verified = Verifier(problem.setup()).of(three_waves());
-    for (const auto& [name, value] :
-         {std::pair("verified", verified.worst()),
-          std::pair("more_steps", std::min(verified.similarity, verified.more_steps))}) {
-        CHECK(rough::testing::fitness(problem, three_waves(), name) == Approx(value).epsilon(1e-9));
-        CHECK(1 - problem.sensitivity(three_waves(), name).residuals.cwiseAbs().maxCoeff() ==
-              Approx(value).epsilon(1e-9));
-    }
+    CHECK(rough::testing::fitness(problem, three_waves(), "verified") ==
+          Approx(verified.worst).epsilon(1e-9));
+    CHECK(1 - problem.sensitivity(three_waves(), "verified").residuals.cwiseAbs().maxCoeff() ==
+          Approx(verified.both).epsilon(1e-9));
+}
+
+TEST_CASE("a problem on a coarser grid keeps the verification and the prices of the whole search") {
+    const DesignProblem problem(nested_setup());
+    DesignSetup coarse = problem.setup();
+    coarse.model.grid.nodes /= 2;
+    const DesignProblem derived = problem.with(coarse);
+    CHECK(rough::testing::fitness(derived, three_waves(), "verified") ==
+          rough::testing::fitness(problem, three_waves(), "verified"));
+    CHECK(derived.levels()[1].price == problem.levels()[1].price);
+    CHECK(derived.levels()[0].price < problem.levels()[0].price);
+    CHECK(rough::testing::fitness(derived, three_waves(), "similarity") !=
+          rough::testing::fitness(problem, three_waves(), "similarity"));
 }
 
 TEST_CASE("a search with given starts returns an answer at least as good as the first") {
