@@ -83,6 +83,32 @@ TEST_CASE("design, run, optimise and database build resume to the same result af
         kill_and_resume(work, 3);
 }
 
+TEST_CASE("a design that is interrupted in its checks resumes to the same result") {
+    const std::string words = "design --target '" RUGOSA_SOURCE
+                              "/experiments/targets/drawn.csv' --nodes 96 --threads 1 --out o --pipeline "
+                              "'shape 4 | score | best 2 | refine lm 4 | best 1 | score verified' ";
+    const Folder undisturbed;
+    const Ended whole = answered(rugosa(words, undisturbed.path()));
+    // The search has ended, or the tolerance is known.
+    for (const std::string sign : {"o/result.json", "o/tolerance.cbor"}) {
+        INFO(sign);
+        const Folder folder;
+        CHECK(disturbed(words, folder.path(), "[ -s " + sign + " ]",
+                        "kill -" + std::string(sign == "o/result.json" ? "HUP" : "TERM") + " $child")
+                  .code == 130);
+        CHECK(result_in(folder / "o")["interrupted"] == true);
+        CHECK_FALSE(fs::exists(folder / "o/report.html"));
+        const Ended resumed = rugosa(words + "--resume", folder.path());
+        CHECK(resumed.code == whole.code);
+        CHECK(of_run(folder.path()) == of_run(undisturbed.path()));
+        CHECK(fs::exists(folder / "o/report.html"));
+        CHECK(rough::read_whole(folder / "o/tolerance.csv") ==
+              rough::read_whole(undisturbed / "o/tolerance.csv"));
+        for (const char* const kept : {"o/checkpoint.cbor", "o/tolerance.cbor"})
+            CHECK_FALSE(fs::exists(folder / kept));
+    }
+}
+
 TEST_CASE("results stay the same after a thousand kills", "[long][kills]") {
     const char* const given = std::getenv("RUGOSA_KILLS");
     const long each = (given ? std::atol(given) : 1000) / 4;
