@@ -50,7 +50,7 @@ json modelled_json(const rough::Genome& genome, const rough::Model& model) {
 json variant_json(const VariantRun& variant, const std::vector<rough::Model>& loaded) {
     json stages = variant.stages;
     for (json& stage : stages)
-        stage.erase("spent");
+        stage.erase("spent"), stage.erase("derived");
     json result = variant;
     result.update({{"genome", genome_to_json(variant.answer.genome)},
                    {"stages", std::move(stages)},
