@@ -2,6 +2,7 @@
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/run.hpp"
 #include "apps/report/render.hpp"
+#include "domain/problem/stored.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/observers/progress.hpp"
@@ -80,8 +81,9 @@ DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std
 /// If that is complete, it is stored.
 template <class Compute>
 rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file, Compute compute) {
-    const nlohmann::json key{run.origin.inputs, rough::genome_to_json(run.found.best.genome),
-                             run.options.seed};
+    const std::string key = rough::json_text({run.origin.inputs, rough::description(run.setup),
+                                              rough::genome_to_json(run.found.best.genome), run.options.seed},
+                                             true);
     if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file)))
         try {
             const nlohmann::json kept = ga::read_cbor(ga::opened(file), file);
