@@ -127,8 +127,8 @@ struct MapScene {
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
 MapScene map_from(const Settings& settings, const std::string& map = "surface");
-/// The profile or, if the settings request one, the map of --genome or of the file that the flag names, with
-/// a note on filled points.
+/// The profile of --genome or of the file that the flag names, or a map if the settings request one. Filled
+/// points have a note.
 MapScene scene_from(const Settings& settings, const std::string& flag);
 
 } // namespace app
