@@ -2,17 +2,26 @@
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/run.hpp"
 #include "apps/report/render.hpp"
+#include "domain/problem/stored.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/observers/progress.hpp"
 
+namespace rough {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceLevel, similarity, noise_rms, tilt, scale)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NoiseQuantile, noise_rms, quantile, median, draws)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, share_from, share_to, levels,
+                                   curve, complete)
+} // namespace rough
+
 namespace app {
 
 OutputFolder design_folder(const Settings& settings, bool resume) {
-    const std::string names = "result.json,genome.json,answer.csv,report.html,checkpoint.cbor,"
-                              "checkpoint.cbor.before,surface.stl,surface.3mf,surface.png,surface-scale.json,"
-                              "curves.csv,points.csv,heights-drawn.csv,map.csv,front.csv,made.csv,"
-                              "tolerance.csv,asperities.csv,spots.csv,tile.stl,tile.3mf,mould.stl,mould.3mf";
+    const std::string names =
+        "result.json,genome.json,answer.csv,report.html,checkpoint.cbor,"
+        "checkpoint.cbor.before,tolerance.cbor,surface.stl,surface.3mf,surface.png,surface-scale.json,"
+        "curves.csv,points.csv,heights-drawn.csv,map.csv,front.csv,made.csv,"
+        "tolerance.csv,asperities.csv,spots.csv,tile.stl,tile.3mf,mould.stl,mould.3mf";
     return {settings.text("out"),
             "design",
             {rough::listed(names), settings.files(), settings.is_on("force"), resume}};
@@ -68,8 +77,32 @@ DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std
     return answer;
 }
 
+/// The tolerance from the file of an interrupted run with the same answer, or else the result of `compute`.
+/// If that is complete, it is stored.
+template <class Compute>
+rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file, Compute compute) {
+    const std::string key = rough::json_text({run.origin.inputs, rough::description(run.setup),
+                                              rough::genome_to_json(run.found.best.genome), run.options.seed},
+                                             true);
+    if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file)))
+        try {
+            const nlohmann::json kept = ga::read_cbor(ga::opened(file), file);
+            auto tolerance = kept.at("tolerance").get<rough::Tolerance>();
+            if (kept.at("key") == key && !tolerance.levels.empty())
+                return tolerance;
+        } catch (const ga::UsageError&) { // damaged: computed again
+        } catch (const nlohmann::json::exception&) {
+        }
+    const rough::Tolerance tolerance = compute();
+    const auto bytes = nlohmann::json::to_cbor({{"key", key}, {"tolerance", tolerance}});
+    if (tolerance.complete) // without the file a resumed run computes it again
+        ga::seal(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return tolerance;
+}
+
 /// Checks the answer of a run whose whole time is `limit` (s).
-AnswerChecks checks_of(const DesignRun& run, double limit, ProgressLine& progress) {
+AnswerChecks checks_of(const DesignRun& run, double limit, const std::filesystem::path& folder,
+                       ProgressLine& progress) {
     const rough::Answer& best = run.found.best;
     rough::ToleranceOptions tolerance = run.tolerance_options;
     rough::TrustOptions trust = run.trust_options;
@@ -77,7 +110,8 @@ AnswerChecks checks_of(const DesignRun& run, double limit, ProgressLine& progres
     progress.show("tolerance");
     tolerance.seconds = tolerance_by * limit - run.clock.seconds();
     AnswerChecks checks;
-    checks.tolerance = tolerance_of(run.setup, best.genome, tolerance);
+    checks.tolerance = kept_tolerance(run, folder / "tolerance.cbor",
+                                      [&] { return tolerance_of(run.setup, best.genome, tolerance); });
     progress.show("verifying");
     trust.seconds = checked_by * limit - run.clock.seconds();
     checks.trust = trust_in(run.setup, best.genome, trust, &best, &run.response);
@@ -106,7 +140,7 @@ int design(const Settings& settings, const std::string& line) {
         record(output.restored());
         write_design_tables(run, output.path());
         if (!run.interrupted) {
-            static_cast<AnswerChecks&>(run) = checks_of(run, limit, progress);
+            static_cast<AnswerChecks&>(run) = checks_of(run, limit, output.path(), progress);
             record(output.path());
         }
         if (!run.interrupted && settings.choice("pictures") == 0)

@@ -283,14 +283,24 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
         rough::write_atomically(out.path() / name, content);
     };
     const auto solids = write_solids(*of.surface, extrusion, out.path(), of.kind); // may refuse the extrusion
-    std::vector<std::string> files{of.kind + ".json", "bearing.csv", of.kind + ".x3p", of.kind + ".sur"};
+    std::vector<std::string> files{of.kind + ".json", "bearing.csv", of.kind + ".x3p"};
+    const auto write_possible = [&](const std::string& name, const auto& content) {
+        try {
+            write(name, content());
+            return true;
+        } catch (const rough::InputError& error) {
+            say("note: " + name + " is left out: " + error.what());
+            return false;
+        }
+    };
+    if (write_possible(of.kind + ".sur", [&] { return sur(*of.measured); }))
+        files.push_back(of.kind + ".sur");
     for (const auto& [name, content] : of.tables) {
         write(name, content());
         if (std::ranges::find(of.unlisted, name) == of.unlisted.end())
             files.push_back(name);
     }
     write(of.kind + ".x3p", x3p(*of.measured));
-    write(of.kind + ".sur", sur(*of.measured));
     write("bearing.csv", bearing_csv(of.surface->heights));
     write("spectrum-drawn.csv", drawn_csv({"wave_number_rad_per_mm", "density"},
                                           {of.spectrum.wave_number, of.spectrum.density}, true));
@@ -301,11 +311,7 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
     if (settings.choice("pictures") == 0) {
         const PageSource page = page_source(out.path());
         for (const auto& [file, figure] : of.pictures)
-            try {
-                write(file, figure_file(figure, page));
-            } catch (const rough::InputError& error) {
-                say("note: " + file + " is left out: " + error.what());
-            }
+            write_possible(file, [&, name = figure] { return figure_file(name, page); });
         rough::write_atomically(page_of(page), render(page));
     }
     if (!of.warning.empty())

@@ -21,7 +21,8 @@ std::vector<Setting> target_settings() {
         {"formula", "",
          "formula of p (pressure, MPa) or of d (displacement, mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
         {"genome", "", "genome file (JSON); its response becomes the target"},
-        {"like", "", "measured profile; its response becomes the target"},
+        {"like", "",
+         "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
         {"check", "", "target file to check; none is written"},
         {"draw", "", "page to write (HTML), on which a person draws a target and saves it"},
         Setting("quantity", "stiffness",
@@ -49,29 +50,27 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         if (!settings.has("to"))
             rough::refuse("--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
         const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
-        const rough::Model model = model_from(settings);
+        const rough::Model model = surface_model_from(settings);
         rough::Target target = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
         target.recorded = recorded_model(model);
         return {std::move(target), model};
     }
-    const Source source = source_from(settings, "like");
-    if (!source.account.empty())
-        say(source.account);
-    const rough::Model model = model_from(settings, source);
-    if (source.missing)
-        say(fill_note(source.on(model.grid), source.missing.nodes, model));
-    rough::Model loaded = model;
+    const MapScene scene = scene_from(settings, "like");
+    std::ranges::for_each(scene.notes, say);
+    rough::Model loaded = scene.model;
     std::optional<double> last;
     settings.take("to", last);
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
-    const auto resolution =
-        source.genome || settings.has("band") ? rough::Resolution::off : resolution_from(settings);
+    const bool has_band = !settings.has("genome") && !settings.has("band") &&
+                          (!scene.map.is_2d() || settings.given("resolution")); // that of a map takes long
     return {placing(settings, "",
                     [&] {
-                        return target_like(source.on(model.grid), loaded, source.name, quantity, points, last,
-                                           resolution);
+                        return target_like(scene.map, loaded,
+                                           settings.text(settings.has("genome") ? "genome" : "like"),
+                                           quantity, points, last,
+                                           has_band ? resolution_from(settings) : rough::Resolution::off);
                     }),
-            model};
+            scene.model};
 }
 
 /// Describes the target and returns the exit code: 3 if no profile can reach it.
@@ -90,7 +89,7 @@ int report(const rough::Target& target, const rough::Model& model, const Setting
 
 /// Writes the page on which a person draws a target for the model of the flags, and saves it as NAME.csv.
 void write_drawing_page(const std::filesystem::path& page, const Settings& settings) {
-    const rough::Model model = model_from(settings);
+    const rough::Model model = surface_model_from(settings);
     const bool nests = contact_sets_nest(model.body, model.grid);
     nlohmann::json data{{"file", page.stem().string() + ".csv"},
                         {"quantity", rough::quantity_names()[settings.choice("quantity")]},
@@ -122,7 +121,7 @@ int target(const Settings& settings, const std::string&) {
         return 0;
     }
     if (source == "check") {
-        const rough::Model model = model_from(settings);
+        const rough::Model model = surface_model_from(settings);
         const rough::Target target = target_from(settings, settings.text("check"), model);
         for (const auto& note : notes_on(settings, model, {target}))
             say(note);

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 #include <sys/wait.h>
 
@@ -49,13 +50,16 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
         for (const auto& file : target_files(settings, "targets.files"))
             given["targets"].push_back(std::filesystem::absolute(file).string());
     setenv("PYTHONPATH", module_path(program.parent_path() / "python").c_str(), 1);
-    const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose);
+    const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose),
+        input(std::tmpfile(), std::fclose); // an argument has a limit of 128 KB
+    if (!nothing || !errors || !input || std::fputs(rough::json_text(given, true).c_str(), input.get()) < 0 ||
+        std::fflush(input.get()) != 0 || std::fseek(input.get(), 0, SEEK_SET) != 0)
+        rough::refuse(kind, ": a temporary file cannot be written; make room in the temporary folder");
     pid_t child = 0;
-    if (!nothing || !errors ||
-        start_process(
-            child, {"python3", "-P", "-c", builtin_files().at(kind + ".py"), rough::json_text(given, true)},
-            fileno(nothing.get()), fileno(nothing.get()), fileno(errors.get())) != 0)
-        rough::refuse(kind, ": python3 was not found; install the Debian package python3");
+    if (const int error = start_process(child, {"python3", "-P", "-c", builtin_files().at(kind + ".py")},
+                                        fileno(input.get()), fileno(nothing.get()), fileno(errors.get())))
+        rough::refuse(kind, ": python3 cannot be started (", std::strerror(error),
+                      "); install the Debian package python3");
     conditions.progress.show(kind + ".py");
     int status = 0;
     while (!process_ended_within(0.2, child, status))

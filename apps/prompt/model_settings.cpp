@@ -347,7 +347,7 @@ Source scan_from(const std::filesystem::path& file, const Settings& settings, ro
 Source source_from(const Settings& settings, const std::string& scan, bool keep_missing) {
     rough::Index nodes = 0;
     settings.take("nodes", nodes);
-    if (!settings.has("genome"))
+    if (!settings.knows("genome") || !settings.has("genome"))
         return scan_from(settings.text(scan), settings, nodes, "", keep_missing);
     expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");
     return open_genome(settings.text("genome"));
@@ -443,6 +443,21 @@ MapScene map_from(const Settings& settings, const std::string& map) {
     }
     if (scene.model.body.kernel == rough::Kernel::free)
         scene.notes.emplace_back(no_datum_note);
+    return scene;
+}
+
+MapScene scene_from(const Settings& settings, const std::string& flag) {
+    MapScene scene;
+    if (asks_for_map(settings)) {
+        scene = map_from(settings, flag);
+    } else {
+        Source source = source_from(settings, flag);
+        scene = {{}, model_from(settings, source), std::move(source.missing.nodes), {source.account}};
+        scene.map = source.on(scene.model.grid);
+    }
+    if (!scene.missing.empty())
+        scene.notes.push_back(fill_note(scene.map, scene.missing, scene.model));
+    std::erase(scene.notes, "");
     return scene;
 }
 

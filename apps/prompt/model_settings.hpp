@@ -117,7 +117,7 @@ rough::Map surface_from(const Settings& settings, const std::string& flag = "sur
 /// The heights of --genome on the map of --nodes and --length, which is periodic or not.
 rough::Map sampled_from(const Settings& settings, bool periodic);
 
-/// A map and the model under which it is pressed.
+/// A map or a profile, and the model under which it is pressed.
 struct MapScene {
     rough::Profile map;                     ///< heights, mm
     rough::Model model;                     ///< complete, with the map's grid
@@ -126,5 +126,8 @@ struct MapScene {
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
 MapScene map_from(const Settings& settings, const std::string& map = "surface");
+/// The profile of --genome or of the file that the flag names, or a map if the settings request one. Filled
+/// points have a note.
+MapScene scene_from(const Settings& settings, const std::string& flag);
 
 } // namespace app

@@ -93,6 +93,9 @@ std::vector<std::filesystem::path> target_files(const Settings& settings, const 
 
 std::function<double(double)> formula(const std::string& text, const std::string& name,
                                       const std::string& where) {
+    constexpr std::size_t max_characters = 15'000; // muParser has a limit, too
+    if (text.size() > max_characters)
+        rough::refuse(where, ": a formula of ", text.size(), " characters; give at most ", max_characters);
     const auto refuse = [&](std::size_t at) {
         rough::refuse(where, ": \"", text.substr(0, 200), "\", column ", std::min(at, text.size()) + 1,
                       " is malformed; give numbers, ", name,

@@ -38,7 +38,7 @@ namespace {
 json variant_json(const VariantRun& variant, const rough::Model& model) {
     json stages = variant.stages;
     for (json& stage : stages)
-        stage.erase("spent");
+        stage.erase("spent"), stage.erase("derived");
     json result = variant;
     result.update({{"genome", genome_to_json(variant.answer.genome)},
                    {"stages", std::move(stages)},

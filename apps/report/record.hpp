@@ -33,6 +33,8 @@ struct StageRecord {
     std::string path; ///< e.g. "sog/refine.2"
     std::vector<Candidate> candidates;
     double spent = 0; ///< price of the run so far, in contact curves on its grid in its load steps
+    bool derived =
+        false; ///< whether it is part of a stage under a derived problem, which a resumed run repeats
 };
 
 /// The run of one variant.
@@ -59,7 +61,9 @@ template <class G = rough::Genome>
 ga::Observer<G> recorder(std::vector<StageRecord>& stages) {
     return [&stages, counted = std::size_t{0},
             candidates = std::size_t{0}](const ga::Event<G>& event) mutable {
-        StageRecord record{event.path, {}, event.counters.price};
+        while (counted == 0 && !stages.empty() && stages.back().derived) // its stage was interrupted
+            stages.pop_back();
+        StageRecord record{event.path, {}, event.counters.price, event.derived};
         for (const auto& individual : event.population) {
             const bool scored = individual.fitness.known() && individual.fitness.objective() == "similarity";
             record.candidates.push_back(
@@ -82,9 +86,9 @@ ga::Observer<G> recorder(std::vector<StageRecord>& stages) {
 }
 
 ///@{
-/// The form in checkpoints, and in result.json except `spent`.
+/// The form in checkpoints, and in result.json except `spent` and `derived`.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate, id, parents, similarity)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, path, candidates, spent, derived)
 ///@}
 /// The similarities and the cost of a run, as in result.json.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VariantRun, similarity, similarity_refined, similarity_worst, seconds,

@@ -95,7 +95,7 @@ struct FillEffect {
 };
 /// The effect of filled points on the contact; solves for both surfaces. Throws NotConverged as respond().
 FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model);
-/// "filled points change the contact at 5 MPa: 12.3 %, or 11.9 % with the holes as lowest points".
+/// "filled points: at 5 MPa the contact is 12.3 %, and 11.9 % with the holes as lowest points".
 std::string in_words(const FillEffect& effect);
 
 } // namespace rough

@@ -32,7 +32,7 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
 /// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md,
-/// step 4. Particles of up to four nodes are found together with their flanks. Much wider particles count as
+/// step 3. Particles of up to four nodes are found together with their flanks. Much wider particles count as
 /// surface. Profiles of under 16 nodes are not tested.
 std::vector<Index> outliers(const Eigen::VectorXd& heights);
 

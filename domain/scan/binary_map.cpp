@@ -295,6 +295,10 @@ std::string sur(const Profile& surface) {
     if (!(step > 0) || largest / step > most ||
         ((known / step).array() - (known / step).array().round()).abs().maxCoeff() > 1e-6)
         step = decimal(static_cast<float>(largest > 0 ? largest / most : 1));
+    for (const double size : {step, surface.spacing, surface.is_2d() ? surface.row_spacing : 1})
+        if (!std::isnormal(static_cast<float>(size)))
+            refuse("sur: heights up to ", largest, " mm at spacings of ", surface.spacing, " x ",
+                   surface.row_spacing, " mm are beyond the format's numbers; check the unit");
     constexpr std::int32_t missing = std::numeric_limits<std::int32_t>::min();
     std::vector<std::int32_t> heights;
     for (const double height : known)

@@ -12,7 +12,7 @@ std::string x3p(const Profile& surface);
 
 /// A profile or a map (mm) as the bytes of a Digital Surf file (PRO or SUR): heights in whole numbers of 32
 /// bits, exact if they are multiples of a step, else to 5e-10 of the highest |height|. NaN is a missing
-/// height. Throws InputError on over 2^31 - 1 heights.
+/// height. Throws InputError on over 2^31 - 1 heights, and on steps or spacings beyond single precision.
 std::string sur(const Profile& surface);
 
 /// A map as the bytes of a legacy VTK file (version 3.0, binary). It is a structured grid of points (x, y, z)

@@ -246,8 +246,18 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     points = in_order(std::move(points), options, missing, file, account);
 
     Profile profile = evenly_spaced(points, options.nodes, file, account);
-    if (profile.nodes() != static_cast<Index>(points.size()))
-        missing.nodes.clear(); // the nodes are others
+    if (missing) { // a node is missing if a missing point decides its height
+        std::vector<double> marks(points.size(), 0);
+        for (const Index node : missing.nodes)
+            marks[static_cast<std::size_t>(node)] = 1;
+        points.heights = std::move(marks);
+        ScanAccount none;
+        const Profile marked = evenly_spaced(points, options.nodes, file, none);
+        missing.nodes.clear();
+        for (Index node = 0; node < marked.nodes(); ++node)
+            if (marked.heights[node] > 0)
+                missing.nodes.push_back(node);
+    }
     const double size = profile.heights.cwiseAbs().maxCoeff();
     const double length = profile.spacing * static_cast<double>(profile.nodes() - 1);
     if (!std::isfinite(size * size) || !std::isfinite(length))

@@ -15,7 +15,13 @@ class Reader {
     const std::string& file() const { return file_; }
     int line() const { return static_cast<int>(at_) + 1; }
     void next() { at_ += !done(), skip_blank(); }
-    std::vector<std::string_view> words() const { return split(text_, Dialect::Separator::blanks); }
+    /// The words of the line, at least one.
+    std::vector<std::string_view> words() const {
+        auto all = split(text_, Dialect::Separator::blanks);
+        if (all.empty()) // a line of quotes
+            all.emplace_back(text_);
+        return all;
+    }
     bool starts(std::string_view start) const { return !done() && text_.starts_with(start); }
 
     [[noreturn]] void refuse(const std::string& expected) const {

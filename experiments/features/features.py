@@ -1,6 +1,6 @@
 """Finds the features of a surface that drive its response, from answers to a target and random surfaces that miss it.
 
-`rugosa run features.ini` runs this script with one argument, the settings as JSON. The script writes result.json,
+`rugosa run features.ini` runs this script with the settings as JSON on its standard input. The script writes result.json,
 features.csv, waves.csv, heldout.csv and best/NAME.json to the folder.
 """
 import concurrent.futures
@@ -12,7 +12,7 @@ import sys
 import numpy
 import rugosa
 
-GIVEN = json.loads(sys.argv[1])
+GIVEN = json.load(sys.stdin)
 SETTINGS, FOLDER = GIVEN["settings"], pathlib.Path(GIVEN["folder"])
 PRESSURE = float(SETTINGS["targets.max-pressure"])
 NODES, STEPS = int(SETTINGS["model.nodes"] or 512), int(SETTINGS["model.steps"])

@@ -1,6 +1,6 @@
 """Designs arrays of spherical caps whose contact area follows given laws of the load, and compares pipelines.
 
-`rugosa run metainterfaces.ini` runs this script with one argument, the settings as JSON. The script writes
+`rugosa run metainterfaces.ini` runs this script with the settings as JSON on its standard input. It writes
 result.json, laws.csv, curves.csv and one folder of `rugosa design` for each law and choice of genes or pipeline.
 """
 import csv
@@ -9,7 +9,7 @@ import pathlib
 import subprocess
 import sys
 
-GIVEN = json.loads(sys.argv[1])
+GIVEN = json.load(sys.stdin)
 FOLDER = pathlib.Path(GIVEN["folder"])
 CAPS = {name.removeprefix("caps."): value for name, value in GIVEN["settings"].items()}
 

@@ -1,6 +1,6 @@
 """Finds which of the paper's claims hold under which reading of its text, by the paper's experiment with other keys.
 
-`rugosa run readings.ini` runs this script with one argument, the settings as JSON. The script writes result.json,
+`rugosa run readings.ini` runs this script with the settings as JSON on its standard input. It writes result.json,
 cells.csv, claims.csv, shares.csv, readings.json and targets/ to the folder. It does not need the module rugosa.
 """
 import bisect
@@ -18,7 +18,7 @@ import sys
 import time
 
 BEGAN = time.monotonic()
-GIVEN = json.loads(sys.argv[1])
+GIVEN = json.load(sys.stdin)
 SETTINGS, FOLDER = GIVEN["settings"], pathlib.Path(GIVEN["folder"])
 CHECKPOINTS, FLAT = FOLDER / "checkpoints", FOLDER / "targets" / "flat.csv"  # the target while the database is built
 PRESSURE, QUICK = float(SETTINGS["readings.max-pressure"]), SETTINGS["readings.quick"] == "on"

@@ -5,6 +5,15 @@
 using namespace app::testing;
 using nlohmann::json;
 
+TEST_CASE("an experiment's script reads settings of any length") {
+    const Folder folder;
+    std::string files = "no-law.csv";
+    for (int i = 0; i < 14000; ++i)
+        files += ",law-" + std::to_string(i) + ".csv";
+    folder.write("long.ini", "[experiment]\nkind = metainterfaces\n[targets]\nfiles = " + files + "\n");
+    check_refused(rugosa("run long.ini", folder.path()), "no-law.csv: cannot be read");
+}
+
 TEST_CASE("laws of contact area are designed by caps, verified, and shown side by side") {
     const Folder folder;
     // No module of the current folder is imported, though PYTHONPATH names it.

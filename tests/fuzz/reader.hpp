@@ -26,13 +26,16 @@ inline bool add(const char* name, void (*read)(std::string_view)) {
     return true;
 }
 
-/// Gives bytes to a reader. Other exceptions than the allowed ones are not caught.
-inline void feed(const Reader& reader, std::string_view bytes) {
+/// Gives bytes to a reader. Returns whether it read them. Other exceptions than the allowed ones are not
+/// caught.
+inline bool feed(const Reader& reader, std::string_view bytes) {
     try {
         reader.read(bytes);
+        return true;
     } catch (const rough::InputError&) {
     } catch (const ga::UsageError&) {
     }
+    return false;
 }
 
 /// The bytes as a file, always at the same place.

@@ -150,6 +150,8 @@ json answer_json(const CapRun& run) {
                   {"seconds", verified.seconds}}},
                 {"model_difference", run.other_model_error},
                 {"alternatives", json::array()}};
+    for (json& stage : answer["stages"])
+        stage.erase("spent"), stage.erase("derived");
     for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
         const rough::MeshedCaps& mesh = verified.meshed[s];
         answer["verification"]["loads"].push_back(

@@ -152,15 +152,15 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
     work(output, interrupt);
     if (!run.interrupted && settings.choice("pictures") == 0)
         write_page(folder, limit - run.clock.seconds());
-    if (run.found.stopped.empty() || run.summary.found)
-        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
+    if (!run.interrupted && (run.found.stopped.empty() || run.summary.found))
+        for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before", "tolerance.cbor"})
             std::filesystem::remove(ga::held_path(folder / kept));
     tell_notes(run.found.notes);
     for (const Fact& fact : run.summary.facts)
         if (!fact.text.empty())
             say(fact.name + ": " + fact.text);
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(run.clock.seconds()) + " s)" +
-        (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues the search" : ""));
+        (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues it" : ""));
     return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;
 }
 

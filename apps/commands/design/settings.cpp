@@ -200,24 +200,14 @@ DesignRequest request_from(const Settings& settings) {
     request.from = production_from(settings);
     if (is_map && request.from)
         rough::refuse("--from: given with a map; omit it, as it is for profiles only");
-    if (is_like && is_map) {
-        const MapScene scene = map_from(settings, "like");
+    if (is_like) {
+        // The nodes of a profile are those of its design.
+        const MapScene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like");
         request.accounts = scene.notes;
-        if (!scene.missing.empty())
-            request.accounts.push_back(fill_note(scene.map, scene.missing, scene.model));
-        request.setup =
-            setup_like(scene.map, scene.model, settings.text("like"), settings,
-                       // The band of a map would take most of the time.
-                       settings.given("resolution") ? resolution_from(settings) : rough::Resolution::off);
-    } else if (is_like) {
-        const Source scan = scan_from(settings.text("like"), settings, 0);
-        request.accounts.push_back(scan.account);
-        rough::Model model = model_from(settings, scan);
-        model.grid.nodes = scan.measured.nodes();
-        if (scan.missing)
-            request.accounts.push_back(fill_note(scan.on(model.grid), scan.missing.nodes, model));
-        request.setup =
-            setup_like(scan.on(model.grid), model, scan.name, settings, resolution_from(settings));
+        // The band of a map would take most of the time.
+        request.setup = setup_like(scene.map, scene.model, settings.text("like"), settings,
+                                   is_map && !settings.given("resolution") ? rough::Resolution::off
+                                                                           : resolution_from(settings));
     } else {
         std::vector<std::string> of_a_scan = names_of(scan_settings());
         of_a_scan.insert(of_a_scan.end(), {"resolution", "points", "quantity"});

@@ -57,7 +57,7 @@ Curve contact(const py::object& heights, const Spacing& spacing, bool gradient, 
         Curve curve = press(surface, genome, model, gradient, area_gradient);
         if (!filling.filled.empty())
             curve.account +=
-                (curve.account.empty() ? "" : "; ") + in_words(fill_effect(surface, filling.filled, model));
+                (curve.account.empty() ? "" : "; ") + app::fill_note(surface, filling.filled, model);
         curve.body = model.body;
         if (resolution)
             static_cast<rough::ResolutionBand&>(curve) = resolution_band(surface, model, curve, *resolution);

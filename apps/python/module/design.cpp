@@ -22,8 +22,8 @@ std::optional<double> if_verified(double similarity) {
 }
 
 /// The targets of the arguments.
-std::vector<rough::Target> targets_from(const std::optional<Eigen::VectorXd>& pressure,
-                                        const std::optional<Eigen::VectorXd>& stiffness, Keywords& keywords) {
+std::vector<rough::Target> targets_from(const py::object& pressure, const py::object& stiffness,
+                                        Keywords& keywords) {
     std::vector<rough::Target> targets;
     if (const auto given = keywords.take<py::object>("target")) {
         if (py::isinstance<rough::Target>(*given))
@@ -33,25 +33,24 @@ std::vector<rough::Target> targets_from(const std::optional<Eigen::VectorXd>& pr
         else
             targets = given->cast<std::vector<rough::Target>>();
     }
-    const auto add = [&](const std::string& name, rough::Quantity quantity,
-                         const std::optional<Eigen::VectorXd>& y) {
+    Keywords curves(py::dict("target_pressure"_a = pressure, "target_stiffness"_a = stiffness), "design");
+    const auto x = curves.take_numbers("target_pressure");
+    for (const auto& [name, quantity] : {std::pair("target_stiffness", rough::Quantity::stiffness),
+                                         {"target_interface_stiffness", rough::Quantity::interface_stiffness},
+                                         {"target_contact_fraction", rough::Quantity::area_at_pressure}}) {
+        const auto y = (quantity == rough::Quantity::stiffness ? curves : keywords).take_numbers(name);
         if (!y)
-            return;
-        if (!pressure || pressure->size() != y->size())
+            continue;
+        if (!x || x->size() != y->size())
             rough::refuse("design: ", name, " and target_pressure differ in length; give the same length");
         rough::Target target;
         target.quantity = quantity;
         target.name = name;
-        target.x = *pressure;
+        target.x = *x;
         target.y = *y;
         validate(target);
         targets.push_back(std::move(target));
-    };
-    add("target_stiffness", rough::Quantity::stiffness, stiffness);
-    for (const auto& [name, quantity] :
-         {std::pair("target_interface_stiffness", rough::Quantity::interface_stiffness),
-          {"target_contact_fraction", rough::Quantity::area_at_pressure}})
-        add(name, quantity, keywords.take<Eigen::VectorXd>(name));
+    }
     return targets;
 }
 
@@ -68,8 +67,7 @@ ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callb
 /// Flags of the program that are arguments of trust() here.
 const std::vector<std::string> flags_of_trust{"hardness"};
 
-Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optional<Eigen::VectorXd>& stiffness,
-              const py::kwargs& given) {
+Design design(const py::object& pressure, const py::object& stiffness, const py::kwargs& given) {
     Keywords keywords(given, "design");
     const std::vector<rough::Target> targets = targets_from(pressure, stiffness, keywords);
     const auto starts = keywords.take<std::vector<rough::Genome>>("starts");
@@ -95,11 +93,13 @@ Design design(const std::optional<Eigen::VectorXd>& pressure, const std::optiona
     const app::Settings settings = keywords.settings(app::search_settings(), unknown);
     keywords.expect_none_left();
     app::DesignRequest request;
-    if (surface)
-        request.setup =
-            setup_like(*surface, model_of(*surface, settings.with({{"nodes", ""}})), "like", settings);
-    else
+    if (surface) {
+        const rough::Model model = model_of(*surface, settings.with({{"nodes", ""}}));
+        warn_of_filling(*surface, filling, model);
+        request.setup = setup_like(*surface, model, "like", settings);
+    } else {
         request.setup = {.model = surface_model_from(settings), .targets = targets};
+    }
     Design run{app::design_from(settings, std::move(request)), {}};
     if (starts)
         run.options.starts = *starts;

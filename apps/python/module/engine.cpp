@@ -13,8 +13,7 @@ py::array array_of(const std::string& genes) {
 
 /// The genes of the arguments: lower and upper of real ones, or the number of bits or of permuted items.
 Genes genes_from(Keywords& keywords) {
-    const auto lower = keywords.take<Eigen::VectorXd>("lower"),
-               upper = keywords.take<Eigen::VectorXd>("upper");
+    const auto lower = keywords.take_numbers("lower"), upper = keywords.take_numbers("upper");
     const auto bits = keywords.take<std::size_t>("bits", 0),
                permutation = keywords.take<std::size_t>("permutation", 0);
     const bool real = lower || upper;

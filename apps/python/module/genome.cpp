@@ -39,10 +39,11 @@ void add_genome(py::module_& module) {
             "All genes: A, H, gamma and lambda (mm) of each series, then its phases (rad).")
         .def(
             "with_genes",
-            [](const Genome& genome, const std::vector<double>& values) {
-                if (const std::size_t count = rough::genes(genome).size(); values.size() != count)
+            [](const Genome& genome, const py::object& given) {
+                const Eigen::VectorXd values = numbers_from(given, "genes");
+                if (const auto count = std::ssize(rough::genes(genome)); values.size() != count)
                     rough::refuse("genes: ", values.size(), " were given; give ", count);
-                Genome changed = rough::with_genes(genome, values);
+                Genome changed = rough::with_genes(genome, {values.begin(), values.end()});
                 validate(changed, "genes");
                 return changed;
             },

@@ -53,8 +53,12 @@ G genome_of(const py::object& row, std::size_t count) {
 app::Evaluation answer_of(const py::handle& given, std::size_t objectives) {
     const auto has_length = [](const py::object& value) { return py::hasattr(value, "__len__"); };
     const auto numbers = [&](const py::object& value) {
-        return has_length(value) ? value.cast<std::vector<double>>()
-                                 : std::vector<double>{value.cast<double>()};
+        if (py::isinstance<py::float_>(value)) // takes least time
+            return std::vector<double>{value.cast<double>()};
+        if (value.is_none())
+            rough::refuse("evaluate: None returned; return a number");
+        const RealArray array = array_from(value, "evaluate returned");
+        return std::vector<double>(array.data(), array.data() + array.size());
     };
     const auto whole = py::reinterpret_borrow<py::object>(given);
     app::Evaluation answer;
@@ -77,8 +81,9 @@ app::OutsideProblem<G> problem_of(const Optimisation& search, Callback& callback
             problem.slopes = [object = &search.problem, call = &callback](const G& genome) {
                 std::vector<double> slopes;
                 (*call)([&] {
-                    slopes =
-                        object->attr("gradient")(py::array(py::cast(genome))).cast<std::vector<double>>();
+                    const Eigen::VectorXd given = numbers_from(
+                        object->attr("gradient")(py::array(py::cast(genome))), "gradient returned");
+                    slopes.assign(given.begin(), given.end());
                 });
                 if (slopes.size() != genome.size())
                     throw std::runtime_error("the gradient has " + std::to_string(slopes.size()) +

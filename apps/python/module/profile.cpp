@@ -15,6 +15,41 @@ Filling filling_from(Keywords& keywords) {
     return filling;
 }
 
+RealArray array_from(const py::object& given, const std::string& where) {
+    std::string kind;
+    try {
+        const py::object array = py::module_::import("numpy").attr("asanyarray")(given);
+        kind = array.attr("dtype").attr("kind").cast<std::string>();
+        if (rough::is_in(" b i u f O ", kind)) {
+            const py::object real = array.attr("astype")("float64", "copy"_a = false);
+            return RealArray(py::hasattr(real, "filled") ? real.attr("filled")(std::nan("")) : real);
+        }
+    } catch (const py::error_already_set&) { // rows of different lengths, other objects
+    }
+    rough::refuse(where, ": ", kind == "c" ? "complex numbers" : "no array of numbers",
+                  "; give real numbers, in rows of one length");
+}
+
+Eigen::VectorXd numbers_from(const py::object& given, const std::string& where) {
+    const RealArray array = array_from(given, where);
+    if (array.ndim() != 1)
+        rough::refuse(where, ": an array of ", array.ndim(), " dimensions; give one dimension");
+    return Eigen::Map<const Eigen::VectorXd>(array.data(), array.size());
+}
+
+std::optional<Eigen::VectorXd> Keywords::take_numbers(const std::string& name) {
+    const auto given = take<py::object>(name);
+    return given ? std::optional(numbers_from(*given, where_ + ": " + name)) : std::nullopt;
+}
+
+void warn_of_filling(const Profile& surface, const Filling& filling, const rough::Model& model) {
+    if (filling.filled.empty())
+        return;
+    const std::string note = app::fill_note(surface, filling.filled, model);
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0)
+        throw py::error_already_set();
+}
+
 namespace {
 
 /// Fills the missing points of a surface. Leaves those at the ends of a line out.
@@ -48,12 +83,7 @@ Profile surface_from(const py::object& heights, const Spacing& spacing, const st
             throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
         return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
     }
-    const bool masked = py::hasattr(heights, "mask") && py::hasattr(heights, "filled");
-    const py::object plain =
-        masked ? heights.attr("astype")("float64").attr("filled")(std::nan("")) : heights;
-    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(plain);
-    if (!array)
-        throw py::error_already_set();
+    const RealArray array = array_from(heights, where);
     if (array.ndim() != 1 && array.ndim() != 2)
         rough::refuse(where, ": the heights have ", array.ndim(), " dimensions; give one or two dimensions");
     if (!spacing)

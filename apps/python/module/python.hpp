@@ -54,6 +54,8 @@ class Keywords {
     T take(const std::string& name, T fallback) {
         return take<T>(name).value_or(std::move(fallback));
     }
+    /// The numbers of a list or an array of one dimension, or nothing as by take(). Throws InputError.
+    std::optional<Eigen::VectorXd> take_numbers(const std::string& name);
     /// The keywords with the names of these settings ('_' for '-') except some, read as the program reads its
     /// flags.
     app::Settings settings(const std::vector<app::Setting>& known,
@@ -74,6 +76,14 @@ class Keywords {
     std::string where_;
     std::map<std::string, py::object> left_;
 };
+
+/// Real numbers in the order of rows.
+using RealArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// The numbers of an array or of lists, NaN at masked points. Throws InputError that begins with `where` on
+/// text, complex numbers, rows of different lengths and other objects.
+RealArray array_from(const py::object& given, const std::string& where);
+/// The numbers of an array or a list of one dimension. Throws InputError.
+Eigen::VectorXd numbers_from(const py::object& given, const std::string& where);
 
 /// A number, or one along x and one along y.
 using OneOrTwo = std::variant<double, std::pair<double, double>>;
@@ -118,6 +128,8 @@ Filling filling_from(Keywords& keywords);
 /// left out. `where` begins the messages.
 rough::Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
                             Filling& filling);
+/// States the effect of filled points on the contact as a Python warning, if there are any.
+void warn_of_filling(const rough::Profile& surface, const Filling& filling, const rough::Model& model);
 /// A Surface if it is 2-D, else a Profile.
 py::object as_python(rough::Profile surface);
 
@@ -152,10 +164,14 @@ class Callback {
             return;
         try {
             call();
+        } catch (const py::cast_error&) {
+            error_ = std::make_exception_ptr(
+                rough::InputError("a function of yours returned values of a wrong type; return numbers"));
         } catch (...) {
             error_ = std::current_exception();
-            stop_ = true;
         }
+        if (error_)
+            stop_ = true;
     }
     bool failed() const { return error_ != nullptr; }
     void rethrow() const {

@@ -7,15 +7,14 @@ using namespace py::literals;
 
 namespace {
 
-Target target_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const std::string& quantity,
-                   double weight) {
-    if (x.size() != y.size())
-        rough::refuse("Target: ", x.size(), " x and ", y.size(), " y; give as many of each");
+Target target_from(const py::object& x, const py::object& y, const std::string& quantity, double weight) {
     Target target;
     target.quantity = rough::quantity_named(quantity);
     target.name = quantity;
-    target.x = x;
-    target.y = y;
+    target.x = numbers_from(x, "Target: x");
+    target.y = numbers_from(y, "Target: y");
+    if (target.x.size() != target.y.size())
+        rough::refuse("Target: ", target.x.size(), " x and ", target.y.size(), " y; give as many of each");
     target.weight = weight;
     validate(target);
     return target;
@@ -32,6 +31,7 @@ Target target_like(const py::object& like, const Spacing& spacing, const std::st
     keywords.expect_none_left();
     if (is_genome)
         surface = sample(like.cast<const rough::Genome&>(), model.grid);
+    warn_of_filling(surface, filling, model);
     return rough::target_like(surface, model, "like", rough::quantity_named(quantity), points, last);
 }
 

@@ -63,6 +63,19 @@ TEST_CASE("profile writes heights, solid, pictures, roughness and spectra of a g
                    Catch::StartsWith("<?xml") && Catch::Contains("<svg") && Catch::Contains("</svg>"));
 }
 
+TEST_CASE("a SUR file is left out, with a note, if its numbers cannot hold the heights") {
+    const Folder folder;
+    std::string heights;
+    for (int i = 0; i < 40; ++i)
+        heights += std::to_string(i % 7) + "e-40\n";
+    folder.write("tiny.txt", heights);
+    const Ended ended = done(folder, "profile --profile tiny.txt --spacing 0.1 --pictures off --out o");
+    CHECK_THAT(ended.out,
+               Catch::Contains("note: profile.sur is left out") && Catch::Contains("check the unit"));
+    CHECK_FALSE(std::filesystem::exists(folder / "o/profile.sur"));
+    CHECK(json_in(folder / "o/profile.json")["files"].dump().find("profile.sur") == std::string::npos);
+}
+
 TEST_CASE("a filtered scan has Ra, an unfiltered one Pa, and outliers are reported") {
     const Folder folder;
     const auto height = [](int i) { return std::cos(2 * M_PI * i / 100) + (i == 1203 ? 9 : 0); };

@@ -1,3 +1,4 @@
+#include "ga/checkpoint/checkpoint.hpp"
 #include "tests/apps/results.hpp"
 
 #include <iostream>
@@ -81,6 +82,43 @@ TEST_CASE("design, run, optimise and database build resume to the same result af
           "[kills]") {
     for (const Work& work : all_work())
         kill_and_resume(work, 3);
+}
+
+TEST_CASE("a design that is interrupted in its checks resumes to the same result") {
+    const std::string words = "design --target '" RUGOSA_SOURCE
+                              "/experiments/targets/drawn.csv' --nodes 96 --threads 1 --out o --pipeline "
+                              "'shape 4 | score | best 2 | refine lm 4 | best 1 | score verified' ";
+    const Folder undisturbed;
+    const Ended whole = answered(rugosa(words, undisturbed.path()));
+    enum Moment { in_tolerance, after_tolerance, before_damage };
+    for (const Moment moment : {in_tolerance, after_tolerance, before_damage}) {
+        INFO(moment);
+        const Folder folder;
+        const auto kept = folder / "o/tolerance.cbor";
+        const std::string sign = moment == in_tolerance ? "o/result.json" : "o/tolerance.cbor";
+        const std::string stop = moment == in_tolerance ? "kill -HUP $child" : "kill -TERM $child";
+        CHECK(disturbed(words, folder.path(), "[ -s " + sign + " ]", stop).code == 130);
+        CHECK(result_in(folder / "o")["interrupted"] == true);
+        CHECK_FALSE(fs::exists(folder / "o/report.html"));
+        if (moment == before_damage)
+            folder.write("o/tolerance.cbor", "damaged");
+        if (moment == after_tolerance) { // one draw less shows that it is read
+            json content = ga::read_cbor(ga::opened(kept), kept);
+            content["tolerance"]["draws"] = content["tolerance"]["draws"].get<int>() - 1;
+            const auto bytes = json::to_cbor(content);
+            ga::seal(kept, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        }
+        CHECK(rugosa(words + "--resume", folder.path()).code == whole.code);
+        json expected = of_run(undisturbed.path());
+        json& draws = expected["variants"]["pipeline"]["tolerance"]["draws"];
+        draws = draws.get<int>() - (moment == after_tolerance);
+        CHECK(of_run(folder.path()) == expected);
+        CHECK(fs::exists(folder / "o/report.html"));
+        CHECK(rough::read_whole(folder / "o/tolerance.csv") ==
+              rough::read_whole(undisturbed / "o/tolerance.csv"));
+        for (const char* const file : {"o/checkpoint.cbor", "o/tolerance.cbor"})
+            CHECK_FALSE(fs::exists(folder / file));
+    }
 }
 
 TEST_CASE("results stay the same after a thousand kills", "[long][kills]") {

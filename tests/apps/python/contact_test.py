@@ -133,6 +133,16 @@ class Contact(WithFolder):
         refused(TypeError, "unknown keyword 'step'", rugosa.contact, heights, 0.004, step=3)
         refused(TypeError, "spacing", rugosa.contact, heights)
         refused(rugosa.InputError, "dimensions", rugosa.contact, heights.reshape(2, 2, -1), 0.004)
+        genome = genome_of({"n": 1, "phases": [0.3]})
+        for bad in "x", [[1, 2], [3]], [1j, 2], {}, numpy.array([1j, 2]), numpy.array(["1", "2"]):
+            for call in (lambda a: rugosa.contact(a, 1), lambda a: rugosa.Profile(a, 1), lambda a: rugosa.Surface(a, 1),
+                         lambda a: rugosa.Target(a, [1, 2]), lambda a: rugosa.Target.like(a, 1),
+                         lambda a: rugosa.design(a, [1, 2]), lambda a: rugosa.design(like=a, spacing=1),
+                         lambda a: rugosa.design([1, 2], target_contact_fraction=a), genome.with_genes,
+                         lambda a: rugosa.optimise(lambda x: a, lower=[0], upper=[1]),
+                         lambda a: rugosa.optimise(lambda x: 1.0, lower=a, upper=[1])):
+                refused(rugosa.InputError, r"^[^\n]*; give real numbers, in rows of one length$", call, bad)
+        refused(rugosa.InputError, "None returned", rugosa.optimise, lambda x: None, lower=[0], upper=[1])
         (self.folder / "bad.txt").write_text("1\n2\nx\n")
         refused(rugosa.InputError, "bad.txt, line 3", rugosa.read, self.folder / "bad.txt", spacing=1)
 

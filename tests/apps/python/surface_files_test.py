@@ -267,6 +267,10 @@ class SurfaceFiles(WithFolder):
         right = rugosa.contact(parabola, 0.01, steps=2)
         numpy.testing.assert_allclose(filled.pressure, right.pressure, rtol=1e-3)
         self.assertIn("as lowest points", filled.account)
+        for call in (lambda: rugosa.Target.like(masked, 0.01, fill=True, steps=4),
+                     lambda: rugosa.design(like=masked, spacing=0.01, fill=True, pipeline="shape 2 | score")):
+            with self.assertWarnsRegex(UserWarning, "filled points: at .* as lowest points"):
+                call()
         with self.assertRaisesRegex(rugosa.InputError, "max.filled"):
             rugosa.contact(masked, 0.01, fill=True, max_filled=0.01)
         dead[10] = numpy.nan

@@ -317,6 +317,7 @@ TEST_CASE("a damaged instrument's file is refused in one line with its fault") {
          "1 rows of 15000000 heights"},
         {x3p_of(xml, "short"), "ends early"},
         {x3p_of(xml, std::string(1000, ' ')), "too large"},
+        {"Wyko ASCII Data File Format 0 1 1\n\"\"\n", "ends early, before RAW_DATA"},
         {"GWYP" + std::string(8, '\0'), "without heights"},
         {"GWYPx" + std::string("\0\xFF\xFF\0\0", 5), "ends early"},
         {"\x89HDF\r\n" + std::string(8, '\0'), "(an HDF5 file, as Zygo's DATX)"},

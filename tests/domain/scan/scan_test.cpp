@@ -113,6 +113,18 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
     CHECK_THAT(scan.account, Catch::Contains("2 incomplete points left out"));
 }
 
+TEST_CASE("a resampled node is missing if a missing point decides its height") {
+    ScanOptions options{.detrend = Detrend::none, .fill = true, .nodes = 9};
+    const Scan even = read("0 1\n1 3\n2 nan\n3 5\n4 2\n", options);
+    CHECK(even.missing.nodes == std::vector<Index>{3, 4, 5}); // at 1.5, 2 and 2.5
+    CHECK(even.missing.share == Approx(0.2));
+    options.nodes = 0;
+    CHECK(read("0 1\n1 3\n2 nan\n3 5\n4 2\n", options).missing.nodes == std::vector<Index>{2});
+    // Evenly spaced nodes at 0, 1, 2, 3 and 4 of uneven points.
+    const Scan uneven = read("0 1\n0.5 3\n1.5 nan\n3 5\n4 2\n", options);
+    CHECK(uneven.missing.nodes == std::vector<Index>{1, 2});
+}
+
 TEST_CASE("unevenly spaced points are resampled on the straight lines between them") {
     const Scan scan = read("0 0\n1 2\n4 8\n10 20\n11 0\n");
     CHECK(scan.measured.spacing == Approx(11. / 4));
