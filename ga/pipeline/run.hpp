@@ -158,8 +158,9 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipelin
         if (ledger.all_failed())
             throw Stopped{ledger.failure_text(), true};
     } catch (const Stopped& stop) {
-        result.stopped = stop.reason;
-        result.is_dead_end = stop.is_dead_end;
+        // If one island cannot continue, a stop may have cut the others short.
+        result.is_dead_end = stop.is_dead_end && !context.watch().expired();
+        result.stopped = stop.is_dead_end == result.is_dead_end ? stop.reason : context.watch().reason();
         if (context.state.stopped_population)
             result.population = salvaged(std::move(*context.state.stopped_population));
         if (result.population.empty() && context.best())

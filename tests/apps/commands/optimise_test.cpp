@@ -253,7 +253,7 @@ TEST_CASE("children of a killed run end, and so do the processes that they start
 TEST_CASE("the log of a chatty child stays small, and its end is quoted") {
     const Desk desk;
     desk.write("chats.sh",
-               "read line; yes 'far too much to say' | head -c 40000000 >&2; echo at last >&2; exit 3\n");
+               "read line; yes 'far too much to say' | head -c 200000 >&2; echo at last >&2; exit 3\n");
     const Ended ended = desk.optimise("--genes bits:9 --evaluate 'sh chats.sh' --threads 1 --out out");
     check_refused(ended, "at last");
     CHECK(std::filesystem::file_size(desk / "out/evaluate.log") <= 10'000'000);

@@ -210,7 +210,7 @@ class Engine(WithFolder):
             found = rugosa.optimise(problem, **options)
             self.assertLess(found.objectives[0], 1)
             self.assertGreater(found.failures, 0)
-            self.assertEqual(found.evaluations, 600)
+            self.assertGreater(found.evaluations, 400)
         few = rugosa.optimise(lambda x: sphere(x) if x[0] < -4 else raises(), max_failures=0.5, **options)
         self.assertIn("evaluations failed; the first: ValueError: mesh failed", few.stopped)
         self.assertIsNotNone(few.best)
