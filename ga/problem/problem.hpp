@@ -334,18 +334,8 @@ constexpr bool members_fit() {
     GA_MEMBER_CALLED(violation, violations)
     GA_MEMBER_CALLED(violation, constraint)
     GA_MEMBER_CALLED(violation, constraints)
-    GA_MEMBER_CALLED(bounds, bound)
     GA_MEMBER_CALLED(gradient, gradients)
     GA_MEMBER_CALLED(sensitivity, sensitivities)
-    GA_MEMBER_CALLED(sample, samples)
-    GA_MEMBER_CALLED(descriptors, descriptor)
-    GA_MEMBER_CALLED(distance, distances)
-    GA_MEMBER_CALLED(levels, level)
-    GA_MEMBER_CALLED(key, keys)
-    GA_MEMBER_CALLED(valid, is_valid)
-    GA_MEMBER_CALLED(genes, gene)
-    GA_MEMBER_CALLED(with_genes, with_gene)
-    GA_MEMBER_CALLED(final_genome, final_genomes)
 #undef GA_MEMBER_CALLED
     return true;
 }

@@ -271,7 +271,7 @@ class Ledger : public EvaluationQueue<P> {
     void forget_old() { memory.forget_old(heaviest_ + bookkeeping); }
     std::size_t heaviest() const { return heaviest_; } ///< bytes of the largest outcome or failure message
 
-    /// Whether every requested evaluation failed; false if there was none.
+    /// Whether every requested evaluation failed, and there was at least one.
     bool all_failed() const { return counters.failures > 0 && counters.failures >= made_of_requested(); }
     /// How many evaluations failed, and the reason of the first one in this process.
     std::string failure_text() const {
