@@ -142,7 +142,10 @@ int compare_runs(std::uint64_t from, std::uint64_t to) {
         CAPTURE(seed, text);
         std::atomic<long> calls = 0;
         const Reals problem = difficult(seed, calls);
-        const RunOptions options{.seed = seed, .threads = 1, .budget = {.evaluations = 400}};
+        const RunOptions options{.seed = seed,
+                                 .threads = 1,
+                                 .budget = {.evaluations = 400},
+                                 .population_bytes = std::size_t{1} << 18}; // some populations double
         Result<Vector> whole;
         try {
             whole = run(text, problem, {}, options);
