@@ -50,9 +50,6 @@ int report_exception() {
     } catch (const rough::NotConverged& error) {
         complain(error.what());
         return 3;
-    } catch (const ga::NothingLeft& error) {
-        complain(error.what());
-        return 3;
     } catch (const rough::InputError& error) {
         complain(error.what());
     } catch (const ga::UsageError& error) {

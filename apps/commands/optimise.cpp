@@ -35,8 +35,8 @@ class ByChildren : public ga::Evaluator<P> {
             genes.push_back(problem.text_of(*call.genome));
         auto answers = children_.ask(genes, watch);
         for (std::size_t i = 0; i < answers.size(); ++i)
-            if (answers[i])
-                *calls[i].answer = std::move(*answers[i]);
+            if (!std::holds_alternative<ga::Pending>(answers[i]))
+                *calls[i].answer = std::move(answers[i]);
     }
     int threads() const override { return children_.count(); }
 
@@ -51,37 +51,39 @@ void search_by_children(SearchByChildren& search, Children& children) {
     const ga::Stopwatch clock;
     stage_of<P>(search, 2); // refuses a wrong text before anything is started
 
-    // The first genome that a leading `sample` draws tells how many objectives there are.
+    // The first success among the genomes that a leading `sample` draws tells how many objectives there are.
     ByChildren<P> evaluator(children);
     ga::RunOptions run;
     run.seed = search.seed;
-    run.budget = {2, search.seconds, search.stop};
-    search.stopped =
-        ga::run_by(evaluator, ga::sample(1) | ga::score(), P(search.genes, {false}), {}, run).stopped;
+    run.budget = {search.evaluations, search.seconds, search.stop, search.max_failures};
+    const auto tries = static_cast<std::size_t>(std::min(search.evaluations, 200L));
+    const auto first =
+        ga::run_by(evaluator, ga::sample(tries) | ga::score(), P(search.genes, {false}), {}, run);
+    const auto book = [&](const auto& result, long extra) {
+        search.spent = result.counters.evaluations + extra;
+        search.failures = result.counters.failures;
+        search.stopped = result.stopped;
+        search.is_dead_end = result.is_dead_end;
+        search.notes = result.notes;
+    };
+    book(first, 0);
     const std::size_t objectives = children.objectives();
     if (objectives == 0)
         return;
-    search.spent = 1;
     const P problem(search.genes, children.record.minimise = minimised(search.minimise, objectives));
     const auto stage = stage_of<P>(search, objectives);
     search.searched = stage.text();
 
-    const bool draws_it_again = search.searched.starts_with("sample ");
-    const long extra = draws_it_again ? 0 : 1; // evaluations that the run does not count
+    const long drawn_again =
+        search.searched.starts_with("sample ") ? std::stol(search.searched.substr(7)) : 0;
+    const long extra = std::max(0L, search.spent - drawn_again); // evaluations that the run does not count
     run.variant = search.variant = variant_of(search, objectives);
-    run.budget = {search.evaluations - extra, search.seconds - clock.seconds(), search.stop};
+    run.budget = {search.evaluations - extra, search.seconds - clock.seconds(), search.stop,
+                  search.max_failures};
     ga::Checkpoints<P> keeper(search.checkpoint, search.description + " " + std::to_string(objectives),
                               search.resume, checkpoint_interval());
     keeper.keep("record", children.record);
-    try {
-        const auto found =
-            ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(search.show)}, &keeper);
-        search.spent = found.counters.evaluations + extra;
-        search.stopped = found.stopped;
-        search.notes = found.notes;
-    } catch (const ga::NothingLeft& nothing) {
-        search.stopped = nothing.what();
-    }
+    book(ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(search.show)}, &keeper), extra);
 }
 
 using nlohmann::json;
@@ -122,8 +124,8 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
         {"genes", settings.text("genes")}, {"evaluate", settings.text("evaluate")},
         {"variant", searched.variant},     {"pipeline", searched.searched},
         {"minimise", json::array()},       {"best", record.best() ? solution_json(*record.best()) : json()},
-        {"evaluations", searched.spent},   {"stopped", searched.stopped},
-        {"notes", searched.notes}};
+        {"evaluations", searched.spent},   {"failures", searched.failures},
+        {"stopped", searched.stopped},     {"notes", searched.notes}};
     for (std::size_t k = 0; k < record.minimise.size(); ++k)
         if (record.minimise[k])
             result["minimise"].push_back(k + 1);
@@ -183,6 +185,9 @@ int optimise(const Settings& settings, const std::string& line) {
     by_kind(search.genes, [&](auto genome) { search_by_children<decltype(genome)>(search, children); });
     if (!children.trouble().empty())
         search.stopped = children.trouble();
+    else if (search.failures > 0 && !search.is_dead_end)
+        search.notes.push_back(std::to_string(search.failures) +
+                               " evaluations failed; the first: " + children.first_failure());
     const BestKnown& record = children.record;
     if (record.best() || interrupt.requested()) {
         json result = origin_json({"optimise", line, search.seed, threads, search.inputs});
@@ -190,11 +195,13 @@ int optimise(const Settings& settings, const std::string& line) {
         result["seconds"] = clock.seconds();
         write_json(output.restored() / "result.json", result);
     }
-    if (search.stopped.empty())
+    if (search.stopped.empty() || (search.is_dead_end && search.failures == 0))
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before"})
             std::filesystem::remove(ga::held_path(folder / kept));
     if (!children.trouble().empty())
         rough::refuse(children.trouble(), record.best() ? "; the best so far is in " + folder.string() : "");
+    if (!record.best() && search.is_dead_end)
+        rough::refuse("--evaluate: ", search.stopped, "; correct the program");
     tell_notes(search.notes);
     std::string best = "nothing was evaluated";
     if (record.best()) {
@@ -205,7 +212,7 @@ int optimise(const Settings& settings, const std::string& line) {
     say(folder.string() + ": " + best + " after " + std::to_string(search.spent) + " evaluations (" +
         readable(clock.seconds()) + " s)" + (search.stopped.empty() ? "" : "; " + search.stopped) +
         (std::filesystem::exists(search.checkpoint)
-             ? "; --resume with more --evaluations or --seconds continues"
+             ? "; --resume with more --evaluations, --seconds or --max-failures continues"
              : ""));
     return interrupt.requested() ? exit_interrupted : 0;
 }

@@ -37,6 +37,9 @@ Bindings bindings_of(OutsideSearch& search) {
         {positive("seconds", "",
                   "maximum wall time of the whole search; without evaluations, the only limit"),
          search.seconds},
+        {ga::number("max-failures", ga::number(search.max_failures), 0, 1,
+                    "the search ends if a larger share of its evaluations fails, from 200 evaluations on"),
+         search.max_failures},
         {seed_setting(), search.seed},
     };
 }

@@ -28,13 +28,17 @@ struct OutsideSearch {
     std::uint64_t seed = 1;
     long evaluations = std::numeric_limits<long>::max();      ///< maximum number
     double seconds = std::numeric_limits<double>::infinity(); ///< maximum time of the whole search
+    double max_failures = ga::Budget().max_failures;          ///< see ga::Budget
 
     std::string searched = {};           ///< the pipeline that ran
     long spent = 0;                      ///< number of evaluations
+    long failures = 0;                   ///< number of requested evaluations that failed
     std::string stopped = {};            ///< why it ended before its pipeline did; "" if it did not
+    bool is_dead_end = false;            ///< see ga::Result
     std::vector<std::string> notes = {}; ///< the engine's remarks
 };
-/// The parameters that the program and Python share: variant, pipeline, evaluations, seconds and seed.
+/// The parameters that the program and Python share: variant, pipeline, evaluations, seconds, max-failures
+/// and seed.
 std::vector<Setting> outside_settings();
 /// Reads them. If only `seconds` is given, evaluations are unlimited. Throws rough::InputError.
 void take_search(const Settings& settings, OutsideSearch& search);

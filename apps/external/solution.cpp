@@ -21,7 +21,8 @@ bool is_valid(const Evaluation& answer, std::size_t objectives) {
     const auto finite = [](const std::vector<double>& values) {
         return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
     };
-    return answer.objectives.size() == objectives && finite(answer.objectives) && finite(answer.violation);
+    return answer.objectives.size() == objectives && finite(answer.objectives) &&
+           std::ranges::all_of(answer.violation, [](double value) { return value < HUGE_VAL; });
 }
 
 double violated(const Evaluation& answer) {

@@ -15,7 +15,7 @@ struct Evaluation {
 
 /// The answer's "violation", a number or an array, or empty. Throws nlohmann's exceptions on other types.
 std::vector<double> violation_from(const nlohmann::json& answer);
-/// Whether it has this many objectives, and all its numbers are finite.
+/// Whether it has this many objectives, which are finite, and no violation is NaN or infinite.
 bool is_valid(const Evaluation& answer, std::size_t objectives);
 /// The sum of the positive violations.
 double violated(const Evaluation& answer);

@@ -85,16 +85,17 @@ CapPipeline round_stage(std::size_t evaluations) {
         const CapProblem& problem = context.problem();
         const ga::Method rounding{
             "round", [&](const ga::Landscape& land) { return rounded(land, problem, evaluations); }};
-        ga::Rounds<CapProblem>::run(
-            designs.size(), context.queue(), [&](std::size_t i, ga::EvaluationQueue<CapProblem>& queue) {
-                if (designs[i].fitness.has_failed())
-                    return;
-                auto found = ga::Search<CapProblem>(problem, queue, context.watch(), designs[i],
-                                                    problem.bounds(designs[i].genome), 1 << 20)
-                                 .by(rounding, 0);
-                if (found)
-                    designs[i].genome = std::move(*found);
-            });
+        ga::Rounds<CapProblem>::run(designs.size(), context.queue(), context.ledger().evaluator().threads(),
+                                    [&](std::size_t i, ga::EvaluationQueue<CapProblem>& queue) {
+                                        if (designs[i].fitness.has_failed())
+                                            return;
+                                        auto found = ga::Search<CapProblem>(
+                                                         problem, queue, context.watch(), designs[i],
+                                                         problem.bounds(designs[i].genome), 1 << 20)
+                                                         .by(rounding, 0);
+                                        if (found)
+                                            designs[i].genome = std::move(*found);
+                                    });
         for (auto& design : designs)
             context.make_child(design, ga::Parents(design.identity));
         return designs;

@@ -17,11 +17,11 @@ struct Exploration {
 
     ga::HallOfFame<P> seen;             ///< best individuals of all stages
     ga::HallOfFame<P> verified;         ///< best under the objective that verifies
-    ga::Population<Genome> population;  ///< final; empty if a stage left no individual
+    ga::Population<Genome> population;  ///< final
     std::vector<Genome> front = {};     ///< the last Pareto front of a ranking by several objectives
     std::optional<Genome> nearest = {}; ///< best genome of the last population under a derived problem
     SearchRun spent = {};               ///< cost and remarks of the pipeline
-    std::string nothing = {};           ///< the stage that left no individual, in words; otherwise empty
+    std::string nothing = {};           ///< why the run could not continue; otherwise empty
 
     /// Keeps the best 60 individuals, and the best `max_verified` under the objective `verifies`.
     Exploration(const P& problem, std::size_t max_verified, const std::string& verifies)
@@ -48,21 +48,18 @@ struct Exploration {
                                  .seed = options.seed,
                                  .threads = options.threads,
                                  .budget = {options.evaluations, seconds, options.stop}};
-        try {
-            ga::OnThreads<P> on_threads(options.threads);
-            auto found =
-                ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem_,
-                           ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
-            for (const auto& individual : found.population)
-                seen.offer(individual);
-            if (found.best)
-                seen.offer(*found.best);
-            population = std::move(found.population);
-            spent = {name, pipeline.text(), found.counters, found.notes, found.stopped};
-        } catch (const ga::NothingLeft& left) {
-            nothing = left.what();
-            spent = {name, pipeline.text(), {}, {nothing}, {}};
-        }
+        ga::OnThreads<P> on_threads(options.threads);
+        auto found =
+            ga::run_by(options.evaluator ? *options.evaluator : on_threads, pipeline, problem_,
+                       ga::population(starts), run, observers, checkpoints ? &*checkpoints : nullptr);
+        for (const auto& individual : found.population)
+            seen.offer(individual);
+        if (found.best)
+            seen.offer(*found.best);
+        if (found.is_dead_end)
+            nothing = found.stopped;
+        population = std::move(found.population);
+        spent = {name, pipeline.text(), found.counters, found.notes, found.stopped};
     }
 
     /// Adds a genome with this similarity to the best of all stages.

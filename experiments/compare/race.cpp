@@ -119,14 +119,10 @@ Reached raced(const Instance<G>& instance, const std::string& variant, const std
     for (std::uint64_t start = 0; left > 0 && !tally.over(); ++start) {
         options.seed = ga::fold(attempt.seed, start);
         options.budget = {left, std::numeric_limits<double>::infinity(), &tally.over()};
-        try {
-            const auto found = ga::run_by(evaluator, stage, problem, {}, options);
-            if (found.counters.requested == 0 || !found.stopped.empty())
-                break;
-            left -= found.counters.requested;
-        } catch (const ga::NothingLeft&) {
+        const auto found = ga::run_by(evaluator, stage, problem, {}, options);
+        if (found.counters.requested == 0 || !found.stopped.empty())
             break;
-        }
+        left -= found.counters.requested;
     }
     return tally.reached();
 }

@@ -48,12 +48,11 @@ struct Difference {
     }
 };
 
-/// The genes of all individuals. Throws NothingLeft if there are fewer than the four that a trial needs.
+/// The genes of all individuals. Ends the run if there are fewer than the four that a trial needs.
 template <Problem P>
-std::vector<std::vector<double>> all_genes(const PopulationOf<P>& population, const Context<P>& context) {
+std::vector<std::vector<double>> all_genes(const PopulationOf<P>& population, Context<P>& context) {
     if (population.size() < 4)
-        throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
-                          " individuals; give 4 or more");
+        context.end_with(population, std::to_string(population.size()) + " individuals; give 4 or more");
     std::vector<std::vector<double>> all;
     for (const auto& individual : population)
         all.push_back(genes_of(context.problem(), individual.genome));

@@ -15,6 +15,8 @@ struct Budget {
     long evaluations = std::numeric_limits<long>::max();
     double seconds = std::numeric_limits<double>::infinity(); ///< wall time, s, checked between evaluations
     const std::atomic<bool>* stop = nullptr;                  ///< true stops the run; may be null
+    /// Maximum share of requested evaluations that fail, 0 to 1. Checked after each batch, from 200 on.
+    double max_failures = 0.9;
 };
 
 /// The expenses of a run so far. Only `evaluations`, `remembered` and `price` depend on the size of the
@@ -24,7 +26,7 @@ struct Counters {
     long evaluations = 0; ///< calls of the problem's evaluate
     long remembered = 0;  ///< requests answered without a call
     long gradients = 0;   ///< calls of the problem's sensitivity
-    long failures = 0;    ///< individuals marked as failed
+    long failures = 0;    ///< requested evaluations that failed; also those with a fitness that is not finite
     double requested_price = 0; ///< price of `requested`, in evaluations of level 0
     double price = 0;           ///< price of `evaluations` and `gradients`, in evaluations of level 0
 };

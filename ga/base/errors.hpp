@@ -23,14 +23,11 @@ inline void expect_fit(bool fits) {
         throw UsageError("the checkpoint does not fit its pipeline; use one that this pipeline has written");
 }
 
-/// Thrown if the run cannot continue, because a selection is empty or every evaluation failed.
-struct NothingLeft : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// Thrown through the stages if a budget is spent or a stop was requested; `run` catches it.
+/// Thrown through the stages if a budget is spent, a stop was requested or the run cannot continue; `run`
+/// catches it.
 struct Stopped {
-    std::string reason; ///< "time budget spent", "stop requested", ...
+    std::string reason;       ///< "time budget spent", "stop requested", ...
+    bool is_dead_end = false; ///< whether the run cannot continue, e.g. because a selection is empty
 };
 
 } // namespace ga

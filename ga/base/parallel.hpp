@@ -34,10 +34,11 @@ inline void expect_threads(int threads) {
     given = threads;
 }
 
-/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. An exception does not stop the
-/// other jobs. The exception of the smallest i is thrown again at the end.
+/// Runs job(i) for i = 0 .. n-1 on up to `threads` threads, in any order. A free thread takes the next
+/// `chunk` jobs. An exception does not stop the other jobs. The exception of the smallest i is thrown again
+/// at the end.
 template <class Job>
-void parallel_for(std::size_t n, int threads, Job job) {
+void parallel_for(std::size_t n, int threads, Job job, std::size_t chunk = 1) {
     std::exception_ptr error;
     std::size_t failed = n;
     const auto guarded = [&](std::size_t i) {
@@ -56,7 +57,7 @@ void parallel_for(std::size_t n, int threads, Job job) {
             guarded(i);
     } else {
         expect_threads(threads);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, chunk) num_threads(threads)
         for (std::size_t i = 0; i < n; ++i)
             guarded(i);
     }

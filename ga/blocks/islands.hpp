@@ -62,9 +62,8 @@ struct Islands : Operator {
         typename Context<P>::OpenFrame frame(context.state, {});
         if (!frame.resumed()) {
             if (population.size() < n)
-                throw NothingLeft(context.path() + ": " + std::to_string(population.size()) +
-                                  " individuals for " + std::to_string(n) +
-                                  " islands; give at least one for each");
+                context.end_with(population, std::to_string(population.size()) + " individuals for " +
+                                                 std::to_string(n) + " islands; give at least one for each");
             frame->kept.resize(n);
             for (std::size_t i = 0; i < population.size(); ++i)
                 frame->kept[i % n].push_back(std::move(population[i]));
@@ -102,7 +101,7 @@ struct Islands : Operator {
                     loops[i].states[path] = state;
         try {
             Rounds<P>::run(
-                n, context.queue(),
+                n, context.queue(), context.ledger().evaluator().threads(),
                 [&](std::size_t i, EvaluationQueue<P>& queue) {
                     Context<P>& island = islands[i].emplace(context, queue, i, n);
                     island.state.loops.push_back(&loops[i]);

@@ -74,9 +74,10 @@ struct Pair : Operator {
                     {std::move(*genome), context.new_identity(), Parents(a.identity, b.identity), {}, {}});
             }
         if (children.empty())
-            throw NothingLeft(context.path() + ": " + std::to_string(lefts.size()) + " and " +
-                              std::to_string(rights.size()) + " individuals gave no child by " +
-                              combine.name + "; pair other individuals");
+            context.end_with(joined_with(lefts, rights), std::to_string(lefts.size()) + " and " +
+                                                             std::to_string(rights.size()) +
+                                                             " individuals gave no child by " + combine.name +
+                                                             "; pair other individuals");
         return children;
     }
 };

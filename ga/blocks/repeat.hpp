@@ -4,21 +4,19 @@
 
 namespace ga {
 
-/// Whether the last progress was 10,000 generations ago. BlockProgress is an improvement; if `paying` is set,
-/// a requested evaluation is progress, too.
+constexpr double max_idle_generations = 10000; ///< generations without progress after which a block ends
+
+/// Whether the last progress was 10,000 generations ago. Progress is an improvement; if `paying` is set, a
+/// requested evaluation is progress, too.
 template <Problem P, class G = typename P::Genome>
 bool idle(const BlockProgress<G>& now, Numbers& numbers, Numbers& improvement, bool paying,
           Context<P>& context) {
-    constexpr double stop_mode = 10000; // generations
     const double requested = context.counters().requested_price;
     double &last_requested = numbers[2], &last_progress = numbers[3];
     if (improves(now, improvement) || (paying && requested > last_requested))
         last_progress = static_cast<double>(now.generation);
     last_requested = requested;
-    if (static_cast<double>(now.generation) - last_progress < stop_mode)
-        return false;
-    context.note("ended after 10000 generations without progress towards its end");
-    return true;
+    return static_cast<double>(now.generation) - last_progress >= max_idle_generations;
 }
 
 /// Runs the body of a block of generations until the first rule holds.
@@ -30,11 +28,11 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
     if (!frame.resumed()) {
         numbers.resize(2 + rules.size());
         const double requested = context.counters().requested_price;
-        // price of evaluations and seconds at the start, price at the last look, generation of the last
-        // progress
-        numbers[0] = {requested, context.seconds(), requested, 0};
+        // price of evaluations and seconds at the start, price at the last look of `idle`, generation of the
+        // last progress, price at the end of the last generation
+        numbers[0] = {requested, context.seconds(), requested, 0, requested};
     }
-    expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 4 &&
+    expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 5 &&
                (!frame.resumed() || frame->kept.size() == 1));
     bool sure = false, paying = false;
     for (const Rule<G>& rule : rules) {
@@ -51,7 +49,14 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
                 if (rules[i].text.starts_with(AfterSeconds::words().name))
                     context.note("ended after its seconds; another run may end in another generation");
             }
-        return end || (!sure && idle(now, numbers[0], numbers[1], paying, context));
+        if (end)
+            return true;
+        // idle generations of all blocks are counted, so that blocks inside each other do not multiply them
+        end = (frame->next > 0 && context.state.idle_generations >= max_idle_generations) ||
+              (!sure && idle(now, numbers[0], numbers[1], paying, context));
+        if (end)
+            context.note("ended after 10000 generations without progress towards its end");
+        return end;
     };
     try {
         for (bool inside = frame.resumed(); inside || !ended(); inside = false, ++frame->next) {
@@ -59,6 +64,9 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
                 frame->kept = {start_of_generation(frame->population, body.reads_of_start())};
             const typename Context<P>::Round round(context.position, frame->next, &frame->kept[0]);
             frame->population = body(std::move(frame->population), context);
+            const double requested = context.counters().requested_price;
+            double &before = frame->numbers[0][4], &idle = context.state.idle_generations;
+            idle = requested > std::exchange(before, requested) ? 0 : idle + 1;
         }
     } catch (const Stopped&) {
         auto& stopped_population = context.state.stopped_population;
@@ -91,7 +99,8 @@ template <Problem P, class G = typename P::Genome>
 
 /// Runs a body n times, each time on the previous result. Each time is a generation. Each generation draws
 /// different random numbers. Stages such as `elite` and `plus` read the best individuals of the generation's
-/// start, which is the population at its beginning.
+/// start, which is the population at its beginning. After 10,000 generations without a requested evaluation
+/// the block ends with a note, like every block of generations.
 template <class Body>
 struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1

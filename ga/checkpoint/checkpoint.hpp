@@ -105,13 +105,13 @@ void to_json(json& j, const Snapshot<G>& snapshot) {
     j = {snapshot.frames,        snapshot.counters,
          snapshot.next_identity, snapshot.best ? json(*snapshot.best) : json(),
          snapshot.notes,         snapshot.seconds,
-         snapshot.heaviest};
+         snapshot.heaviest,      snapshot.idle_generations};
 }
 template <class G>
 void from_json(const json& j, Snapshot<G>& snapshot) {
     json best;
     read_parts(j, snapshot.frames, snapshot.counters, snapshot.next_identity, best, snapshot.notes,
-               snapshot.seconds, snapshot.heaviest);
+               snapshot.seconds, snapshot.heaviest, snapshot.idle_generations);
     if (!best.is_null())
         snapshot.best = best.get<Individual<G>>();
 }
@@ -159,7 +159,7 @@ bool can_be_kept(const P& problem, const T& value) {
                       value.requested_price, value.price);
     } else if constexpr (std::same_as<T, Snapshot<G>>) {
         return each(value.frames, value.counters) && (!value.best || each(*value.best)) &&
-               finite({value.seconds}) && value.seconds >= 0;
+               finite({value.seconds}) && value.seconds >= 0 && value.idle_generations >= 0;
     } else if constexpr (requires { value.is_valid(); }) {
         return value.is_valid();
     } else if constexpr (std::ranges::range<T> && !std::convertible_to<T, std::string_view>) {
@@ -278,7 +278,7 @@ class Checkpoints : public Checkpointer<P> {
     }
 
   private:
-    static constexpr int version = 4;
+    static constexpr int version = 5;
 
     struct StoredItem {
         std::string name;
@@ -311,7 +311,8 @@ class Checkpoints : public Checkpointer<P> {
             };
             const auto& [young, old] = std::tie(ledger.memory.young, ledger.memory.old);
             const std::size_t known = std::min(snapshot.remembered, young.size());
-            j["memory"] = {list(old, 0, old.size()), list(young, 0, known), list(young, known, young.size())};
+            j["memory"] = {list(old, 0, old.size()), list(young, 0, known), list(young, known, young.size()),
+                           ledger.memory.room()};
         }
     }
     static void recall(const json& j, Ledger<P>& ledger) {
@@ -334,6 +335,9 @@ class Checkpoints : public Checkpointer<P> {
                     else if (!ledger.memory.old.find(print))
                         ledger.prepay(print, evaluation(entry));
                 }
+            std::size_t room = 0;
+            read_part(stored.at(3), room);
+            ledger.memory.resume(room);
         }
     }
 

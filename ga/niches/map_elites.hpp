@@ -73,8 +73,8 @@ struct MapElites : Operator {
         for (const auto& [place, i] : elites)
             archive.push_back(std::move(all[i]));
         if (archive.empty())
-            throw NothingLeft(context.path() +
-                              ": no individual has descriptors that are numbers; return finite descriptors");
+            context.end_with(all,
+                             "no individual has descriptors that are numbers; return finite descriptors");
         return archive;
     }
 };
@@ -182,14 +182,21 @@ struct Emit : Operator {
             for (const std::size_t i : chosen) {
                 const auto& each = population[i];
                 const std::size_t objective = context.objective_index(each.fitness.objective());
-                slopes.push_back({each.genome, each.fitness.objective_name(),
-                                  context.problem().objectives()[objective].level, Sensitive<P>, {}, {}, {}});
+                slopes.push_back({each.genome,
+                                  each.fitness.objective_name(),
+                                  context.problem().objectives()[objective].level,
+                                  Sensitive<P>,
+                                  {},
+                                  {},
+                                  {}});
             }
             EvaluationRequest<P> request;
             for (auto& slope : slopes)
                 request.slopes.push_back(&slope);
             context.queue().serve(request);
             for (std::size_t i = 0; i < slopes.size(); ++i) {
+                if (slopes[i].failure)
+                    context.note_missing_derivative(*slopes[i].failure);
                 if (slopes[i].sensitivity) {
                     const Eigen::VectorXd down =
                         -slopes[i].sensitivity->jacobian.transpose() * slopes[i].sensitivity->residuals;

@@ -92,8 +92,9 @@ struct Front : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         auto front = ga::front_of(population);
         if (front.empty())
-            throw NothingLeft(context.path() + ": every one of " + std::to_string(population.size()) +
-                              " individuals failed; the first: " + population.front().fitness.reason());
+            context.end_with(population,
+                             "every one of " + std::to_string(population.size()) +
+                                 " individuals failed; the first: " + population.front().fitness.reason());
         return front;
     }
 };

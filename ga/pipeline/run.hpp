@@ -25,6 +25,7 @@ struct Result {
     Counters counters;                 ///< evaluations and derivatives of the run
     std::vector<std::string> notes;    ///< remarks of stages, each under its path
     std::string stopped;               ///< why the run ended early; empty if it did not
+    bool is_dead_end = false;          ///< whether the run could not continue, also without a limit
     double seconds = 0;                ///< wall time, including that before each resumption
     Population<G> front = {};          ///< individuals of `population` that no other one dominates
 };
@@ -152,11 +153,14 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipelin
         if (!known && context.state.saved.empty())
             score_given(population, context);
         result.population = known ? std::move(*answer) : pipeline(std::move(population), context);
-        ledger.expect_success();
         if (checkpointer && !known)
             checkpointer->write(context.snapshot(), ledger, &result.population);
+        if (ledger.all_failed())
+            throw Stopped{ledger.failure_text(), true};
     } catch (const Stopped& stop) {
-        result.stopped = stop.reason;
+        // If one island cannot continue, a stop may have cut the others short.
+        result.is_dead_end = stop.is_dead_end && !context.watch().expired();
+        result.stopped = stop.is_dead_end == result.is_dead_end ? stop.reason : context.watch().reason();
         if (context.state.stopped_population)
             result.population = salvaged(std::move(*context.state.stopped_population));
         if (result.population.empty() && context.best())

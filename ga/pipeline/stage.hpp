@@ -150,8 +150,8 @@ class Pipeline {
             });
     }
 
-    /// Sends a population through every stage. Throws Stopped when the budget is spent, NothingLeft if a
-    /// selection is empty.
+    /// Sends a population through every stage. Throws Stopped when the budget is spent or a selection is
+    /// empty.
     Population<Genome> operator()(Population<Genome> population, Context<P>& context) const {
         typename Context<P>::OpenFrame frame(context.state, std::move(population));
         expect_fit(frame->next <= stages_.size());

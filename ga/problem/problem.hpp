@@ -297,8 +297,9 @@ template <class Member>
 constexpr bool is_function_member =
     std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// Gives a compile-time error with the name of a member that does not fit its concept. Without this check a
-/// member with a wrong signature would be ignored. Overloaded and templated members are not checked.
+/// Gives a compile-time error with the name of a member that does not fit its concept, or that has a likely
+/// misspelling of an optional member's name. Without this check such a member would be ignored. Overloaded
+/// and templated members are not checked.
 template <class P>
 constexpr bool members_fit() {
 #define GA_MEMBER_FITS(member, Concept)                                                                      \
@@ -326,6 +327,16 @@ constexpr bool members_fit() {
     GA_MEMBER_FITS(distance, Measured)
     GA_MEMBER_FITS(descriptors, Describing)
 #undef GA_MEMBER_FITS
+#define GA_MEMBER_CALLED(member, misspelt)                                                                   \
+    if constexpr (requires { &P::misspelt; })                                                                \
+        static_assert(!is_function_member<decltype(&P::misspelt)>,                                           \
+                      "the problem's member '" #misspelt "' is not used; is it '" #member "'?");
+    GA_MEMBER_CALLED(violation, violations)
+    GA_MEMBER_CALLED(violation, constraint)
+    GA_MEMBER_CALLED(violation, constraints)
+    GA_MEMBER_CALLED(gradient, gradients)
+    GA_MEMBER_CALLED(sensitivity, sensitivities)
+#undef GA_MEMBER_CALLED
     return true;
 }
 

@@ -16,6 +16,17 @@ int algorithm_number(const std::string& name) {
     return found;
 }
 
+void Nlopt::validate() const {
+    const Eigen::Vector2d lower(-1, -1), upper(1, 1); // a build of NLopt may lack an algorithm
+    NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), lower, upper, 1);
+    search.minimize([](const Eigen::VectorXd& x, double* gradient) {
+        if (gradient)
+            Eigen::Map<Eigen::VectorXd>(gradient, 2) = 2 * x;
+        return x.squaredNorm();
+    });
+    search.from(Eigen::Vector2d(0.5, 0.5));
+}
+
 Eigen::VectorXd Nlopt::improve(const Landscape& land) const {
     nlopt::srand(static_cast<unsigned long>(land.seed));
     NloptSearch search(static_cast<nlopt::algorithm>(algorithm_number(algorithm)), land.lower, land.upper,
@@ -25,18 +36,20 @@ Eigen::VectorXd Nlopt::improve(const Landscape& land) const {
     if (land.constrained && takes_constraints() && !land.exhausted())
         violations = land.constrained(land.start).second;
     const Eigen::Index rows = violations.size();
+    // Methods that interpolate never return if a value is infinite or too large, so they get finite ones.
+    constexpr double largest = 1e60;
+    const auto inside = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { // some methods leave the box
+        return x.cwiseMax(land.lower).cwiseMin(land.upper);
+    };
     if (rows > 0)
         search.constrain(static_cast<unsigned>(rows), [&](const Eigen::VectorXd& x, double* c, double*) {
-            if (const Eigen::VectorXd there = land.constrained(x).second; there.size() == rows)
-                violations = there;
+            if (const Eigen::VectorXd there = land.constrained(inside(x)).second; there.size() == rows)
+                violations = there.cwiseMax(-largest).cwiseMin(largest);
             Eigen::Map<Eigen::VectorXd>(c, rows) = violations;
         });
     int used = 0; // some algorithms exceed their limit
-    search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
-        if (used++ > evaluations || land.exhausted()) {
-            search->force_stop();
-            return HUGE_VAL;
-        }
+    double lowest = largest, highest = -largest;
+    const auto value_at = [&](const Eigen::VectorXd& x, double* gradient) -> double {
         if (rows > 0) {
             const auto [fitness, there] = land.constrained(x);
             best.offer(x, fitness, there.cwiseMax(0).sum());
@@ -56,6 +69,21 @@ Eigen::VectorXd Nlopt::improve(const Landscape& land) const {
         }
         best.offer(x, fitness);
         return -fitness;
+    };
+    search.minimize([&](const Eigen::VectorXd& x, double* gradient) {
+        double value = HUGE_VAL;
+        if (used++ > evaluations || land.exhausted())
+            search->force_stop();
+        else if (x.allFinite())
+            value = value_at(inside(x), gradient);
+        if (needs_gradient())
+            return value;
+        if (!std::isfinite(value))
+            return lowest > highest ? 0 : highest + std::max(1.0, highest - lowest);
+        value = std::clamp(value, -largest, largest);
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+        return value;
     });
     search.from(land.start);
     return best.x;

@@ -22,7 +22,7 @@ struct Nlopt {
         visit(self.algorithm, word("algorithm", std::nullopt, "NLopt's name, e.g. LN_COBYLA"));
         visit(self.evaluations, evaluations_parameter());
     }
-    void validate() const { algorithm_number(algorithm); }
+    void validate() const;
     bool needs_gradient() const { return algorithm[1] == 'D'; }
     /// Whether the algorithm gets the problem's constraints. For other algorithms a point that violates a
     /// constraint has no fitness. Algorithms with gradients would need gradients of the constraints.

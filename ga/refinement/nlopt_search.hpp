@@ -71,8 +71,8 @@ class NloptSearch {
         } catch (const std::invalid_argument& error) {
             throw UsageError(
                 std::string("refine nlopt ") +
-                nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) + ": " +
-                error.what());
+                nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) +
+                ": " + error.what() + "; use another algorithm, or finite bounds");
         }
         if (error_)
             std::rethrow_exception(error_);

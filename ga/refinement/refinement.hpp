@@ -74,6 +74,9 @@ class Search {
         return x == land.start ? std::nullopt : std::optional(at(x));
     }
 
+    /// Why the first missing derivative is missing; null if none is.
+    const Reason& missing_derivative() const { return missing_derivative_; }
+
   private:
     static Eigen::Map<Eigen::VectorXd> as_vector(std::vector<double>& numbers) {
         return {numbers.data(), static_cast<Eigen::Index>(numbers.size())};
@@ -99,15 +102,16 @@ class Search {
             queue_.serve(request);
         } catch (const Stopped&) {
             stopped_ = true;
-        } catch (const NothingLeft&) { // here a failure like any other
         }
     }
 
     /// The fitness at a point, and the violations of constraints there; unknown if it was not evaluated.
     Fitness fitness(const Eigen::VectorXd& x) {
-        const Genome genome = at(x);
         Fitness found;
         violations_.resize(0);
+        if (!x.allFinite())
+            return found;
+        const Genome genome = at(x);
         EvaluationRequest<P> request;
         request.outcomes.push_back({&genome, true, 0, objective().level});
         request.use = [&] {
@@ -115,6 +119,8 @@ class Search {
             if (!answer || std::holds_alternative<Pending>(*answer))
                 return;
             found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
+            if (found.has_failed())
+                request.fail(found, 1);
             if constexpr (Constrained<P>)
                 if (!found.has_failed()) {
                     auto each = violations_of(problem_, std::get<typename P::Outcome>(*answer));
@@ -126,29 +132,33 @@ class Search {
     }
     /// The slope at a point; unknown parts are empty.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
-        Slope<P> slope{at(x), individual_.fitness.objective_name(), objective().level, of_residuals, {}, {},
+        Slope<P> slope{x.allFinite() ? at(x) : individual_.genome,
+                       individual_.fitness.objective_name(),
+                       objective().level,
+                       of_residuals,
+                       {},
+                       {},
                        {}};
         EvaluationRequest<P> request;
         request.slopes.push_back(&slope);
-        ask(request, price_of(problem_, objective().level).gradient);
+        if (x.allFinite())
+            ask(request, price_of(problem_, objective().level).gradient);
+        if (slope.failure && !missing_derivative_)
+            missing_derivative_ = slope.failure;
         return slope;
     }
     Eigen::VectorXd gradient(const Eigen::VectorXd& x) {
         Slope<P> found = slope(x, false);
-        if (found.gradient.size() != genes_.size())
+        if (found.gradient.empty())
             return {};
         return (objective().minimise ? -1.0 : 1.0) * as_vector(found.gradient)(places_);
     }
     std::optional<Sensitivity> sensitivity(const Eigen::VectorXd& x) {
         const Slope<P> found = slope(x, true);
-        if (!found.sensitivity ||
-            found.sensitivity->jacobian.cols() != static_cast<Eigen::Index>(genes_.size()))
+        if (!found.sensitivity)
             return std::nullopt;
         const Sensitivity& all = *found.sensitivity;
-        Sensitivity chosen{all.residuals, all.jacobian(Eigen::all, places_)};
-        if (chosen.residuals.size() == 0 || !chosen.residuals.allFinite() || !chosen.jacobian.allFinite())
-            return std::nullopt;
-        return chosen;
+        return Sensitivity{all.residuals, all.jacobian(Eigen::all, places_)};
     }
 
     const P& problem_;
@@ -161,6 +171,7 @@ class Search {
     std::vector<Eigen::Index> places_; ///< indices of the genes that move
     std::size_t objective_ = 0;
     bool stopped_ = false;
+    Reason missing_derivative_;
     Eigen::VectorXd violations_; ///< at the last evaluated point
     Eigen::VectorXd seen_at_;    ///< the last point of `constrained`
     Fitness seen_fitness_;       ///< there
@@ -208,7 +219,9 @@ struct Refine : Operator {
             throw Stopped{"evaluation budget spent"};
         }
         std::vector<std::optional<G>> found(jobs.size());
-        Rounds<P>::run(jobs.size(), context.queue(), [&](std::size_t i, EvaluationQueue<P>& queue) {
+        std::vector<Reason> missing(jobs.size());
+        const int threads = context.ledger().evaluator().threads();
+        Rounds<P>::run(jobs.size(), context.queue(), threads, [&](std::size_t i, EvaluationQueue<P>& queue) {
             const auto& individual = *jobs[i];
             const G& original = individual.origin ? *individual.origin : individual.genome;
             std::vector<Variable> moving;
@@ -221,10 +234,14 @@ struct Refine : Operator {
             const double share = std::floor(left / static_cast<double>(count)),
                          rest = left - share * static_cast<double>(count);
             const double limit = share + (static_cast<double>(i) < rest ? 1 : 0);
-            found[i] =
-                Search<P>(context.problem(), queue, context.watch(), individual, std::move(moving), limit)
-                    .by(method, context.stream(i)());
+            Search<P> search(context.problem(), queue, context.watch(), individual, std::move(moving), limit);
+            found[i] = search.by(method, context.stream(i)());
+            missing[i] = search.missing_derivative();
         });
+        if (const auto first =
+                std::ranges::find_if(missing, [](const Reason& why) { return why != nullptr; });
+            first != missing.end() && !context.watch().expired())
+            context.note_missing_derivative(**first);
         Population<G> answers;
         for (std::size_t i = 0; i < jobs.size(); ++i) {
             if (!jobs[i]->origin)

@@ -138,9 +138,8 @@ class Context {
                 const auto levels = static_cast<std::uint8_t>(individual.fitness.levels() | bit_of(level));
                 assign(individual, *answer);
                 individual.fitness.set_levels(levels);
-                ledger_.note(individual.fitness);
                 if (individual.fitness.has_failed())
-                    ++counters().failures;
+                    request_.fail(individual.fitness, request_.outcomes[i].counts ? 1 : 0);
                 else if constexpr (HasFinalGenome<P>)
                     individual.genome = problem().final_genome(individual.genome, std::get<Outcome>(*answer));
                 offer(individual);
@@ -151,7 +150,8 @@ class Context {
 
     /// Adds n replicates of a noisy evaluation to each individual that has not failed. An individual gets at
     /// most max(n, limit) replicates in total. Its fitness becomes the mean of all its replicates. Known
-    /// replicates are not evaluated again. If one replicate fails, the individual is marked as failed.
+    /// replicates are not evaluated again. If one replicate fails, the individual is marked as failed. If
+    /// `limit` is above n, individuals of the generation's start that may come back get replicates, too.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -159,16 +159,26 @@ class Context {
         request_.outcomes.clear();
         requested_.clear();
         std::vector<std::size_t> firsts;
-        for (auto& individual : population) {
+        const auto request = [&](Individual<Genome>& individual) {
             const Fitness& known = individual.fitness;
             const std::size_t had = known.known(names_[which]) ? known.replicates() : 0;
             if (had >= std::max(n, limit) || known.has_failed())
-                continue;
+                return;
             firsts.push_back(request_.outcomes.size());
             requested_.push_back(&individual);
             for (std::size_t r = 0; r < std::min(had + n, std::max(n, limit)); ++r)
                 request_.outcomes.push_back(
                     {&individual.genome, r > 0 ? r >= had : !(known.levels() & bit_of(level)), r, level});
+        };
+        for (auto& individual : population)
+            request(individual);
+        Population<Genome> start; // a copy, so that a stop leaves the start as it was
+        if (limit > n && position.has_start()) {
+            start = generation_start();
+            const std::vector<Identity> present = identities_of(population);
+            for (auto& old : start)
+                if (old.fitness.known(names_[which]) && !std::ranges::binary_search(present, old.identity))
+                    request(old);
         }
         firsts.push_back(request_.outcomes.size());
         request_.stop_mode = StopMode::at_once;
@@ -178,25 +188,31 @@ class Context {
                 const auto mean = mean_of(firsts[i], firsts[i + 1] - firsts[i], which);
                 if (!mean)
                     continue;
+                if (mean->has_failed())
+                    request_.fail(*mean,
+                                  std::count_if(request_.outcomes.begin() + std::ptrdiff_t(firsts[i]),
+                                                request_.outcomes.begin() + std::ptrdiff_t(firsts[i + 1]),
+                                                [](const auto& wanted) { return wanted.counts; }));
                 const std::uint8_t levels = requested_[i]->fitness.levels();
                 requested_[i]->fitness = *mean;
                 requested_[i]->fitness.set_levels(static_cast<std::uint8_t>(levels | bit_of(level)));
-                ledger_.note(*mean);
-                counters().failures += mean->has_failed() ? 1 : 0;
                 if (best && best->identity == requested_[i]->identity && mean->known(names_[0]))
                     best = *requested_[i]; // its mean over more replicates may be worse
             }
-            for (const auto& individual : population)
-                offer(individual);
+            offer_surest({&population, &start});
         };
         serve(population);
+        if (!start.empty())
+            generation_start() = std::move(start);
     }
 
-    /// Stores the individual if it is the best so far under the problem's first objective.
+    /// Stores the individual if it is the best so far under the problem's first objective. A mean is never
+    /// replaced by a fitness of fewer replicates, which may be better only by luck.
     void offer(const Individual<Genome>& individual) {
         auto& best = root_.state.best;
-        if (individual.fitness.known(names_[0]) && !individual.fitness.has_failed() &&
-            (!best || better(individual.fitness, best->fitness)))
+        const Fitness& fitness = individual.fitness;
+        if (fitness.known(names_[0]) && !fitness.has_failed() &&
+            (!best || (fitness.replicates() >= best->fitness.replicates() && better(fitness, best->fitness))))
             best = individual;
     }
     /// The best individual so far; none before the first evaluation.
@@ -207,6 +223,20 @@ class Context {
     /// Adds a remark to the run's result, under the path of the current stage.
     void note(const std::string& text) { state.note(path() + ": " + text); }
 
+    /// Adds a remark that a derivative is missing, once for each stage.
+    void note_missing_derivative(const std::string& why) {
+        const std::string text = path() + ": a derivative is missing";
+        for (const auto* notes : {&state.notes, &root_.state.notes})
+            if (std::ranges::any_of(*notes, [&](const auto& note) { return note.starts_with(text); }))
+                return;
+        state.note(text + ": " + why);
+    }
+
+    /// Ends the run with this population as its result, because it cannot continue.
+    [[noreturn, gnu::cold]] void end_with(Population<Genome> population, const std::string& why) {
+        state.stopped_population = std::move(population);
+        throw Stopped{path() + ": " + why, true};
+    }
     /// Throws Stopped, with `population` as the result, if a population of `individuals` individuals would
     /// need more memory than one population may take. Stages call this before they make a population larger.
     /// The size of a genome is that of `example`, by default of the first genome in `population`.
@@ -222,9 +252,8 @@ class Context {
             each += std::ranges::size(genome) * sizeof(std::ranges::range_value_t<const Genome>);
         if (individuals <= population_bytes_ / each)
             return;
-        state.stopped_population = population;
-        throw Stopped{path() + ": a population of " + std::to_string(individuals) + " exceeds the " +
-                      std::to_string(population_bytes_ >> 20) + " MB for one"};
+        end_with(population, "a population of " + std::to_string(individuals) + " exceeds the " +
+                                 std::to_string(population_bytes_ >> 20) + " MB for one");
     }
 
     bool observed() const { return !observers_.empty(); } ///< whether there are observers
@@ -272,7 +301,8 @@ class Context {
                 state.notes,
                 seconds(),
                 ledger_.memory.young.size(),
-                ledger_.heaviest()};
+                ledger_.heaviest(),
+                state.idle_generations};
     }
     /// Continues from a snapshot: blocks find their frames in it when they open.
     [[gnu::cold]] void resume(Snapshot<Genome> snapshot) {
@@ -282,7 +312,8 @@ class Context {
         state.best = std::move(snapshot.best);
         state.notes = std::move(snapshot.notes);
         state.earlier_seconds = snapshot.seconds;
-        ledger_.resume(state.best.has_value(), snapshot.heaviest);
+        state.idle_generations = snapshot.idle_generations;
+        ledger_.resume(snapshot.heaviest);
     }
     /// Writes the checkpoint of a stopping run, once. `before` is the state before the interrupted stage or
     /// between two stages. The frames of the open blocks are added to it.
@@ -304,6 +335,28 @@ class Context {
         double seconds;
     };
 
+    /// Offers the best of those individuals that have the most replicates; feasible ones first. It replaces
+    /// the stored one, unless that has as many replicates and is better.
+    void offer_surest(std::initializer_list<const Population<Genome>*> populations) {
+        const auto rank = [](const Fitness& fitness) {
+            return std::pair(fitness.feasible(), fitness.replicates());
+        };
+        const Individual<Genome>* surest = nullptr;
+        for (const auto* population : populations)
+            for (const auto& individual : *population) {
+                const Fitness& fitness = individual.fitness;
+                if (!fitness.known(names_[0]) || fitness.has_failed())
+                    continue;
+                if (!surest || rank(fitness) > rank(surest->fitness) ||
+                    (rank(fitness) == rank(surest->fitness) && better(fitness, surest->fitness)))
+                    surest = &individual;
+            }
+        auto& best = root_.state.best;
+        if (surest && (!best || rank(best->fitness) < rank(surest->fitness) ||
+                       (best->fitness.feasible() == surest->fitness.feasible() &&
+                        !better(best->fitness, surest->fitness))))
+            best = *surest;
+    }
     void report(const Event<Genome>& event) const {
         for (const auto& observer : observers_)
             observer(event);

@@ -61,23 +61,37 @@ Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Ge
         return reason_caught();
     }
 }
-/// Answers a request for a derivative by the problem's member.
+/// Answers a request for a derivative by the problem's member. Derivatives of a wrong number or that are not
+/// finite are a failure.
 template <Problem P>
 void differentiate(const P& problem, Slope<P>& slope) {
     try {
         if constexpr (Sensitive<P>)
             if (slope.of_residuals) {
                 auto found = problem.sensitivity(slope.genome, slope.objective.text());
-                if (found.jacobian.rows() != found.residuals.size())
-                    slope.failure =
-                        reason("derivatives of " + std::to_string(found.jacobian.rows()) + " rows for " +
-                               std::to_string(found.residuals.size()) + " residuals");
+                const auto &r = found.residuals, &j = found.jacobian;
+                const auto genes = static_cast<std::ptrdiff_t>(genes_of(problem, slope.genome).size());
+                if (r.size() == 0 || j.rows() != r.size() || j.cols() != genes)
+                    slope.failure = reason("a matrix of " + std::to_string(j.rows()) + " x " +
+                                           std::to_string(j.cols()) + " for " + std::to_string(r.size()) +
+                                           " residuals of " + std::to_string(genes) + " genes");
+                else if (!r.allFinite() || !j.allFinite())
+                    slope.failure = reason("a residual or derivative is not finite");
                 else
                     slope.sensitivity = std::make_shared<const decltype(found)>(std::move(found));
             }
         if constexpr (Differentiable<P>)
-            if (!slope.of_residuals)
-                slope.gradient = problem.gradient(slope.genome, slope.objective.text());
+            if (!slope.of_residuals) {
+                auto found = problem.gradient(slope.genome, slope.objective.text());
+                const std::size_t genes = genes_of(problem, slope.genome).size();
+                if (found.size() != genes)
+                    slope.failure = reason(std::to_string(found.size()) + " derivatives for " +
+                                           std::to_string(genes) + " genes");
+                else if (!std::ranges::all_of(found, [](double each) { return std::isfinite(each); }))
+                    slope.failure = reason("a derivative is not finite");
+                else
+                    slope.gradient = std::move(found);
+            }
     } catch (const Stopped& stop) {
         slope.failure = reason(stop.reason);
     } catch (...) {
@@ -102,8 +116,9 @@ class Evaluator {
     virtual int threads() const { return 1; } ///< number of threads for work other than evaluations
 };
 
-/// Distributes the calls over threads. Each thread takes the next call, so that all threads are busy even if
-/// costs differ.
+/// Distributes the calls over threads. Each thread takes the next calls, so that all threads are busy even if
+/// costs differ. The calling thread alone makes the calls of a short batch if this was faster before.
+/// Measured times do not affect an answer.
 template <Problem P>
 class OnThreads : public Evaluator<P> {
   public:
@@ -111,10 +126,38 @@ class OnThreads : public Evaluator<P> {
     explicit OnThreads(int threads) : threads_(thread_count(threads)) {}
 
     void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
-        parallel_for(calls.size(), threads_, [&](std::size_t i) {
+        const auto make = [&](const EvaluationCall<P>& call) {
             if (!watch.expired())
-                *calls[i].answer = evaluated(problem, *calls[i].genome, calls[i].replicate, calls[i].level);
-        });
+                *call.answer = evaluated(problem, *call.genome, call.replicate, call.level);
+        };
+        const auto n = static_cast<double>(calls.size());
+        const double limit = std::max(5e-3, 2 * n * one_call_); // s, for calls by this thread alone
+        const bool tries_other = ++batches_ % 1024 == 0;
+        std::size_t alone = 0;
+        const Stopwatch clock;
+        if (threads_ == 1 || (n * one_call_ < long_batch && (by_one_ <= by_all_) != tries_other))
+            while (alone < calls.size() &&
+                   (threads_ == 1 || (alone % 16 != 0 && !std::has_single_bit(alone)) ||
+                    clock.seconds() <= limit))
+                make(calls[alone++]);
+        if (alone > 0) {
+            one_call_ = clock.seconds() / static_cast<double>(alone);
+            if (alone == calls.size())
+                add(by_one_, one_call_);
+        }
+        const auto others = calls.subspan(alone);
+        const double in_five_us = std::clamp(5e-6 / one_call_, 1.0, 1 + n / (8 * threads_));
+        parallel_for(
+            others.size(), threads_,
+            [&](std::size_t i) {
+                const Stopwatch one;
+                make(others[i]);
+                if (i == 0)
+                    one_call_ = one.seconds();
+            },
+            static_cast<std::size_t>(in_five_us));
+        if (alone == 0 && !others.empty())
+            add(by_all_, clock.seconds() / n);
     }
     void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch&) override {
         parallel_for(slopes.size(), threads_, [&](std::size_t i) { differentiate(problem, *slopes[i]); });
@@ -122,7 +165,17 @@ class OnThreads : public Evaluator<P> {
     int threads() const override { return threads_; }
 
   private:
+    /// Adds a time to a running mean, because other programs make single times long.
+    static void add(double& mean, double seconds) {
+        mean = mean > 0 && mean < HUGE_VAL ? mean + (seconds - mean) / 16 : seconds;
+    }
+
     int threads_;
+    static constexpr double long_batch = 1e-2; ///< time after which all threads are used, s
+    double one_call_ = HUGE_VAL;               ///< time of one call in the last batch, s
+    double by_all_ = HUGE_VAL;                 ///< mean time per call if all threads are used, s
+    double by_one_ = 0;                        ///< mean time per call if one thread is used, s
+    std::size_t batches_ = 0;
 };
 
 /// Makes one call after the other, on the calling thread.

@@ -22,12 +22,13 @@ class Table {
         const std::size_t slot = slot_of(print);
         if (marks_[slot] != 0)
             return entry(numbers_[slot]).value;
-        if (size_ % per_block == 0)
+        if (size_ == per_block * blocks_.size())
             blocks_.push_back(std::make_unique<Entry[]>(per_block));
         marks_[slot] = mark(print);
         numbers_[slot] = static_cast<std::uint32_t>(size_);
         Entry& added = entry(size_++);
         added.print = print;
+        added.value = {};
         return added.value;
     }
     /// Tells the processor to fetch the slot of a fingerprint that will soon be looked up.
@@ -36,8 +37,11 @@ class Table {
             __builtin_prefetch(&marks_[print.low & mask()]);
     }
     std::size_t size() const { return size_; } ///< number of entries
-    /// Removes all entries.
-    void clear() { *this = {}; }
+    /// Removes all entries. Their blocks are kept and filled again.
+    void clear() {
+        size_ = 0;
+        std::ranges::fill(marks_, std::uint8_t{0});
+    }
 
     /// A fingerprint and its value.
     struct Entry {
@@ -72,7 +76,7 @@ class Table {
         }
     }
 
-    std::vector<std::unique_ptr<Entry[]>> blocks_; ///< all full, except the last
+    std::vector<std::unique_ptr<Entry[]>> blocks_; ///< filled in their order
     std::size_t size_ = 0;                         ///< number of entries
     std::vector<std::uint8_t> marks_;              ///< one per slot
     std::vector<std::uint32_t> numbers_;           ///< the entry in each used slot
@@ -83,6 +87,10 @@ class Table {
 /// half is full, the old half is removed and the young half becomes the old half. An evaluation that is read
 /// in the old half becomes young again. Only the order of requests decides which evaluations are removed. A
 /// removed evaluation costs time but does not affect a result, because evaluations are pure.
+///
+/// A large memory slows cheap evaluations down, so it grows only if it saves some: a half has room for 16,384
+/// evaluations at first. The next half has twice the room if one in 1,024 was read in the old half, otherwise
+/// half the room.
 template <class Outcome>
 class Memory {
   public:
@@ -102,8 +110,10 @@ class Memory {
         if (!known || std::holds_alternative<Pending>(*known))
             return young.at(print);
         Evaluation<Outcome>& place = young.at(print);
-        if (std::holds_alternative<Pending>(place))
+        if (std::holds_alternative<Pending>(place)) {
             place = *known;
+            ++read_in_old_;
+        }
         return place;
     }
     /// The evaluation, or null if it is not in memory.
@@ -116,15 +126,28 @@ class Memory {
     /// Forgets the old half if the young one is full. Call it between batches.
     /// @param bytes_each  size of one evaluation
     void forget_old(std::size_t bytes_each) {
-        constexpr std::size_t max_entries = std::size_t{1} << 31; // a slot's number has 32 bits
-        if (young.size() * bytes_each <= half_ && young.size() < max_entries)
+        if (young.size() * bytes_each <= half_ && young.size() < room_)
             return;
-        old = std::move(young);
+        constexpr std::size_t max_entries = std::size_t{1} << 31; // a slot's number has 32 bits
+        const bool saves = 1024 * std::exchange(read_in_old_, 0) >= young.size();
+        room_ = std::clamp(saves ? 2 * room_ : room_ / 2, first_room, max_entries);
+        std::swap(old, young);
         young.clear();
     }
 
+    std::size_t room() const { return room_; } ///< number of evaluations at which the young half is full
+    /// Restores the room, and the reads in the old half from the content of both halves.
+    void resume(std::size_t room) {
+        room_ = std::clamp(room, first_room, std::size_t{1} << 31);
+        for (std::size_t i = 0; i < young.size(); ++i)
+            read_in_old_ += old.find(std::as_const(young).entry(i).print) != nullptr;
+    }
+
   private:
-    std::size_t half_;
+    static constexpr std::size_t first_room = 1 << 14;
+
+    std::size_t half_, room_ = first_room;
+    std::size_t read_in_old_ = 0; ///< number of evaluations of the young half that were read in the old half
 };
 
 /// The individuals of a problem.
@@ -154,10 +177,20 @@ struct EvaluationRequest {
     std::vector<OutcomeRequest> outcomes;   ///< requested outcomes, which are counted in this order
     std::vector<Slope<P>*> slopes;          ///< requests for derivatives
     StopMode stop_mode = StopMode::at_once; ///< whether a stop request waits for the answers
-    /// Reads the answers, which are valid until it returns. It is called on the queue's thread.
+    /// Reads the answers, which are valid until it returns. It is called on the queue's thread. It calls
+    /// `fail` for each failure that it finds.
     std::function<void()> use = {};
     bool spent = false;            ///< whether the budget was too small for all outcomes; set by the queue
-    std::exception_ptr error = {}; ///< Stopped, NothingLeft, or the exception of `use`; set by the queue
+    std::exception_ptr error = {}; ///< Stopped, or the exception of `use`; set by the queue
+    long failures = 0;             ///< counted evaluations that failed; set by `fail`
+    std::string first_failure;     ///< reason of the first one; set by `fail`
+
+    /// Records that an individual failed, for which `count` counted evaluations were requested.
+    void fail(const Fitness& fitness, long count) {
+        if (failures == 0)
+            first_failure = fitness.reason();
+        failures += count;
+    }
 };
 
 /// Receives all requests for evaluations. The ledger is such a queue. A block that runs several threads puts
@@ -205,6 +238,11 @@ class Ledger : public EvaluationQueue<P> {
         const bool cut_short = book();
         for (EvaluationRequest<P>* request : requests)
             answer(*request, cut_short);
+        if (const long made = made_of_requested();
+            made >= 200 && static_cast<double>(counters.failures) > budget_.max_failures * double(made))
+            for (EvaluationRequest<P>* request : requests)
+                if (!request->error)
+                    request->error = std::make_exception_ptr(Stopped{failure_text(), true});
     }
 
     /// What is left of the budget after this further price, in evaluations of level 0; 0 or less if nothing
@@ -218,34 +256,28 @@ class Ledger : public EvaluationQueue<P> {
     const Budget& budget() const { return budget_; }       ///< limits of the run
     const Watch& watch() const { return watch_; }          ///< the time since the ledger was made
     /// The budget for a ledger that continues with this one's counters.
-    Budget left() const { return {budget_.evaluations, budget_.seconds - watch_.seconds(), budget_.stop}; }
+    Budget left() const {
+        return {budget_.evaluations, budget_.seconds - watch_.seconds(), budget_.stop, budget_.max_failures};
+    }
 
     Counters counters;      ///< evaluations that the run has spent so far
     Memory<Outcome> memory; ///< known evaluations
 
-    /// Restores two values of an earlier ledger: whether an evaluation succeeded, and the size of the largest
-    /// outcome.
-    void resume(bool succeeded, std::size_t heaviest) {
-        succeeded_ |= succeeded;
-        heaviest_ = std::max(heaviest_, heaviest);
-    }
-    /// Records whether an evaluation succeeded, or the first failure.
-    void note(const Fitness& fitness) {
-        succeeded_ |= !fitness.has_failed();
-        if (!first_failure_ && fitness.has_failed())
-            first_failure_ = reason(fitness.reason());
-    }
+    /// Restores the size of the largest outcome of an earlier ledger.
+    void resume(std::size_t heaviest) { heaviest_ = std::max(heaviest_, heaviest); }
 
     /// Keeps the memory within its bound. Called only between two stages: an interrupted stage is repeated,
     /// so its evaluations must stay distinct from earlier ones.
     void forget_old() { memory.forget_old(heaviest_ + bookkeeping); }
     std::size_t heaviest() const { return heaviest_; } ///< bytes of the largest outcome or failure message
 
-    /// Throws NothingLeft if every evaluation failed.
-    void expect_success() const {
-        if (!succeeded_ && first_failure_)
-            throw NothingLeft("every one of " + std::to_string(counters.evaluations) +
-                              " evaluations failed; the first: " + *first_failure_);
+    /// Whether every requested evaluation failed, and there was at least one.
+    bool all_failed() const { return counters.failures > 0 && counters.failures >= made_of_requested(); }
+    /// How many evaluations failed, and the reason of the first one in this process.
+    std::string failure_text() const {
+        const std::string made = std::to_string(made_of_requested());
+        return (all_failed() ? "every one of " + made : std::to_string(counters.failures) + " of " + made) +
+               " evaluations failed" + (first_failure_.empty() ? "" : "; the first: " + first_failure_);
     }
 
     /// Adds an evaluation that was made in a stage whose counts were lost. It is counted when it is
@@ -257,6 +289,9 @@ class Ledger : public EvaluationQueue<P> {
   private:
     static constexpr std::size_t bookkeeping =
         sizeof(Evaluation<Outcome>) + sizeof(Fingerprint) + 5 * sizeof(void*);
+
+    /// Number of requested evaluations without derivatives.
+    long made_of_requested() const { return counters.requested - counters.gradients; }
 
     /// Counts the requests, and adds a call for each unknown answer.
     void look_up(EvaluationRequest<P>& request) {
@@ -270,6 +305,7 @@ class Ledger : public EvaluationQueue<P> {
             return !request.spent;
         };
         request.spent = false;
+        request.failures = 0;
         for (auto& wanted : request.outcomes) {
             if (wanted.counts && !pay(price_of(problem_, wanted.level).evaluation))
                 break;
@@ -343,11 +379,12 @@ class Ledger : public EvaluationQueue<P> {
                 throw Stopped{stop_reason_.value_or(watch_.reason())};
             if (request.spent)
                 throw Stopped{"evaluation budget spent"};
-            if (counters.requested > 1) // a single start may fail
-                expect_success();
         } catch (...) {
             request.error = std::current_exception();
         }
+        if (first_failure_.empty() && request.failures > 0)
+            first_failure_ = request.first_failure;
+        counters.failures += request.failures;
     }
 
     bool take_prepaid(const Fingerprint& print, Evaluation<Outcome>& place, Level level) {
@@ -381,9 +418,8 @@ class Ledger : public EvaluationQueue<P> {
     std::vector<EvaluationCall<P>> calls_;
     std::vector<Slope<P>*> slopes_;
     std::size_t heaviest_ = 0;
-    bool succeeded_ = false;
     std::optional<std::string> stop_reason_; ///< the reason with which the problem threw Stopped
-    Reason first_failure_;
+    std::string first_failure_;
 };
 
 /// The fitness that an objective reads from an evaluation; failed if it is not finite or the evaluation
@@ -405,8 +441,8 @@ Fitness fitness_of(const P& problem, const Evaluation<typename P::Outcome>& eval
         } else {
             std::vector<double> violations = violations_of(problem, outcome);
             for (const double each : violations)
-                if (!std::isfinite(each))
-                    return Fitness::failed(name, reason("the constraints' violation is not finite"));
+                if (!(each < HUGE_VAL)) // minus infinity holds
+                    return Fitness::failed(name, reason("a violation is " + std::to_string(each)));
             return fitness.constrained(std::move(violations));
         }
     } catch (...) {

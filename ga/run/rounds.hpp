@@ -14,6 +14,7 @@ namespace ga {
 /// of the evaluator, and equal requests are evaluated once. The result does not depend on which job is
 /// faster.
 ///
+/// At most `threads` jobs run at once; for 1, no member of the problem is called from two threads at once.
 /// `after` is called after every round. An exception does not stop the other jobs. The exception of the
 /// smallest i is thrown at the end. At most `room` jobs run at the same time. Rounds inside a job share this
 /// number, so that nested islands do not exhaust the system's threads.
@@ -22,7 +23,7 @@ class Rounds {
   public:
     /// Runs the jobs (see the class).
     template <class Job>
-    static void run(std::size_t n, EvaluationQueue<P>& through, Job job,
+    static void run(std::size_t n, EvaluationQueue<P>& through, int threads, Job job,
                     const std::function<void()>& after = {}) {
         if (n == 1)
             return job(std::size_t{0}, through);
@@ -33,7 +34,7 @@ class Rounds {
                 if (at_once == 1)
                     job(from, through);
                 else
-                    Rounds(std::min(at_once, n - from)).go(from, through, job, after);
+                    Rounds(std::min(at_once, n - from), threads).go(from, through, job, after);
             } catch (...) {
                 first = first ? first : std::current_exception();
             }
@@ -56,6 +57,7 @@ class Rounds {
             this->requests = requests;
             rounds->wait();
             answered.acquire();
+            rounds->take_turn();
         }
         Rounds* rounds = nullptr;
         std::span<EvaluationRequest<P>* const> requests;
@@ -64,7 +66,7 @@ class Rounds {
         bool done = false;
     };
 
-    explicit Rounds(std::size_t n) : queues_(n), busy_(n) {
+    Rounds(std::size_t n, int threads) : queues_(n), busy_(n), turns_(threads) {
         for (JobQueue& queue : queues_)
             queue.rounds = this;
     }
@@ -72,8 +74,17 @@ class Rounds {
     /// Marks one job as waiting or done.
     void wait() {
         const std::lock_guard lock(guard_);
+        ++turns_;
+        turn_is_free_.notify_one();
         if (--busy_ == 0)
             all_wait_.notify_one();
+    }
+
+    /// Waits until one more job may run.
+    void take_turn() {
+        std::unique_lock lock(guard_);
+        turn_is_free_.wait(lock, [&] { return turns_ > 0; });
+        --turns_;
     }
 
     template <class Job>
@@ -84,6 +95,7 @@ class Rounds {
             try {
                 threads.emplace_back([&, i] {
                     room() = inside;
+                    take_turn();
                     JobQueue& queue = queues_[i];
                     try {
                         job(from + i, static_cast<EvaluationQueue<P>&>(queue));
@@ -98,6 +110,7 @@ class Rounds {
                     UsageError("search " + std::to_string(from + i + 1) +
                                ": the system refuses another thread; use fewer islands or more memory"));
                 queues_[i].done = true;
+                take_turn();
                 wait();
             }
         while (one_round(through, after)) {
@@ -140,8 +153,9 @@ class Rounds {
 
     std::deque<JobQueue> queues_;
     std::mutex guard_;
-    std::condition_variable all_wait_;
+    std::condition_variable all_wait_, turn_is_free_;
     std::size_t busy_;
+    int turns_; ///< number of further jobs that may run
 };
 
 } // namespace ga

@@ -47,6 +47,7 @@ class StagePosition {
     /// The best individuals of the innermost generation's first population, as many as its stages read: five
     /// for `elite 5`, all for `plus`. The stage `epsilon` changes their fitness.
     Population<G>& generation_start() const { return *starts_.back(); }
+    bool has_start() const { return !starts_.empty(); } ///< whether there is a generation's start
 
     /// Makes a stage the current one as long as this object exists.
     class Scope {
@@ -208,6 +209,7 @@ struct Snapshot {
     double seconds = 0;                ///< time spent so far in all processes of the run, s
     std::size_t remembered = 0;        ///< number of evaluations in the newer half of the memory
     std::size_t heaviest = 0;          ///< bytes of the largest outcome or failure message so far
+    double idle_generations = 0;       ///< see RunState
 };
 
 /// The values that a run needs to be resumed: frames of open blocks, identities, the best individual and the
@@ -226,8 +228,9 @@ class RunState {
     std::vector<Frame<G>*> loops;                    ///< frames of blocks whose stages run repeatedly
     std::optional<Individual<G>> best;               ///< best under the problem's first objective
     std::optional<Population<G>> stopped_population; ///< the population of a run that has to stop
-    double earlier_seconds = 0;                      ///< time spent in earlier processes of the run, s
-    std::vector<std::string> notes;                  ///< remarks, in the order they were made
+    double idle_generations = 0;    ///< generations, of any block, since an evaluation was requested
+    double earlier_seconds = 0;     ///< time spent in earlier processes of the run, s
+    std::vector<std::string> notes; ///< remarks, in the order they were made
 
     /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {

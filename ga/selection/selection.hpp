@@ -113,7 +113,7 @@ template <Problem P, class G = typename P::Genome>
                                 (upwards ? " above " : " below ") + number(threshold);
     Population<G> nearest = nearest_to_passing(population, least.count, upwards);
     if (nearest.empty())
-        throw NothingLeft(context.path() + ": " + counted + "; change the bound, or give at_least=K");
+        context.end_with(population, counted + "; change the bound, or give at_least=K");
     context.note(counted + "; took the " + std::to_string(nearest.size()) + (upwards ? " best" : " lowest"));
     return nearest;
 }
@@ -200,7 +200,7 @@ struct Universal : ByFitness {
 };
 
 /// Linear ranking (Baker 1985). The best individual has the weight `pressure`, and the worst has 2 -
-/// pressure. Between them the weight is linear in the rank.
+/// pressure. Between them the weight is linear in the rank. Equal individuals have their mean weight.
 struct ByRank {
     static constexpr const char* needs = ""; ///< members that the problem must have, for the listing
     static constexpr bool one_spin = false;  ///< whether one spin fills all places
@@ -210,11 +210,17 @@ struct ByRank {
     /// The weights, one per individual, in [0, pressure].
     template <Problem P>
     std::vector<double> of(const PopulationOf<P>& population, const P&) const {
-        const std::vector<std::size_t> order = ranking(population);
+        const std::vector<double> worth = merits(population);
+        const std::vector<std::size_t> order = ranking(worth);
         const double last = static_cast<double>(order.size()) - 1;
         std::vector<double> weights(order.size(), 1);
-        for (std::size_t place = 0; place < order.size() && last > 0; ++place)
-            weights[order[place]] = pressure - 2 * (pressure - 1) * static_cast<double>(place) / last;
+        for (std::size_t first = 0, end; first < order.size() && last > 0; first = end) {
+            for (end = first + 1; end < order.size() && worth[order[end]] == worth[order[first]];)
+                ++end;
+            const double place = static_cast<double>(first + end - 1) / 2; // ties share their places
+            for (std::size_t i = first; i < end; ++i)
+                weights[order[i]] = pressure - 2 * (pressure - 1) * place / last;
+        }
         return weights;
     }
     /// Throws UsageError if individuals may be unscored.

@@ -55,9 +55,10 @@ requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
 
 /// Whether the population is better than in all earlier generations of the block. Under one objective the
 /// best individuals are compared by Deb's rules. Under several objectives the hypervolumes of the fronts are
-/// compared. Their reference is the first front's minimum minus a tenth of its range. For four objectives or
-/// more the hypervolume is estimated (dominated_share). Stores in `memory` the lowest violation, the highest
-/// value and the last generation that improved.
+/// compared. Their reference is the front's minimum minus a tenth of its range. A front that extends below
+/// the reference is an improvement, and moves it. For four objectives or more the hypervolume is estimated
+/// (dominated_share). Stores in `memory` the lowest violation, the highest value and the last generation that
+/// improved.
 template <class G>
 bool improves(const BlockProgress<G>& now, Numbers& memory) {
     if (memory.empty())
@@ -77,18 +78,25 @@ bool improves(const BlockProgress<G>& now, Numbers& memory) {
     }
     if (!points.empty()) {
         const std::size_t m = points.front().size();
-        Point ranges;
-        for (std::size_t k = 0; memory.size() < 3 + m; ++k) {
-            const auto [lowest, highest] = std::minmax_element(
-                points.begin(), points.end(), [k](const Point& a, const Point& b) { return a[k] < b[k]; });
-            ranges.push_back(std::max((*highest)[k] - (*lowest)[k], 1e-9));
-            memory.push_back((*lowest)[k] - 0.1 * ranges.back());
+        const std::vector<std::size_t> ranks = pareto_ranks(points);
+        Point lowest(m, HUGE_VAL), highest(m, -HUGE_VAL);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (std::size_t k = 0; ranks[i] == 0 && k < m; ++k) {
+                lowest[k] = std::min(lowest[k], points[i][k]);
+                highest[k] = std::max(highest[k], points[i][k]);
+            }
+        const bool first = memory.size() < 3 + 2 * m;
+        memory.resize(3 + 2 * m, HUGE_VAL);
+        const std::span reference(memory.begin() + 3, m), width(memory.begin() + 3 + std::ptrdiff_t(m), m);
+        if (first || !std::ranges::equal(lowest, reference, std::greater_equal())) {
+            for (std::size_t k = 0; k < m; ++k) {
+                width[k] = std::max({highest[k] - lowest[k], 1e-9, first ? 0 : width[k]});
+                reference[k] = std::min(reference[k], lowest[k] - 0.1 * width[k]);
+            }
+            memory[1] = -HUGE_VAL; // volumes of another reference cannot be compared
         }
-        memory.insert(memory.end(), ranges.begin(), ranges.end());
-        const auto at = memory.begin() + 3;
-        const Point reference(at, at + static_cast<std::ptrdiff_t>(m)),
-            width(at + static_cast<std::ptrdiff_t>(m), memory.end());
-        worth = m < 4 ? hypervolume(std::move(points), reference) : dominated_share(points, reference, width);
+        const Point from(reference.begin(), reference.end()), widths(width.begin(), width.end());
+        worth = m < 4 ? hypervolume(std::move(points), from) : dominated_share(points, from, widths);
     }
     if (!(std::pair(violation, -worth) < std::pair(memory[0], -memory[1])))
         return false;

@@ -161,7 +161,7 @@ template <class G>
 concept BitString = Discrete<G> &&(std::same_as<std::ranges::range_value_t<G>, bool>);
 
 /// Replaces a gene at random: a real one uniformly between its bounds, a whole number by another value. A bit
-/// is flipped. A real gene with an infinite bound stays as it is.
+/// is flipped. A gene with an infinite bound, or a bound beyond its type, stays as it is.
 struct Reset : NoParameters {
     static constexpr const char* needs = "bits, or genes with bounds";
     static Words words() { return {"reset", "mutation", "replaces the gene at random; flips a bit"}; }
@@ -181,11 +181,14 @@ struct Reset : NoParameters {
             const auto& variables = checked_bounds(problem, genome);
             chance.each(variables.size(), stream, [&](std::size_t i) {
                 const Variable& variable = variables[i];
-                if (variable.upper < variable.lower + 1 || variable.gene >= genome.size())
+                const double lower = std::ceil(variable.lower), upper = std::floor(variable.upper);
+                if (!(std::max(-lower, upper) < 0x1p63 && upper >= lower + 1) ||
+                    !std::in_range<Gene>(std::int64_t(lower)) || !std::in_range<Gene>(std::int64_t(upper)) ||
+                    variable.gene >= genome.size())
                     return;
-                const auto others = static_cast<std::size_t>(variable.upper - variable.lower);
-                const auto value = static_cast<Gene>(static_cast<Gene>(variable.lower) +
-                                                     static_cast<Gene>(stream.below(others)));
+                const std::uint64_t first = static_cast<std::uint64_t>(std::int64_t(lower)),
+                                    others = static_cast<std::uint64_t>(std::int64_t(upper)) - first;
+                const auto value = static_cast<Gene>(first + stream.below(others));
                 Gene& gene = genome[variable.gene];
                 gene = static_cast<Gene>(value + (value >= gene ? 1 : 0));
                 changed = true;

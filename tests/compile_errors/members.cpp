@@ -15,6 +15,7 @@ struct Misfit {
     void cross_uniform(Genome&, Genome&) const {}
     void cross_points(Genome&, Genome&, ga::Stream&) const {}
     double distance(const Genome&) const { return 0; }
+    double violations(const Outcome&) const { return 0; }
     std::vector<ga::Descriptor<Genome>> descriptors() const { return {}; }
 };
 

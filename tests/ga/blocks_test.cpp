@@ -32,6 +32,22 @@ TEST_CASE("an endless block ends after 10,000 generations without progress, with
                   "v/until.1: ended after 10000 generations without progress towards its end"});
 }
 
+TEST_CASE("blocks inside each other, and a long repeat, end together after 10,000 idle generations") {
+    for (const std::string block :
+         {"until evaluations 100 { until evaluations 50 { cross uniform | score } }",
+          "repeat 1000000000 { until fitness 1 { cross uniform | score } }", "repeat 1000000000 { score }"}) {
+        std::size_t stages = 0;
+        const Observer<Vector> count = [&](const auto&) { ++stages; };
+        const auto result = run("sample 1 | score | " + block + " | best 1", Reals{}, {}, {}, {count});
+        CHECK(result.stopped.empty());
+        CHECK(!result.notes.empty());
+        CHECK((stages > 10000 && stages < 50000));
+    }
+    const auto after =
+        run("sample 1 | score | repeat 20000 { score } | repeat 2 { mutate 1 | score }", Reals{});
+    CHECK(after.counters.requested == 3); // a later block begins
+}
+
 TEST_CASE("islands evolve independently and return one population") {
     std::vector<std::string> paths;
     const Observer<Vector> observer = [&](const auto& event) {
@@ -121,9 +137,14 @@ TEST_CASE("a stage with too few individuals ends the run and says how many") {
     Reals problem = minimum(2, functions::sphere);
     problem.features = {{"none", [](const Vector&) { return std::nan(""); }, -1, 1}};
     const auto ends = [&](const std::string& stage, const std::string& message) {
-        CHECK_THROWS_WITH(run("sample 3 | score | " + stage + " | score", problem), "pipeline/" + message);
-        CHECK_THROWS_AS(run("sample 3 | score | " + stage + " | score", problem), NothingLeft);
+        const auto result = run("sample 3 | score | " + stage + " | score", problem);
+        CHECK(result.stopped == "pipeline/" + message);
+        CHECK(result.is_dead_end);
+        CHECK(result.population.size() == 3);
+        CHECK(result.best->identity == result.population[0].identity);
+        CHECK(result.counters.evaluations == 3);
     };
+    ends("below -1", "below.1: 0 of 3 below -1; change the bound, or give at_least=K");
     ends("islands 4 { score }", "islands.1: 3 individuals for 4 islands; give at least one for each");
     ends("repeat 2 { l-shade | score }", "repeat.1/l-shade.1: 3 individuals; give 4 or more");
     ends("de", "de.1: 3 individuals; give 4 or more");

@@ -33,6 +33,18 @@ TEST_CASE("a fitness keeps each violation and sums what exceeds their levels") {
     CHECK(Fitness(sum_of, Point{1, 2}).constrained({3}).values() == Point{1, 2});
 }
 
+TEST_CASE("a violation of minus infinity holds, and one of infinity or NaN fails") {
+    Reals problem = given();
+    problem.excess = [](const Vector& x) { return Vector{x[0]}; };
+    for (const double violation : {-HUGE_VAL, HUGE_VAL, std::nan("")}) {
+        problem.f = [&](const Vector&) { return Vector{violation}; };
+        problem.list = {{"value", [](const Vector&) { return 1.0; }}};
+        const Fitness fitness = run("score", problem, individuals({0})).population[0].fitness;
+        CHECK(fitness.has_failed() == !(violation < 0));
+        CHECK(fitness.feasible() == (violation < 0));
+    }
+}
+
 TEST_CASE("the epsilon rule finds a thin feasible set more often than Deb's rules") {
     int by_rules = 0, by_levels = 0;
     const auto near = [](const auto& result) {

@@ -54,7 +54,7 @@ Result<Vector> in_pieces(const std::string& pipeline, const Reals& problem, long
         if (prepare)
             prepare(checkpoints);
         auto part = run(pipeline, stopping, {}, options, observers, &checkpoints);
-        if (part.stopped.empty()) {
+        if (part.stopped != "stop requested") {
             CHECK(piece > 0);
             return part;
         }

@@ -308,6 +308,56 @@ TEST_CASE("an exception of a problem's conversion passes through NLopt unchanged
     }
 }
 
+TEST_CASE("every algorithm of NLopt ends, inside the box, when evaluations fail or are huge") {
+    for (int i = 0; i < NLOPT_NUM_ALGORITHMS; ++i)
+        for (const int kind : {0, 1, 2, 3}) {
+            const std::string name = nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(i));
+            CAPTURE(name, kind);
+            bool all_inside = true;
+            Reals problem = minimum(3, {}, -1, 2);
+            problem.f = [&](const Vector& x) {
+                for (const double gene : x)
+                    all_inside &= gene >= -1 && gene <= 2;
+                if (kind == 0 && x[0] > 0.9)
+                    throw std::domain_error("failed");
+                const double far = kind == 1 ? std::nan("") : 1e305;
+                return Vector{x[0] > 0.9 && kind < 3 ? far
+                                                     : std::pow(x[0] - 0.7, 2) + x[1] * x[1] + x[2] * x[2]};
+            };
+            problem.slope = [](const Vector& x) { return Vector{2 * x[0] - 1.4, 2 * x[1], 2 * x[2]}; };
+            if (kind == 3)
+                problem.excess = [](const Vector& y) { return Vector{y[0] - 5, -HUGE_VAL}; };
+            const auto start = population(std::vector<Vector>{{0.2, -0.5, 1.5}, {-0.9, 1.9, 0.5}});
+            try { // CHECK would catch what it throws
+                const auto result = run("score | refine nlopt " + name + " 100", problem, start);
+                CHECK(result.counters.requested <= 2 + 2 * (2 * 101 + 2)); // with derivatives
+                CHECK(all_inside);
+                for (const auto& each : result.population)
+                    CHECK(each.value() <= run("score", problem, start).population[each.identity].value());
+            } catch (const UsageError&) { // refused by name
+            }
+        }
+}
+
+TEST_CASE("a derivative that is missing is noted once for each stage") {
+    Reals problem = minimum(2, functions::sphere);
+    const std::vector<std::pair<std::function<Vector(const Vector&)>, std::string>> faults = {
+        {[](const Vector&) { return Vector{1}; }, "1 derivatives for 2 genes"},
+        {[](const Vector&) {
+             return Vector{1, std::nan("")};
+         },
+         "a derivative is not finite"},
+        {[](const Vector&) -> Vector { throw std::runtime_error("no gradient"); }, "no gradient"}};
+    for (const auto& [slope, why] : faults) {
+        problem.slope = slope;
+        const auto result = run("sample 3 | score | repeat 3 { refine nlopt LD_MMA 50 } | best 1", problem);
+        CHECK(result.notes ==
+              std::vector<std::string>{"pipeline/repeat.1/refine.1: a derivative is missing: " + why});
+    }
+    problem.slope = [](const Vector& x) { return Vector{2 * x[0], 2 * x[1]}; };
+    CHECK(run("sample 3 | score | refine nlopt LD_MMA 50", problem).notes.empty());
+}
+
 TEST_CASE("every algorithm of NLopt runs or is refused by name") {
     for (int i = 0; i < NLOPT_NUM_ALGORITHMS; ++i) {
         const std::string name = nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(i));

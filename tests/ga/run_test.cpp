@@ -244,14 +244,80 @@ TEST_CASE("a transformation that throws keeps the genome and marks its individua
 TEST_CASE("a run ends with the first reason when every evaluation fails") {
     Reals problem = given();
     problem.f = [](const Vector& x) { return Vector{fragile(x[0])}; };
-    CHECK_THROWS_WITH(run("score", problem, individuals({-1, 101, 50})),
-                      "every one of 3 evaluations failed; the first: under 0");
-    long stages = 0;
-    const Observer<Vector> count = [&](const auto&) { ++stages; };
-    CHECK_THROWS_WITH(run("sample 10 | score | repeat 100 { mutate 0.5 | score } | best 1",
-                          maximum(2, [](const Vector&) { return std::nan(""); }), {}, {}, {count}),
-                      Catch::Contains("every one of 10 evaluations failed; the first: fitness f is nan"));
-    CHECK(stages == 1); // the first generation is not begun
+    const auto few = run("score", problem, individuals({-1, 101, 50}));
+    CHECK(few.stopped == "every one of 3 evaluations failed; the first: under 0");
+    CHECK((few.is_dead_end && !few.best && few.counters.failures == 3 && few.population.size() == 3));
+    const Reals none = maximum(2, [](const Vector&) { return std::nan(""); });
+    const auto many = run("sample 10 | score | repeat 100 { mutate 1 | score } | best 1", none);
+    CHECK(many.stopped == "every one of 200 evaluations failed; the first: fitness f is nan");
+    CHECK(many.counters.evaluations == 200);
+}
+
+TEST_CASE("a first batch that fails does not end a run, nor do nine failures of ten") {
+    const Reals rare = minimum(2, [](const Vector& x) {
+        return x[0] > -4.5 ? throw std::runtime_error("mesh failed") : x[1]; // 5 % succeed
+    });
+    const std::string pipeline =
+        "sample 20 | score | repeat 100 { tournament 2 | mutate 0.5 | score | plus }";
+    int found = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const auto result = run(pipeline, rare, {}, {.seed = seed, .threads = 1});
+        found += result.best.has_value();
+        CHECK(result.counters.requested >= 200);
+    }
+    CHECK(found > 15);
+    for (const double share : {0.5, 0.7}) {
+        const auto half = run("sample 1000 | score | repeat 9 { mutate 1 uniform 1 | score }",
+                              minimum(1, [](const Vector& x) { return x[0] > -1 ? std::nan("") : x[0]; }), {},
+                              {.budget = {.max_failures = share}});
+        CHECK(half.is_dead_end == (share == 0.5)); // six of ten fail
+        CHECK(half.best);
+        if (half.is_dead_end)
+            CHECK_THAT(half.stopped,
+                       Catch::Contains(" of 1000 evaluations failed; the first: fitness f is "));
+    }
+}
+
+TEST_CASE("one thread calls a problem's members one at a time, on islands too") {
+    std::atomic<int> inside = 0, most = 0;
+    Reals problem;
+    const auto visit = [&] {
+        most = std::max<int>(most, ++inside);
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        --inside;
+    };
+    problem.box = [&](const Vector&) {
+        visit();
+        return std::vector<Variable>{{0, -1, 1}};
+    };
+    problem.f = [&](const Vector& x) { return visit(), x; };
+    const std::string pipeline =
+        "sample 16 | score | islands 4 rounds=2 { islands 2 rounds=1 { mutate 1 | score } } | "
+        "refine nlopt LN_COBYLA 3";
+    run(pipeline, problem, {}, {.threads = 1});
+    CHECK(most == 1);
+}
+
+TEST_CASE("the memory grows while older outcomes are read, and shrinks otherwise") {
+    Memory<double> memory(std::size_t{1} << 30);
+    std::uint64_t next = 0;
+    const auto fill = [&](std::uint64_t step) {
+        const std::size_t room = memory.room();
+        for (std::uint64_t i = 0; i < room; ++i)
+            memory.at(print_of(step == 0 ? next++ : next - room + i * step)) = 1.0;
+        memory.forget_old(100);
+    };
+    const std::size_t first = memory.room();
+    fill(0), fill(0), fill(0);
+    CHECK(memory.room() == first);
+    for (int again = 1; again <= 2; ++again) {
+        for (std::uint64_t i = 0; i < 300; ++i)
+            memory.at(print_of(next - 1 - i));
+        fill(0);
+        CHECK(memory.room() == first << again);
+    }
+    fill(0), fill(0), fill(0);
+    CHECK(memory.room() == first);
 }
 
 TEST_CASE("an evaluation budget ends a run exactly, with the best so far") {

@@ -85,6 +85,24 @@ TEST_CASE("only a fully scored, better population counts as an improvement, with
     CHECK(memory[2] == 2);
 }
 
+TEST_CASE("a front that grows from one individual is not stagnation") {
+    Reals problem;
+    problem.n = 2, problem.lower = 0;
+    problem.list = {{"f1", [](const Vector& x) { return x[0]; }, true},
+                    {"f2",
+                     [](const Vector& x) { return (1 + 9 * x[1]) * (1 - std::sqrt(x[0] / (1 + 9 * x[1]))); },
+                     true}};
+    for (const std::size_t copies : {1, 20}) {
+        const auto result = run("pareto f1 f2 | until stagnation 10 generations 500 { tournament 2 size=20 | "
+                                "cross sbx | mutate 0.5 polynomial | pareto f1 f2 | plus 20 } | front",
+                                problem, population(std::vector<Vector>(copies, Vector{0, 0})));
+        double widest = 0;
+        for (const auto& each : result.population)
+            widest = std::max(widest, each.genome[0]);
+        CHECK(widest > 0.9); // the front reaches to 1
+    }
+}
+
 TEST_CASE("whether a population is an improvement does not depend on its order") {
     Numbers memory, other;
     for (std::size_t generation = 0; generation < 20; ++generation) {

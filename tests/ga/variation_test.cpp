@@ -204,6 +204,30 @@ TEST_CASE("reset draws each other value of a whole number with equal chance") {
     CHECK(mutated(reset(), fixed, std::vector<int>{4, 0}) == std::vector<int>{4, 1}); // no third gene
 }
 
+TEST_CASE("reset keeps whole numbers inside fractional, wide and infinite bounds") {
+    using Numbers = std::vector<int>;
+    const auto drawn = [](double lower, double upper, int from) {
+        Boxed<Numbers> box;
+        box.lower = lower, box.upper = upper;
+        std::map<int, int> counts;
+        for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+            Numbers genome{from};
+            Stream stream(mix(seed));
+            Reset()(box, genome, 1, stream);
+            ++counts[genome[0]];
+        }
+        return counts;
+    };
+    const auto two = drawn(0.5, 3.5, 2);
+    CHECK((two.size() == 2 && two.count(1) && two.count(3)));
+    const double lowest = std::numeric_limits<int>::min(), highest = std::numeric_limits<int>::max();
+    const auto wide = drawn(lowest, highest, 7);
+    CHECK(wide.size() > 1990);
+    CHECK((wide.begin()->first < -2000000000 && wide.rbegin()->first > 2000000000));
+    for (const double upper : {HUGE_VAL, 1e10, 0.9})
+        CHECK(drawn(0, upper, 7).at(7) == 2000);
+}
+
 TEST_CASE("mutations of real genes have their published densities") {
     const auto steps = [](const auto& way, double from = 0.25) {
         Vector genes;

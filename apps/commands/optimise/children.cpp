@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
+#include <regex>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
@@ -162,40 +163,45 @@ Children::~Children() {
         std::filesystem::remove(log_file_, none);
 }
 
-std::vector<std::optional<Evaluation>> Children::ask(std::span<const std::string> genes,
-                                                     const ga::Watch& watch) {
-    std::vector<std::optional<Evaluation>> answers(genes.size());
+std::vector<Children::Answer> Children::ask(std::span<const std::string> genes, const ga::Watch& watch) {
+    std::vector<Answer> answers(genes.size());
     std::atomic<std::size_t> next = 0;
     const auto stops = [&] {
         bound_log();
         return has_trouble_ || watch.expired();
     };
+    // One child works until the first success tells the number of objectives.
+    const bool begins = !first_;
     const auto work = [&](std::unique_ptr<Child>& child) {
-        for (std::size_t i; !stops() && (i = next++) < genes.size();)
-            answers[i] = genes[i] == first_.genes ? first_.answer : answer_of(child, genes[i], stops);
+        for (std::size_t i; !stops() && !(begins && first_) && (i = next++) < genes.size();)
+            if (const auto known = known_.find(genes[i]); known != known_.end())
+                answers[i] = known->second;
+            else if (answers[i] = answer_of(child, genes[i], stops); begins)
+                known_[genes[i]] = answers[i];
     };
-    // One child works until the first answer tells the number of objectives.
-    const std::size_t at_once = objectives() == 0 ? 1 : std::min(children_.size(), genes.size());
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < at_once; ++i)
+    for (std::size_t i = 0; i < (begins ? 1 : std::min(children_.size(), genes.size())); ++i)
         threads.emplace_back(work, std::ref(children_[i]));
     threads.clear(); // waits for them
     for (std::size_t i = 0; i < genes.size(); ++i)
-        if (answers[i])
-            record.take({genes[i], *answers[i]});
+        if (const auto* answer = std::get_if<Evaluation>(&answers[i]))
+            record.take({genes[i], *answer});
+        else if (const auto* why = std::get_if<ga::Reason>(&answers[i]); why && first_failure_.empty())
+            first_failure_ = **why;
     return answers;
 }
 
-/// The answer of a child, which is started if it does not run. Nothing if `stops` returns true or on trouble;
-/// the child is ended then.
-std::optional<Evaluation> Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
-                                              const std::function<bool()>& stops) {
+/// The answer of a child, which is started if it does not run. Pending if `stops` returns true or on trouble.
+/// A child that did not answer is ended.
+Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                                     const std::function<bool()>& stops) {
+    constexpr long max_deaths = 100;
     try {
         if (!child)
             child = std::make_unique<Child>(command_, log_);
     } catch (const rough::InputError& error) {
         give_up(error.what());
-        return std::nullopt;
+        return {};
     }
     const long id = ++sent_;
     const std::string request = "{\"id\":" + std::to_string(id) + ",\"genes\":" + genes + "}";
@@ -203,49 +209,67 @@ std::optional<Evaluation> Children::answer_of(std::unique_ptr<Child>& child, con
     const std::string wanted = "; answer with a line {\"id\":" + std::to_string(id) + ",\"objectives\":[" +
                                (objectives() == 0 ? "" : std::to_string(objectives()) + " ") +
                                "finite numbers]}";
+    Answer answer;
     if (const auto line = child->answer(request, seconds_, stops)) {
         std::string fault;
-        if (auto answer = read(*line, id, fault)) {
-            if (objectives() == 0) {
-                first_ = {genes, *answer};
-                record.minimise.resize(objectives());
-            }
+        answer = read(*line, id, fault);
+        if (const auto* success = std::get_if<Evaluation>(&answer); success && !first_) {
+            first_ = *success;
+            record.minimise.resize(objectives());
+        }
+        if (fault.empty()) {
+            deaths_ = 0;
             return answer;
         }
         give_up(sent + "answered \"" + clipped(*line) + "\" (" + fault + ")" + wanted);
     } else if (child->is_silent()) {
         const std::string& part = child->unfinished();
-        give_up(sent + (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + child->end(0.2) +
-                wanted + log_end());
+        const std::string end =
+            (part.empty() ? "" : "wrote \"" + clipped(part) + "\" and ") + child->end(0.2);
+        if (++deaths_ >= max_deaths)
+            give_up(sent + end + ", the last of " + std::to_string(max_deaths) + " such ends in a row" +
+                    wanted + log_end());
+        else
+            answer = ga::reason("'" + clipped(text_) + "' " + end);
     } else if (!stops()) {
-        give_up(sent + "was silent for " + ga::number(seconds_) + " s" + wanted +
-                " within --timeout, flushed" + log_end());
+        answer = ga::reason("'" + clipped(text_) + "' was silent for " + ga::number(seconds_) +
+                            " s; give a longer --timeout, or flush its answers");
     }
     child->end();
     child.reset();
-    return std::nullopt;
+    return answer;
 }
 
-std::optional<Evaluation> Children::read(const std::string& line, long id, std::string& fault) const {
+Children::Answer Children::read(const std::string& line, long id, std::string& fault) const {
+    static const std::regex not_finite("-?\\b(NaN|nan|Infinity|Inf|inf)\\b");
+    const auto has_null = [](const nlohmann::json& value) {
+        return value.is_null() || std::ranges::any_of(value, [](const auto& each) { return each.is_null(); });
+    };
     try {
-        const nlohmann::json j = rough::parsed_json(line, "line");
-        if (!j.is_object() || !j.contains("id") || !j.contains("objectives")) {
+        const nlohmann::json j =
+            rough::parsed_json(std::regex_search(line, not_finite) && !nlohmann::json::accept(line)
+                                   ? std::regex_replace(line, not_finite, "null")
+                                   : line,
+                               "line");
+        if (!j.is_object() || !j.contains("id") || !(j.contains("objectives") || j.contains("failed"))) {
             fault = "no object with id and objectives";
-            return std::nullopt;
+            return {};
         }
         if (j["id"] != id) {
             fault = "another id";
-            return std::nullopt;
+            return {};
         }
+        if (j.contains("failed"))
+            return ga::reason(j["failed"].is_string() ? j["failed"].get<std::string>() : j["failed"].dump());
+        if (has_null(j["objectives"]) || (j.contains("violation") && has_null(j["violation"])))
+            return ga::reason("an objective or violation is not finite");
         Evaluation answer{j["objectives"].get<std::vector<double>>(), violation_from(j)};
         if (answer.objectives.empty() || answer.objectives.size() > max_objectives ||
-            (objectives() != 0 && answer.objectives.size() != objectives()))
+            (first_ && answer.objectives.size() != objectives()))
             fault = std::to_string(answer.objectives.size()) + " objectives";
-        else if (!first_.genes.empty() && answer.violation.size() != first_.answer.violation.size())
+        else if (first_ && answer.violation.size() != first_->violation.size())
             fault = std::to_string(answer.violation.size()) + " violations, " +
-                    std::to_string(first_.answer.violation.size()) + " in the first answer";
-        else if (!is_valid(answer, answer.objectives.size()))
-            fault = "not finite";
+                    std::to_string(first_->violation.size()) + " in the first answer";
         else
             return answer;
     } catch (const rough::InputError&) {
@@ -253,7 +277,7 @@ std::optional<Evaluation> Children::read(const std::string& line, long id, std::
     } catch (const nlohmann::json::exception&) {
         fault = "not numbers";
     }
-    return std::nullopt;
+    return {};
 }
 
 /// Keeps the first message only.

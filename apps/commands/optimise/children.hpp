@@ -2,8 +2,9 @@
 
 #include "apps/commands/commands.hpp"
 #include "apps/external/solution.hpp"
-#include "ga/base/budget.hpp"
+#include "ga/run/evaluator.hpp"
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -46,7 +47,9 @@ class Child {
 };
 
 /// Copies of one program that evaluate genomes. A free copy takes the next genome. Copies are started when
-/// they are needed. They are assumed to give the same answer for the same genome.
+/// they are needed. They are assumed to give the same answer for the same genome. The evaluation of a genome
+/// fails if a copy reports it, answers with null or NaN, ends, or is silent for too long. A copy that ended is
+/// started again. A hundred ends in a row are trouble, and so is any other answer.
 class Children {
   public:
     /// @param command  the program, split by split_command
@@ -58,20 +61,25 @@ class Children {
     ~Children();
     Children(const Children&) = delete;
 
-    /// The answers for genomes, given as JSON arrays; none if the watch expired first or there was trouble.
-    std::vector<std::optional<Evaluation>> ask(std::span<const std::string> genes, const ga::Watch& watch);
+    /// An answer, or why the evaluation failed; pending if the watch expired first or there was trouble.
+    using Answer = ga::Evaluation<Evaluation>;
+    /// The answers for genomes, given as JSON arrays. Before the number of objectives is known, answers end
+    /// with the first evaluation that succeeds.
+    std::vector<Answer> ask(std::span<const std::string> genes, const ga::Watch& watch);
     /// The first error, in one line; empty without an error. Genomes are not sent after it.
     const std::string& trouble() const { return trouble_; }
     /// Number of objectives of each answer; 0 before the first one.
-    std::size_t objectives() const { return first_.answer.objectives.size(); }
+    std::size_t objectives() const { return first_ ? first_->objectives.size() : 0; }
+    /// Why the first failed evaluation failed; empty if none has.
+    const std::string& first_failure() const { return first_failure_; }
     int count() const { return static_cast<int>(children_.size()); }
 
     BestKnown record; ///< the best of all answers
 
   private:
-    std::optional<Evaluation> answer_of(std::unique_ptr<Child>& child, const std::string& genes,
-                                        const std::function<bool()>& stops);
-    std::optional<Evaluation> read(const std::string& line, long id, std::string& fault) const;
+    Answer answer_of(std::unique_ptr<Child>& child, const std::string& genes,
+                     const std::function<bool()>& stops);
+    Answer read(const std::string& line, long id, std::string& fault) const;
     void give_up(const std::string& message);
     std::string log_tail() const;
     void bound_log();
@@ -83,8 +91,10 @@ class Children {
     std::filesystem::path log_file_;
     int log_;
     std::vector<std::unique_ptr<Child>> children_;
-    Solution first_; ///< the first genome that was answered
-    std::atomic<long> sent_ = 0;
+    std::optional<Evaluation> first_;     ///< the first evaluation that succeeded
+    std::map<std::string, Answer> known_; ///< answers until then, by genes
+    std::string first_failure_;
+    std::atomic<long> sent_ = 0, deaths_ = 0; ///< requests; ends of children since the last answer
     std::atomic<bool> has_trouble_ = false;
     std::mutex trouble_mutex_;
     std::string trouble_;

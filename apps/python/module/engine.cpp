@@ -69,7 +69,9 @@ constexpr const char* help_of_optimise = R"(Runs a genetic algorithm on your pro
 
 problem: a function of genes, or an object with evaluate(genes) or evaluate_batch(genes of many, one row
 each), and perhaps gradient(genes). evaluate returns a number, `objectives` numbers, or (numbers,
-violation). A violation (a number, or one per constraint) above 0 breaks a constraint.
+violation). A violation (a number, or one per constraint) above 0 breaks a constraint. An exception, None and
+NaN are failures of that genome (an exception of evaluate_batch: of the batch). If all fail, the first
+exception is raised.
 genes: real ones between lower and upper, `bits` bits, or a `permutation` of 0 .. n-1.
 minimise: for all objectives, or one bool each.
 operators: objects with a name, which is a stage of the pipeline. They are called with (genes, fitness,
@@ -113,6 +115,7 @@ void add_engine(py::module_& module) {
         .def_readonly("population", &Optimisation::population,
                       "Genes of the pipeline's last population, individuals x genes.")
         .def_readonly("evaluations", &Optimisation::spent, "Number of evaluations.")
+        .def_readonly("failures", &Optimisation::failures, "Number of evaluations that failed.")
         .def_readonly("pipeline", &Optimisation::searched, "The pipeline that ran.")
         .def_readonly("stopped", &Optimisation::stopped,
                       "Why the search ended before its pipeline did; empty if it did not.")
@@ -125,7 +128,8 @@ void add_engine(py::module_& module) {
     py::class_<Search>(module, "Search", "A search that search() began.")
         .def("ask", &Search::ask, "Genomes to evaluate, one per row; no rows after the end of the search.")
         .def("tell", &Search::tell, "answers"_a,
-             "One answer per row of ask(), as evaluate of optimise() returns it.")
+             "One answer per row of ask(), as evaluate of optimise() returns it; None or an exception: it "
+             "failed.")
         .def("result", &Search::result, "Ends the search and returns its Optimisation.");
     module.def(
         "search",

@@ -16,6 +16,7 @@ struct Optimisation : app::OutsideSearch {
     app::BestKnown record; ///< the best of all answers
     py::array population;  ///< genes of the pipeline's last population, individuals x genes
     bool interrupted = false;
+    std::exception_ptr first_error = {}; ///< the first exception of an evaluation
 };
 
 /// A search whose evaluations the caller makes in a loop.

@@ -106,6 +106,13 @@ PYBIND11_MODULE(_rugosa, module) {
     py::register_exception<rough::InputError>(module, "InputError", PyExc_ValueError);
     py::register_exception<rough::NotConverged>(module, "NotConverged", PyExc_RuntimeError);
     py::register_exception<ga::UsageError>(module, "UsageError", PyExc_ValueError);
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const py::cast_error&) { // its message is about C++
+            PyErr_SetString(PyExc_TypeError, "a value has the wrong type; give another type");
+        }
+    });
     add_genome(module);
     add_profile(module);
     add_contact(module);

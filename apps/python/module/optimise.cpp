@@ -48,26 +48,40 @@ G genome_of(const py::object& row, std::size_t count) {
         return G(values.begin(), values.end());
 }
 
+/// The first line of an exception, "ValueError: mesh failed". Throws the exception again if it is not an
+/// Exception, e.g. KeyboardInterrupt.
+std::string first_line_of(py::error_already_set& error) {
+    if (!error.matches(PyExc_Exception))
+        throw;
+    const std::string text = error.what();
+    return text.substr(0, text.find('\n'));
+}
+
+/// The numbers of a sequence, or one number. `where` begins the message of an InputError.
+std::vector<double> values_from(const py::object& value, const std::string& where) {
+    if (py::isinstance<py::float_>(value)) // takes least time
+        return {value.cast<double>()};
+    const RealArray array = array_from(value, where + " returned");
+    return {array.data(), array.data() + array.size()};
+}
+
 /// The answer that `evaluate` returned: a number, several, or (numbers, violation), the violation a number or
-/// one per constraint.
-app::Evaluation answer_of(const py::handle& given, std::size_t objectives) {
-    const auto has_length = [](const py::object& value) { return py::hasattr(value, "__len__"); };
-    const auto numbers = [&](const py::object& value) {
-        if (py::isinstance<py::float_>(value)) // takes least time
-            return std::vector<double>{value.cast<double>()};
-        if (value.is_none())
-            rough::refuse("evaluate: None returned; return a number");
-        const RealArray array = array_from(value, "evaluate returned");
-        return std::vector<double>(array.data(), array.data() + array.size());
-    };
+/// one per constraint. None, an exception and numbers that are not finite are failures.
+ga::Evaluation<app::Evaluation> answer_of(const py::handle& given, std::size_t objectives) {
     const auto whole = py::reinterpret_borrow<py::object>(given);
+    if (whole.is_none())
+        return ga::reason("evaluate returned None");
+    if (PyExceptionInstance_Check(whole.ptr()))
+        return ga::reason(py::str(whole));
     app::Evaluation answer;
-    if (py::isinstance<py::tuple>(whole) && py::len(whole) == 2 && has_length(whole[py::int_(0)]))
-        answer = {numbers(whole[py::int_(0)]), numbers(whole[py::int_(1)])};
+    if (py::isinstance<py::tuple>(whole) && py::len(whole) == 2 && py::hasattr(whole[py::int_(0)], "__len__"))
+        answer = {values_from(whole[py::int_(0)], "evaluate"), values_from(whole[py::int_(1)], "evaluate")};
     else
-        answer = {numbers(whole)};
+        answer = {values_from(whole, "evaluate")};
     if (answer.objectives.size() != objectives)
         rough::refuse("evaluate: ", answer.objectives.size(), " objectives returned; return ", objectives);
+    if (!app::is_valid(answer, objectives))
+        return ga::reason("an objective or violation is not finite");
     return answer;
 }
 
@@ -80,14 +94,19 @@ app::OutsideProblem<G> problem_of(const Optimisation& search, Callback& callback
         if (py::hasattr(search.problem, "gradient"))
             problem.slopes = [object = &search.problem, call = &callback](const G& genome) {
                 std::vector<double> slopes;
+                std::string error;
                 (*call)([&] {
-                    const Eigen::VectorXd given = numbers_from(
-                        object->attr("gradient")(py::array(py::cast(genome))), "gradient returned");
-                    slopes.assign(given.begin(), given.end());
+                    try {
+                        slopes =
+                            values_from(object->attr("gradient")(py::array(py::cast(genome))), "gradient");
+                    } catch (py::error_already_set& raised) {
+                        error = first_line_of(raised);
+                    } catch (const rough::InputError& refused) {
+                        error = refused.what();
+                    }
                 });
-                if (slopes.size() != genome.size())
-                    throw std::runtime_error("the gradient has " + std::to_string(slopes.size()) +
-                                             " numbers");
+                if (!error.empty())
+                    throw std::runtime_error(error);
                 return slopes;
             };
     return problem;
@@ -114,20 +133,35 @@ class ByPython : public ga::Evaluator<P> {
             const py::object& own = search_.problem;
             const std::size_t objectives = problem.objectives().size();
             const auto take = [&](ga::EvaluationCall<P>& call, const py::handle& given) {
-                app::Evaluation answer = answer_of(given, objectives);
-                search_.record.take({app::genes_text(*call.genome), answer});
-                *call.answer = std::move(answer);
+                *call.answer = answer_of(given, objectives);
+                if (const auto* answer = std::get_if<app::Evaluation>(call.answer))
+                    search_.record.take({app::genes_text(*call.genome), *answer});
+            };
+            const auto fail = [&](std::span<ga::EvaluationCall<P>> failed, py::error_already_set& error) {
+                const ga::Reason why = ga::reason(first_line_of(error));
+                if (!search_.first_error)
+                    search_.first_error = std::current_exception();
+                for (auto& call : failed)
+                    *call.answer = why;
             };
             if (py::hasattr(own, "evaluate_batch")) {
-                const py::list answers(own.attr("evaluate_batch")(rows));
-                expect_answers("evaluate_batch", answers.size(), calls.size());
-                for (std::size_t i = 0; i < calls.size(); ++i)
-                    take(calls[i], answers[i]);
+                try {
+                    const py::list answers(own.attr("evaluate_batch")(rows));
+                    expect_answers("evaluate_batch", answers.size(), calls.size());
+                    for (std::size_t i = 0; i < calls.size(); ++i)
+                        take(calls[i], answers[i]);
+                } catch (py::error_already_set& error) {
+                    fail(calls, error);
+                }
                 return;
             }
             const py::object evaluate = py::hasattr(own, "evaluate") ? py::object(own.attr("evaluate")) : own;
             for (std::size_t i = 0; i < calls.size() && !watch.expired(); ++i)
-                take(calls[i], evaluate(rows[py::int_(i)]));
+                try {
+                    take(calls[i], evaluate(rows[py::int_(i)]));
+                } catch (py::error_already_set& error) {
+                    fail(calls.subspan(i, 1), error);
+                }
         });
     }
 
@@ -176,8 +210,7 @@ struct PythonOperator : ga::Operator {
             }
         });
         if (made.empty())
-            throw ga::NothingLeft("operator " + name +
-                                  " returned an empty population; return at least one individual");
+            context.end_with(population, "it returned an empty population; return at least one individual");
         return made;
     }
 };
@@ -198,7 +231,7 @@ struct Prepared {
         search.searched = stage.text();
         run.variant = search.variant;
         run.seed = search.seed;
-        run.budget = {search.evaluations, search.seconds, &stop};
+        run.budget = {search.evaluations, search.seconds, &stop, search.max_failures};
     }
 
     ga::Pipeline<P> parsed() {
@@ -238,7 +271,12 @@ struct Prepared {
         }
         callback.rethrow();
         search.population = genes_of(found.population, problem.count);
+        if (found.is_dead_end && !search.record.best() && search.first_error)
+            std::rethrow_exception(search.first_error);
+        if (found.is_dead_end && !search.record.best())
+            rough::refuse("optimise: ", found.stopped);
         search.spent = found.counters.evaluations;
+        search.failures = found.counters.failures;
         search.stopped = found.stopped;
         search.notes = found.notes;
     }
@@ -296,15 +334,19 @@ class AskTell : public Search {
         expect_answers("tell", given.size(), open_.size());
         if (asker_ != std::this_thread::get_id() && !open_.empty())
             rough::refuse("tell: another thread has asked since; use a search in one thread");
-        std::vector<app::Evaluation> answers;
+        std::vector<ga::Evaluation<app::Evaluation>> answers;
         for (const py::handle& each : given)
             answers.push_back(answer_of(each, search_.minimise.size()));
         const auto open = std::exchange(open_, {}); // another thread may ask
         for (std::size_t i = 0; i < answers.size(); ++i)
-            search_.record.take({app::genes_text(open[i].genome), answers[i]});
+            if (const auto* answer = std::get_if<app::Evaluation>(&answers[i]))
+                search_.record.take({app::genes_text(open[i].genome), *answer});
         const py::gil_scoped_release unlocked;
         for (std::size_t i = 0; i < answers.size(); ++i)
-            engine_.tell(open[i].id, std::move(answers[i]));
+            if (auto* answer = std::get_if<app::Evaluation>(&answers[i]))
+                engine_.tell(open[i].id, std::move(*answer));
+            else
+                engine_.fail(open[i].id, *std::get<ga::Reason>(answers[i]));
     }
     Optimisation result() override {
         prepared_.finish([&] { return engine_.result(); });

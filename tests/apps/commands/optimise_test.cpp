@@ -128,24 +128,80 @@ TEST_CASE("a run out of evaluations resumes to the result of an uninterrupted on
     CHECK(timeless(desk.found(words + "--evaluations 900 --resume", "cut")) == timeless(whole));
 }
 
-TEST_CASE("a child that ends stops the run with one line and the best so far") {
+TEST_CASE("a failed evaluation of any kind is a failure of its genome, and the run goes on") {
     const Desk desk;
-    const Ended ended = desk.optimise("--genes bits:20 --evaluate './child dies' --threads 2 --out out");
-    check_refused(ended, "out of ink");
-    CHECK_THAT(ended.err, Catch::Contains("./child dies") && Catch::Contains("was sent {\"id\":") &&
-                              Catch::Contains("ended with exit code 7"));
-    const json result = desk.result("out");
-    CHECK(result["best"]["objectives"][0] >= 10);
-    CHECK_THAT(result["stopped"].get<std::string>(), Catch::Contains("exit code 7"));
+    for (const std::string fault :
+         {"echo '{\"id\":'$n',\"failed\":\"mesh failed\"}'", "echo '{\"id\":'$n',\"objectives\":[NaN]}'",
+          "echo '{\"id\":'$n',\"objectives\":[null]}'", "exit 7", "kill -SEGV $$", "sleep 600"}) {
+        CAPTURE(fault);
+        desk.write("fails.sh", "while read -r line; do n=${line#*:}; n=${n%%,*}; case $line in *'[1,'*) " +
+                                   fault + ";; *) echo '{\"id\":'$n',\"objectives\":[2]}';; esac; done\n");
+        const json result =
+            desk.found("--genes bits:4 --evaluate 'sh fails.sh' --timeout 0.3 --force "
+                       "--threads 2 --pipeline 'sample 9 | score | repeat 4 { mutate 0.1 | score }'");
+        CHECK(result["best"]["genes"][0] == 0);
+        CHECK(result["failures"] > 0);
+        CHECK(result["stopped"] == "");
+        CHECK_THAT(result["notes"].back().get<std::string>(),
+                   Catch::Contains(" evaluations failed; the first: "));
+    }
 }
 
-TEST_CASE("a child that is silent for longer than --timeout stops the run") {
+TEST_CASE("failures before the first success are counted, and reach a child once") {
     const Desk desk;
-    desk.write("hangs.sh", "read line; echo '{\"id\":1,\"objectives\":[1]}'; read line; sleep 600\n");
-    const Ended ended =
-        desk.optimise("--genes bits:5 --evaluate 'sh hangs.sh' --timeout 0.5 --threads 1 --out out");
-    check_refused(ended, "was silent for 0.5 s");
-    CHECK(desk.result("out")["evaluations"] == 1);
+    desk.write("late.sh",
+               "while read -r line; do echo >>sent; n=${line#*:}; n=${n%%,*}; if [ $n -le 5 ]; then "
+               "echo '{\"id\":'$n',\"failed\":\"not yet\"}'; else echo "
+               "'{\"id\":'$n',\"objectives\":['$n']}'; fi; done\n");
+    for (const std::string pipeline :
+         {"sample 3 | score | repeat 4 { mutate 1 | score }", "sample 20 | score"}) {
+        std::filesystem::remove(desk / "sent");
+        const json result = desk.found("--genes real:2:-5:5 --evaluate 'sh late.sh' --force --threads 1 "
+                                       "--pipeline '" +
+                                       pipeline + "'");
+        CHECK(rough::read_whole(desk / "sent").size() == result["evaluations"]);
+        CHECK(result["best"]["objectives"][0] >= 6);
+    }
+}
+
+TEST_CASE("a run of failures ends at --max-failures, and keeps the best") {
+    const Desk desk;
+    desk.write("rare.sh", "while read -r line; do n=${line#*:}; n=${n%%,*}; case $n in *0) echo "
+                          "'{\"id\":'$n',\"objectives\":['$n']}';; *) echo '{\"id\":'$n',\"failed\":\"no "
+                          "mesh\"}';; esac; done\n");
+    const std::string words = "--genes real:2:-5:5 --evaluate 'sh rare.sh' --threads 1 --evaluations 400 "
+                              "--force --max-failures ";
+    const json ended = desk.found(words + "0.5");
+    CHECK_THAT(ended["stopped"].get<std::string>(),
+               Catch::Contains("evaluations failed; the first: no mesh"));
+    CHECK(ended["best"]["objectives"][0] >= 10);
+    CHECK(ended["evaluations"] < 400);
+    CHECK(desk.found(words + "0.95")["stopped"] == "evaluation budget spent");
+    desk.write("rare.sh",
+               "while read -r line; do n=${line#*:}; echo '{\"id\":'${n%%,*}',\"failed\":\"no\"}'; done\n");
+    check_refused(desk.optimise(words + "0.9 --out none"),
+                  "every one of 200 evaluations failed; the first: no");
+}
+
+TEST_CASE("a run that cannot continue reports what it has evaluated") {
+    const Desk desk;
+    const json result = desk.found("--genes real:5:-5:5 --evaluate './child sphere' --minimise --pipeline "
+                                   "'sample 50 | score | repeat 3 { mutate 1 | score } | below -1'");
+    CHECK(result["evaluations"] == 200);
+    CHECK(result["best"]["objectives"][0] > 0);
+    CHECK(result["stopped"] == "pipeline/below.1: 0 of 50 below -1; change the bound, or give at_least=K");
+}
+
+TEST_CASE("a child that dies is started again, and a hundred deaths in a row end the run") {
+    const Desk desk;
+    const json result = desk.found("--genes bits:20 --evaluate './child dies' --threads 2 --evaluations 400");
+    CHECK(result["failures"] > 5); // each child answers 30 times
+    CHECK(result["failures"] < 40);
+    desk.write("ill.sh", "read line; echo 'out of ink' >&2; exit 7\n");
+    const Ended ended = desk.optimise("--genes bits:20 --evaluate 'sh ill.sh' --threads 1 --out ill");
+    check_refused(ended, "out of ink");
+    CHECK_THAT(ended.err, Catch::Contains("sh ill.sh") && Catch::Contains("was sent {\"id\":100,") &&
+                              Catch::Contains("ended with exit code 7, the last of 100 such ends in a row"));
 }
 
 TEST_CASE("a wrong answer of a child is quoted with the request") {
@@ -197,7 +253,7 @@ TEST_CASE("children of a killed run end, and so do the processes that they start
 TEST_CASE("the log of a chatty child stays small, and its end is quoted") {
     const Desk desk;
     desk.write("chats.sh",
-               "read line; yes 'far too much to say' | head -c 40000000 >&2; echo at last >&2; exit 3\n");
+               "read line; yes 'far too much to say' | head -c 200000 >&2; echo at last >&2; exit 3\n");
     const Ended ended = desk.optimise("--genes bits:9 --evaluate 'sh chats.sh' --threads 1 --out out");
     check_refused(ended, "at last");
     CHECK(std::filesystem::file_size(desk / "out/evaluate.log") <= 10'000'000);

@@ -194,6 +194,55 @@ class Engine(WithFolder):
         self.assertEqual(scores[-1]["genes"].shape, (10, 2))
         self.assertEqual(scores[-1]["fitness"][0], sphere(scores[-1]["genes"][0]))
 
+    def test_failures_of_evaluations(self):
+        class Batch:
+            def evaluate_batch(self, genes):
+                return [None if row[0] > 4 else sphere(row) for row in genes]
+
+        def fails(how):
+            return lambda x: how() if x[0] > 4 else sphere(x)
+
+        def raises():
+            raise ValueError("mesh failed")
+
+        options = {"lower": [-5] * 2, "upper": [5] * 2, "minimise": True, "evaluations": 600}
+        for problem in (fails(raises), fails(lambda: None), fails(lambda: math.nan), Batch()):
+            found = rugosa.optimise(problem, **options)
+            self.assertLess(found.objectives[0], 1)
+            self.assertGreater(found.failures, 0)
+            self.assertGreater(found.evaluations, 400)
+        few = rugosa.optimise(lambda x: sphere(x) if x[0] < -4 else raises(), max_failures=0.5, **options)
+        self.assertIn("evaluations failed; the first: ValueError: mesh failed", few.stopped)
+        self.assertIsNotNone(few.best)
+        search = rugosa.search(**options)
+        while len(genes := search.ask()):
+            search.tell([ValueError("odd") if row[0] > 4 else sphere(row) for row in genes])
+        self.assertGreater(search.result().failures, 0)
+        self.assertRaises(KeyboardInterrupt, rugosa.optimise, fails(lambda: (_ for _ in ()).throw(KeyboardInterrupt)), **options)
+        self.assertRaisesRegex(ValueError, "mesh failed", rugosa.optimise, lambda x: raises(), **options)
+        self.assertRaisesRegex(rugosa.InputError, "the first: evaluate returned None", rugosa.optimise, lambda x: None,
+                               **options)
+        self.assertRaisesRegex(rugosa.InputError, "evaluate: str returned; return a number", rugosa.optimise,
+                               lambda x: "3.5", **options)
+
+    def test_a_missing_gradient_is_noted(self):
+        class Bowl:
+            def __init__(self, gradient):
+                self.gradient = gradient
+
+            def evaluate(self, x):
+                return sphere(x)
+
+        def raises(_):
+            raise RuntimeError("no gradient")
+
+        for gradient, note in ((lambda x: [1.0], "1 derivatives for 2 genes"), (raises, "RuntimeError: no gradient"),
+                               (lambda x: [math.nan] * 2, "a derivative is not finite"),
+                               (lambda x: "none", "gradient: str returned; return a number or a sequence of numbers")):
+            found = rugosa.optimise(Bowl(gradient), lower=[-5] * 2, upper=[5] * 2, minimise=True,
+                                    pipeline="sample 3 | score | refine nlopt LD_MMA 50 | best 1")
+            self.assertEqual(found.notes, ["pipeline/refine.1: a derivative is missing: " + note])
+
     def test_mistakes(self):
         def broken(_):
             raise KeyError("mine")
