@@ -235,34 +235,4 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
     return trust;
 }
 
-std::vector<ErrorSource> error_budget(const DesignSetup& setup, const Answer& answer) {
-    const Model exact = exactly(setup.model);
-    const Target& target = setup.targets.front();
-    const auto values = [&](const Model& model) {
-        const Curve curve = respond(setup, answer.genome, model).curves.front();
-        return Eigen::VectorXd(target.x.unaryExpr([&](double x) { return curve.at(x); }));
-    };
-    const Eigen::VectorXd base = values(exact);
-    std::vector<ErrorSource> budget;
-    const auto add = [&](const std::string& kind, const std::string& source, const Model& model) {
-        budget.push_back({kind, source, (values(model).array() / base.array() - 1).abs().maxCoeff()});
-    };
-    if (exact.body.kernel == Kernel::free && !exact.grid.is_2d()) {
-        Model far = exact;
-        *far.body.datum *= 4;
-        add("model", "the half-plane's datum at 4 times the distance", far);
-        add("model", "a periodic half-plane instead of the free one", with_kernel(exact, Kernel::periodic));
-    }
-    add("numerical", "the grid: 4 times the elements", refined(exact, 4));
-    Model steps = exact;
-    steps.loading.steps *= 4;
-    add("numerical", "the load steps: 4 times as many", steps);
-    if (setup.model.accuracy > 0)
-        add("numerical", "the accuracy that the search was allowed", setup.model);
-    budget.push_back(
-        {"target", "the remaining mismatch with the target on the model's grid", 1 - answer.similarity});
-    budget.push_back({"target", "the remaining mismatch on the finer grid", 1 - answer.refined});
-    return budget;
-}
-
 } // namespace rough

@@ -57,16 +57,4 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
 /// against displacement, and load against displacement with a band.
 std::vector<Target> with_datum(const std::vector<Target>& targets, const Model& model, double factor);
 
-/// One source of error of a designed surface.
-struct ErrorSource {
-    std::string kind;   ///< "model", "numerical" or "target"
-    std::string source; ///< the thing that changes, in words
-    double size = 0;    ///< largest relative change of the curve at the target's points, or remaining misfit
-};
-
-/// The changes of an answer's curve at the first target's points if one thing changes: body, grid, load steps
-/// or the accuracy of the search. Eq. 11 is applied again each time. The last two entries are the misfits
-/// that remain on the set-up's grid and on the finer grid.
-std::vector<ErrorSource> error_budget(const DesignSetup& setup, const Answer& answer);
-
 } // namespace rough

@@ -1,8 +1,7 @@
 #include "apps/experiments/experiment.hpp"
+
 #include "apps/experiments/trial.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/prompt/targets.hpp"
-#include "domain/design/trust.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 
@@ -55,7 +54,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
             for (const std::string load : {"light", "full"})
                 for (long sample = 0; sample < samples && !conditions.stop; ++sample) {
                     conditions.progress.show(kind + ", " + name_of(kernel) + ", " + load + " load");
-                    rough::Model model = rough::exactly(base);
+                    rough::Model model = base;
                     model.body.kernel = kernel;
                     model.loading.reach = load == "light" ? light : 1;
                     const double H = settings.number("accuracy." + kind + "-H"), length = model.grid.length;
@@ -68,7 +67,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                     model.grid = rough::resolved_grid(genome, length, false);
                     rough::ReportedResponse exact, cheap;
                     const double resolved =
-                        lowest_seconds([&] { exact = respond_within(genome, exactly(model)); }, 2, HUGE_VAL);
+                        lowest_seconds([&] { exact = respond_within(genome, model); }, 2, HUGE_VAL);
                     for (const double accuracy : accuracies) {
                         rough::Model within = model;
                         within.accuracy = accuracy;
@@ -86,37 +85,15 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
 
 Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
     const ga::Stopwatch clock;
-    rough::DesignSetup setup{.model = model_from(settings, "model."),
-                             .targets = {rough::read_target(target_files(settings, "targets.files").front())},
-                             .max_pressure = settings.number("targets.max-pressure")};
-    settings.take("model.accuracy", setup.model.accuracy);
+    const rough::Model model = model_from(settings, "model.");
     Findings found;
     Csv& savings = found.table("savings.csv", "surface,kernel,load,sample,accuracy,seconds,resolved_seconds,"
                                               "estimated_error,true_error,nodes,resolved_nodes,"
                                               "dropped_chromosomes");
-    try_accuracies(savings, setup.model, settings, conditions);
+    try_accuracies(savings, model, settings, conditions);
     add_medians(found, savings.rows());
-    std::vector<VariantRun> designed;
-    Csv& budget = found.table("budget.csv", "kind,source,size");
-    if (!conditions.stop) {
-        conditions.progress.show("a designed surface");
-        rough::SearchOptions options;
-        options.seed = conditions.origin.seed;
-        options.threads = conditions.origin.threads;
-        options.evaluations = settings.whole("accuracy.design-budget");
-        options.stop = &conditions.stop;
-        std::vector<StageRecord> stages;
-        const ga::Stopwatch search_clock;
-        const rough::SearchResult result = rough::search(setup, options, {recorder(stages)});
-        designed = {variant_run(result.name, result, std::move(stages), search_clock.seconds())};
-        designed[0].answer.response =
-            respond(setup, result.best.genome, rough::exactly(setup.model)).responses.front();
-        for (const rough::ErrorSource& row : error_budget(setup, result.best))
-            budget.row(row.kind, row.source, row.size);
-    }
-    found.result = result_json(conditions.origin, setup, designed);
-    found.result.update(
-        {{"seconds", clock.seconds()}, {"savings", savings.rows()}, {"error_budget", budget.rows()}});
+    found.result = model_json(model);
+    found.result.update({{"seconds", clock.seconds()}, {"savings", savings.rows()}});
     return found;
 }
 
@@ -135,14 +112,9 @@ Experiment accuracy_experiment() {
               ga::number("accuracy.smooth-waves", "16", 1, 1000,
                          "the smooth ones' shortest wave is the length over this"),
               ga::number("accuracy.rough-waves", "64", 1, 1000, "the rough ones'"),
-              ga::number("accuracy.light", "0.1", 1e-3, 1, "reach of the light load; the full one's is 1"),
-              ga::whole("accuracy.design-budget", "1500", 10, "curves and gradients for the designed surface")
-                  .up_to(1e9),
-              {"targets.files", "", "target curve (CSV) of the design"},
-              max_pressure_setting("targets.", "1.6e-4")},
-             model_settings("model."),
-             {accuracy_setting("model.")}}),
-        .files = {"savings.csv", "medians.csv", "coverage.csv", "budget.csv"},
+              ga::number("accuracy.light", "0.1", 1e-3, 1, "reach of the light load; the full one's is 1")},
+             model_settings("model.")}),
+        .files = {"savings.csv", "medians.csv", "coverage.csv"},
         .run = run_accuracy};
 }
 

@@ -213,35 +213,6 @@ TEST_CASE("checks without time are named as left out and count nowhere") {
     CHECK(trust.left_out.back() == "5 sets of redrawn phases");
 }
 
-TEST_CASE("an error budget is how far the curve moves under each change") {
-    const Genome genome = two_waves();
-    const DesignSetup setup = like_itself(genome);
-    const auto curve_under = [&](Model model) {
-        model.loading.to_pressure = setup.targets[0].last();
-        const Curve curve = secant_stiffness(respond(sample(genome, model.grid), model));
-        return Eigen::ArrayXd(setup.targets[0].x.unaryExpr([&](double p) { return curve.at(p); }));
-    };
-    Answer answer{{}, genome};
-    answer.similarity = 0.9;
-    answer.refined = 0.8;
-    const auto budget = error_budget(setup, answer);
-    REQUIRE(budget.size() == 6);
-    Model datum = setup.model, steps = setup.model;
-    *datum.body.datum *= 4;
-    steps.loading.steps = 80;
-    const Model changed[] = {datum, with_kernel(setup.model, Kernel::periodic), refined(setup.model, 4),
-                             steps};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const double moved = (curve_under(changed[i]) / curve_under(setup.model) - 1).abs().maxCoeff();
-        CHECK(budget[i].kind == (i < 2 ? "model" : "numerical"));
-        CHECK(budget[i].size == Approx(moved));
-        CHECK(budget[i].size > (i == 0 ? 0.1 : 0));
-    }
-    CHECK(budget[4].kind == "target");
-    CHECK(budget[4].size == Approx(0.1));
-    CHECK(budget[5].size == Approx(0.2));
-}
-
 TEST_CASE("a steep slope and a wave of fewer than eight nodes are flagged") {
     for (const double scale : {0.05, 0.5})
         for (const int nodes : {17, 19, 65}) { // 7.1, 8 and 28 nodes for the shortest wave
