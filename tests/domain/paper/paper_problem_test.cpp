@@ -33,16 +33,16 @@ TEST_CASE("the best of the database meets the held-out target to 0.959, as an in
     CHECK(best == Approx(0.959).margin(5e-4));
 }
 
-TEST_CASE("the score does not depend on the scale, and settling reaches p_max") {
+TEST_CASE("the score does not depend on the scale, and the final genome reaches p_max") {
     std::mt19937_64 random(21);
     const DesignProblem problem(setup_of("drawn.csv", 128));
     for (int i = 0; i < 5; ++i) {
         const Genome genome = random_genome(random, 2, 1, 0.84942, 0.05);
         const auto outcome = problem.evaluate(genome);
-        const Genome settled = problem.final_genome(genome, outcome);
-        CHECK(problem.key(settled) == problem.key(genome));
-        CHECK(problem.evaluate(settled).misfits == outcome.misfits);
-        const Response response = respond(settled, problem.setup().model);
+        const Genome final_genome = problem.final_genome(genome, outcome);
+        CHECK(problem.key(final_genome) == problem.key(genome));
+        CHECK(problem.evaluate(final_genome).misfits == outcome.misfits);
+        const Response response = respond(final_genome, problem.setup().model);
         CHECK(response.pressure[response.steps() - 1] == Approx(p_max).epsilon(1e-9));
         CHECK(similarity(problem.setup().targets[0], secant_stiffness(response)) ==
               Approx(similarity(problem.setup(), genome)).margin(1e-9));
