@@ -30,7 +30,7 @@ std::string module_path(const std::filesystem::path& folder) {
 
 } // namespace
 
-Findings findings_of_script(const Settings& settings, const Conditions& conditions,
+Findings findings_of_script(const Settings& settings, const RunConditions& conditions,
                             const nlohmann::json& more) {
     using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     const std::string& kind = conditions.origin.kind;

@@ -43,7 +43,7 @@ void add_medians(Findings& found, const json& savings) {
 
 /// Adds the time and the error of each accuracy for random surfaces of each kind, body and load.
 void try_accuracies(Csv& savings, const rough::Model& base, const Settings& settings,
-                    const Conditions& conditions) {
+                    const RunConditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces");
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
@@ -83,7 +83,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                 }
 }
 
-Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
+Findings run_accuracy(const Settings& settings, const RunConditions& conditions) {
     const ga::Stopwatch clock;
     const rough::Model model = model_from(settings, "model.");
     Findings found;

@@ -235,7 +235,7 @@ std::vector<Scores> scores_of(const std::vector<Answered>& database, const rough
 /// The searches of one experiment, with the genomes and pipelines that all targets share.
 class Paper {
   public:
-    Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
+    Paper(const Settings& settings, PaperRun& run, const RunConditions& conditions)
         : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
           variants_(variants_from(
               settings,
@@ -337,7 +337,7 @@ class Paper {
 
     const Settings& settings_;
     PaperRun& run_;
-    const Conditions& conditions_;
+    const RunConditions& conditions_;
     std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< for the sweep
@@ -345,7 +345,7 @@ class Paper {
     std::vector<Variant> variants_;
 };
 
-Findings run_paper(const Settings& settings, const Conditions& conditions) {
+Findings run_paper(const Settings& settings, const RunConditions& conditions) {
     const ga::Stopwatch clock;
     PaperRun run = paper_from(settings, conditions.origin);
     Paper paper(settings, run, conditions);

@@ -17,7 +17,7 @@ Experiment readings_experiment() {
              model_settings("model.")}),
         .files = {"cells.csv", "claims.csv", "shares.csv", "readings.json", "targets"},
         .run =
-            [](const Settings& settings, const Conditions& conditions) {
+            [](const Settings& settings, const RunConditions& conditions) {
                 expect_none(settings, {"model.kernel", "model.datum", "model.reach"},
                             "cannot be set, because the readings try several values; omit it");
                 model_from(settings, "model.");
