@@ -2,7 +2,6 @@
 
 import collections
 import csv
-import hashlib
 import json
 import os
 import pathlib
@@ -51,17 +50,13 @@ class Readings(WithFolder):
         self.assertEqual(run.wait(), 130)
         refused = self.rugosa(*COARSE, "--seed", "9", "--out", "s", "--resume", code=(2,))
         self.assertEqual(refused.stderr.count("\n"), 1)
-        # Parts that were forged and sealed correctly are refused, too.
-        folder = self.folder / "s/checkpoints"
-        described = (folder / "settings.json").read_text()
+        folder = self.folder / "s/checkpoints"  # forged parts are refused, too
         for forged in (folder / "curves-1.json", next(folder.glob("0-*.json"))):
             good = forged.read_text()
-            values = json.loads(good[65:])
+            values = json.loads(good)
             for bad in ([], 3, values[1:], [[3]] * len(values), [{"<script>": "reproduced"}] * len(values),
                         [{"": "maybe"}] * len(values), [[[0.5, "x"]] * 20] * len(values)):
-                text = json.dumps(bad)
-                digest = hashlib.sha256(f"{described}\n{forged.stem}\n{text}".encode()).hexdigest()
-                forged.write_text(f"{digest}\n{text}")
+                forged.write_text(json.dumps(bad))
                 refused = self.rugosa(*COARSE, "--out", "s", "--resume", code=(2,))
                 self.assertEqual(refused.stderr.count("\n"), 1)
                 self.assertIn("was altered", refused.stderr)
