@@ -38,13 +38,13 @@ TEST_CASE("a tally keeps the first evaluation at which each target is met, and e
     tally.note(1, 20);
     tally.note(2, 0.5);
     tally.note(3, 5);
-    CHECK_FALSE(tally.over());
+    CHECK_FALSE(tally.ended());
     CHECK(tally.reached().evaluations[0] == 2);
     CHECK(tally.reached().evaluations[1] == 2);
     CHECK(std::isnan(tally.reached().evaluations[2]));
     CHECK(tally.reached().precision == 0.5);
     tally.note(7, 0.1);
-    CHECK(tally.over());
+    CHECK(tally.ended());
     CHECK(tally.reached().evaluations[2] == 7);
     CHECK(tally.reached().spent == 7);
 }
