@@ -90,8 +90,7 @@ void add_scene(ChartData& data, const Stop& stop, const std::string& name, const
          {"words", words},
          {"reference", "this surface on " + std::to_string(finest) +
                            (is_map ? " x " + std::to_string(finest) : "") + " nodes"},
-         {"rms_slope", slope},
-         {"rms_height_mm", std::sqrt(spectral_moments(random).m0)}});
+         {"rms_slope", slope}});
     constexpr int load_count = 12;
     constexpr double lightest = 0.005, heaviest = 1.6; // erf of it over sqrt 2 is what touches
     const VectorXd pressure =
