@@ -2,6 +2,7 @@
 
 #include "apps/experiments/trial.hpp"
 #include "apps/prompt/model_settings.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 

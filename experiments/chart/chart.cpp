@@ -2,6 +2,7 @@
 
 #include "apps/prompt/units.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <numbers>

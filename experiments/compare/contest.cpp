@@ -144,7 +144,7 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
 /// Adds the group's variants, the best mean rank first. `tests` are the group's rows of tests.csv.
 void add_standing(Findings& found, const Group& group, const std::vector<json>& tests) {
     constexpr double significant = 0.05;
-    const std::string over = group.results.size() == 1 ? group.results[0]->problem.name : "";
+    const std::string only_problem = group.results.size() == 1 ? group.results[0]->problem.name : "";
     std::map<std::string, long> wins;                    // on problems, by variant
     std::map<std::string, std::set<std::string>> beaten; // variants that are worse in the group
     for (const json& row : tests) {
@@ -153,7 +153,7 @@ void add_standing(Findings& found, const Group& group, const std::vector<json>& 
             continue;
         const std::string winner = row[difference > 0 ? "first" : "second"], problem = row["problem"];
         wins[winner] += !problem.empty();
-        if (problem == over)
+        if (problem == only_problem)
             beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
     }
     json& result = found.result["groups"][group.name];
@@ -208,7 +208,6 @@ void add_problems(Findings& found, const Group& group, const Contest& contest) {
             json& one = result["variants"][name];
             one = {{"median_precision", rough::median(precision)},
                    {"interval", {interval.lower, interval.upper}},
-                   {"interval_coverage", interval.coverage},
                    {"expected_runtime", expected_runtime(runs, targets.size() - 1)},
                    {"successes", successes(runs, targets.size() - 1)}};
             for (std::size_t s = 0; s < runs.size(); ++s) {

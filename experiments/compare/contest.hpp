@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/experiments/experiment.hpp"
+#include "domain/problem/setup.hpp"
 #include "experiments/compare/race.hpp"
 
 /// Runs of a comparison of variants, and their statistics.
