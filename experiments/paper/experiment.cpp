@@ -92,13 +92,13 @@ void take_targets(const Settings& settings, PaperRun& run) {
         run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file"))});
 }
 
-/// The sentence on each claim from an experiment of kind readings.
+/// The sentence on each claim from a file like readings.json.
 std::map<std::string, std::string> readings_from(const std::filesystem::path& file) {
     try {
         return rough::parsed_json(rough::read_whole(file), file.string()).at("claims");
     } catch (const nlohmann::json::exception&) {
-        rough::refuse(file.string(), ": has no sentence on each claim; give readings.json of an "
-                                     "experiment of kind readings");
+        rough::refuse(file.string(), ": has no sentence on each claim; give a file like "
+                                     "experiments/paper/readings.json");
     }
 }
 
@@ -113,8 +113,7 @@ std::vector<Setting> paper_settings() {
         ga::number("paper.sweep-from", "0.31", 0.01, 1, "first p_bar over p_max of the threshold sweep"),
         ga::number("paper.sweep-to", "0.69", 0.01, 1, "last p_bar over p_max of the sweep"),
         ga::whole("paper.sweep-points", "20", 0, "number of thresholds; 0: no sweep").up_to(1000),
-        {"paper.readings", "",
-         "readings.json of an experiment of kind readings: claims under other readings"},
+        {"paper.readings", "", "file of sentences on the claims under other readings"},
         ga::number("paper.phase-relative", "0.1", 0, 10,
                    "maximum change of a phase by refinement, over paper.phase-of"),
         Setting("paper.phase-of", "value", "value: the phase itself; turn: 2 pi").of({"value", "turn"}),
