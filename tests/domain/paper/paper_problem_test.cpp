@@ -65,7 +65,7 @@ TEST_CASE("a reported similarity has nine exact digits by any solver") {
     CHECK(error > 1e-9); // the solver's tolerance is coarser
 }
 
-TEST_CASE("parts are dominant by the correlation of their curves, by pressure or by step") {
+TEST_CASE("parts are dominant by the correlation of their curves") {
     const auto curve = [](Eigen::VectorXd x, Eigen::VectorXd y) { return Curve{x, y, 0, x.tail(1)[0]}; };
     const Curve whole = curve(Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d(1, 2, 2, 2));
     const std::vector<std::optional<Curve>> parts{
@@ -86,17 +86,7 @@ TEST_CASE("parts are dominant by the correlation of their curves, by pressure or
     CHECK(dominant_parts(whole, {parts[1], parts[3]}).dominant == std::vector<char>{1, 1});
     const std::vector<std::optional<Curve>> stretched{
         curve(Eigen::Vector4d(10, 20, 30, 40), Eigen::Vector4d(1, 2, 2, 2))};
-    CHECK(dominant_parts(whole, stretched, dominance_threshold, DominanceReading::same_step).correlation[0] ==
-          Approx(1));
     CHECK(std::isnan(dominant_parts(whole, stretched).correlation[0]));
-}
-
-TEST_CASE("parts are compared by secants, and by tangents only in the raw reading") {
-    const Response response = respond(Genome{1, {{1, 0.8, 1.5, 0.84942, {{1, {2.0}}}}}}, paper_model(64));
-    for (const auto reading :
-         {DominanceReading::same_pressure, DominanceReading::same_step, DominanceReading::raw})
-        CHECK(compared_curve(response, reading).y ==
-              (reading == DominanceReading::raw ? response.tangent_stiffness : secant_stiffness(response).y));
 }
 
 TEST_CASE("the coarsest chromosome of a smooth genome is dominant, and a single one always") {
