@@ -7,7 +7,7 @@ import unittest
 
 from common import PROGRAM, WithFolder
 
-EXPERIMENT = pathlib.Path(os.environ["RUGOSA_SOURCE"]) / "experiments/features/features.ini"
+EXPERIMENT = pathlib.Path(os.environ["RUGOSA_SOURCE"]) / "experiments/metainterfaces/metainterfaces.ini"
 
 
 class Scripts(WithFolder):
