@@ -9,6 +9,7 @@
 #include "apps/report/render.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/contact/interface.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/text/atomic_file.hpp"
 
 namespace app {

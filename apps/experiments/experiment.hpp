@@ -9,7 +9,7 @@
 namespace app {
 
 /// The circumstances of a run.
-struct Conditions {
+struct RunConditions {
     Origin origin;
     ProgressLine& progress;
     const std::atomic<bool>& stop; ///< true ends the run; results so far are kept
@@ -36,7 +36,7 @@ struct Experiment {
     std::string kind;               ///< as in `experiment.kind = paper`
     std::vector<Setting> settings;  ///< its keys, without the common ones
     std::vector<std::string> files; ///< written files, except result.json and the page
-    Findings (*run)(const Settings& settings, const Conditions& conditions);
+    Findings (*run)(const Settings& settings, const RunConditions& conditions);
     bool resumes = false; ///< writes checkpoints to the folder `checkpoints`
     /// The short command takes an .ini file, --seed and --threads, and writes report.html.
     bool takes_file = false;

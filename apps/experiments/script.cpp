@@ -31,8 +31,7 @@ std::string module_path(const std::filesystem::path& folder) {
 
 } // namespace
 
-Findings findings_of_script(const Settings& settings, const Conditions& conditions,
-                            const nlohmann::json& more) {
+Findings findings_of_script(const Settings& settings, const RunConditions& conditions) {
     using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
     const std::string& kind = conditions.origin.kind;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
@@ -43,7 +42,6 @@ Findings findings_of_script(const Settings& settings, const Conditions& conditio
         {"threads", conditions.origin.threads},
         {"resume", conditions.resume},
         {"origin", origin_json(conditions.origin)}};
-    given.update(more);
     for (const Setting& one : experiment_named(kind).settings)
         given["settings"][one.name] = settings.text(one.name);
     if (settings.knows("targets.files"))

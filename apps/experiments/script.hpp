@@ -5,13 +5,8 @@
 namespace app {
 
 /// Runs an experiment that is a Python script: experiments/KIND/KIND.py, built into the program. It gets the
-/// settings as JSON, with the keys of `more`, and writes result.json and tables to the folder. Throws
-/// rough::InputError with the last line of its errors if it fails.
-Findings findings_of_script(const Settings& settings, const Conditions& conditions,
-                            const nlohmann::json& more);
-/// The same without further keys.
-inline Findings findings_of_script(const Settings& settings, const Conditions& conditions) {
-    return findings_of_script(settings, conditions, nlohmann::json::object());
-}
+/// settings as JSON, and writes result.json and tables to the folder. Throws rough::InputError with the last
+/// line of its errors if it fails.
+Findings findings_of_script(const Settings& settings, const RunConditions& conditions);
 
 } // namespace app

@@ -1,5 +1,6 @@
 #include "apps/report/record.hpp"
 
+#include "domain/design/search.hpp"
 #include "domain/numerics/vector_loops.hpp"
 
 namespace rough {

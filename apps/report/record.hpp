@@ -1,8 +1,17 @@
 #pragma once
 
-#include "domain/design/search.hpp"
+#include "domain/mwm/genome.hpp"
+#include "domain/response/response.hpp"
+#include "ga/run/state.hpp"
 
 #include <nlohmann/json.hpp>
+
+namespace rough {
+struct AccuracyReport;
+struct DesignSetup;
+struct SearchResult;
+struct Target;
+} // namespace rough
 
 /// The record of a run, from which result files and pages are written. An unknown number is NaN.
 namespace app {

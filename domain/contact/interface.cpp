@@ -60,15 +60,15 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
     for (Index j = 0; j < steps; ++j) {
         const ContactState& state = curve.states[static_cast<std::size_t>(j)];
         const double approach = problem.approach[static_cast<std::size_t>(j)];
-        Loaded p(n), w(n), off(n), z(n);
+        SurfaceState p(n), w(n), off(n), z(n);
         ContactSet set(n);
         p.pressure(state.nodes) = state.pressure / problem.pressure_unit;
         w.pressure(state.nodes) = state.tangent / tangent_unit;
         for (const int node : state.nodes)
             set.insert(node);
         set.collect();
-        solver.load(p);
-        solver.load(w);
+        solver.update(p);
+        solver.update(w);
         double count = static_cast<double>(state.nodes.size()), rate = 0;
         Eigen::VectorXd on = Eigen::VectorXd::Zero(n); // d/dp_i; off: d/dgap_k
         const auto add_edge = [&](Index i, Index k) {  // i touches, k is a neighbour
@@ -88,7 +88,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
             each_neighbour(i, problem.shape, problem.kernel == Kernel::periodic,
                            [&](Index k) { add_edge(i, k); });
         // dp_A = w s + H_AA^-1 dZ_A, dgap_k = H_kA dp_A - s - dZ_k with s = dDelta - dZ_max.
-        solver.load(off);
+        solver.update(off);
         const Eigen::VectorXd right = on + off.displacement;
         double largest = 0;
         for (const int i : set.nodes())

@@ -64,7 +64,7 @@ ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& 
 StepSolution first_touch(const ContactProblem& problem, const ContactOptions& options) {
     ContactSet touching(problem.nodes());
     touching.assign([&](Index i) { return problem.gap[i] == 0; });
-    Loaded load(problem.nodes()), tangent(problem.nodes());
+    SurfaceState load(problem.nodes()), tangent(problem.nodes());
     SetSolver(problem).tangent(touching, 1e-10, true, tangent);
     return step_solution(touching, load, tangent, options.states);
 }
@@ -208,7 +208,7 @@ LoadStep pressed_to(double pressure, double full, const Profile& profile, const 
 /// full contact.
 std::optional<StepSolution> pressed_flat(double load, const ContactProblem& problem,
                                          const ContactOptions& options) {
-    Loaded state(problem.nodes()), tangent(problem.nodes());
+    SurfaceState state(problem.nodes()), tangent(problem.nodes());
     state.pressure = full_contact_pressure(problem).array() + load / static_cast<double>(problem.nodes());
     if (!(state.pressure.maxCoeff() < problem.cap))
         return {};
@@ -285,7 +285,7 @@ constexpr double full_contact_tolerance = 1e-6;
 double sum_of_tangents(const ContactProblem& problem) {
     ContactSet all(problem.nodes());
     all.assign([](Index) { return true; });
-    Loaded tangent(problem.nodes());
+    SurfaceState tangent(problem.nodes());
     SetSolver(problem).tangent(all, full_contact_tolerance, true, tangent);
     const Eigen::VectorXd image = SplitOperator(problem.column, problem.shape).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();

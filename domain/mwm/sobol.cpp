@@ -10,12 +10,12 @@ namespace rough {
 namespace {
 
 /// `count` points of the Sobol sequence in [0,1)^dimension. Its first point is the middle, as Boost omits the
-/// origin; it is skipped unless `with_first` is set.
-std::vector<std::vector<double>> sobol_points(int dimension, int count, bool with_first) {
+/// origin; it is skipped.
+std::vector<std::vector<double>> sobol_points(int dimension, int count) {
     boost::random::sobol engine(static_cast<std::size_t>(dimension));
     boost::random::uniform_01<double> uniform;
     std::vector<std::vector<double>> points;
-    for (int i = with_first ? 0 : -1; i < count; ++i) {
+    for (int i = -1; i < count; ++i) {
         std::vector<double> point(static_cast<std::size_t>(dimension));
         std::generate(point.begin(), point.end(), [&] { return uniform(engine); });
         if (i >= 0)
@@ -28,14 +28,14 @@ std::vector<std::vector<double>> sobol_points(int dimension, int count, bool wit
 
 std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout) {
     std::vector<std::pair<double, double>> pairs;
-    for (const auto& u : sobol_points(2, layout.pairs, layout.with_first))
+    for (const auto& u : sobol_points(2, layout.pairs))
         pairs.emplace_back(layout.H_from + (layout.H_to - layout.H_from) * u[0],
                            layout.gamma_from + (layout.gamma_to - layout.gamma_from) * u[1]);
     return pairs;
 }
 
-std::vector<std::vector<double>> sobol_phases(int columns, int last, bool with_first) {
-    auto phases = sobol_points(columns, last, with_first);
+std::vector<std::vector<double>> sobol_phases(int columns, int last) {
+    auto phases = sobol_points(columns, last);
     for (auto& row : phases)
         for (double& value : row)
             value *= 2 * std::numbers::pi;
@@ -47,7 +47,7 @@ std::vector<Genome> sobol_database(const DatabaseLayout& layout) {
     int longest = 0;
     for (const auto& [H, gamma] : pairs)
         longest = std::max(longest, last_chromosome(layout.lambda, gamma, layout.shortest));
-    const auto phases = sobol_phases(layout.phase_columns * layout.ridges, longest, layout.with_first);
+    const auto phases = sobol_phases(layout.phase_columns * layout.ridges, longest);
 
     std::vector<Genome> genomes;
     for (const auto& [H, gamma] : pairs)

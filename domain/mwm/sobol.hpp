@@ -14,18 +14,17 @@ struct DatabaseLayout {
     double gamma_to = 2.0;   ///< highest ratio of neighbouring wavenumbers
     double A = 1;            ///< amplitude of every series (Series::A)
     double lambda = 0.84942; ///< longest wavelength, mm
-    bool with_first = false; ///< whether both sequences include their first point, the middle of the ranges
     double shortest = 0;     ///< shortest wavelength, mm (the paper: the node spacing)
     int ridges = 1;          ///< number of ridges M of each chromosome; on a map they are directions
 };
 
-/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, mapped to the ranges. Its first point is
-/// skipped unless the layout includes it.
+/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, mapped to the ranges. Its first point,
+/// the middle, is skipped.
 std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout);
 
 /// The phases: entry [n-1][column] is 2 pi u, n = 1..last. u is the n-th point of the Sobol sequence with one
-/// dimension per column. The first point is skipped unless `with_first` is set.
-std::vector<std::vector<double>> sobol_phases(int columns, int last, bool with_first = false);
+/// dimension per column. The first point is skipped.
+std::vector<std::vector<double>> sobol_phases(int columns, int last);
 
 /// The genomes of the database, each of one series: each pair with every phase column in turn. Chromosomes
 /// are n = 1..n_f (Eq. 4). The phases of chromosome n are the n-th point of the phase sequence, one column

@@ -21,14 +21,12 @@ std::optional<Response> response_alone(const Genome& genome, const LengthScale& 
 } // namespace
 
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
-                             double threshold, DominanceReading reading) {
+                             double threshold) {
     DominantParts result;
     double best = -std::numeric_limits<double>::infinity();
     for (const auto& part : parts) {
         double correlation = undefined;
-        if (part && reading != DominanceReading::same_pressure)
-            correlation = pearson(whole.y, part->y);
-        else if (part) // constant beyond the part's points
+        if (part) // constant beyond the part's points
             correlation = pearson(whole.y, whole.x.unaryExpr([&](double x) {
                 return part->at(std::clamp(x, part->x[0], part->x[part->x.size() - 1]));
             }));
@@ -44,13 +42,6 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
     return result;
 }
 
-Curve compared_curve(const Response& response, DominanceReading reading) {
-    Curve curve = secant_stiffness(response);
-    if (reading == DominanceReading::raw)
-        curve.y = response.tangent_stiffness;
-    return curve;
-}
-
 bool Dominance::at(std::size_t series, std::size_t chromosome) const {
     for (std::size_t i = 0; i < scales.size(); ++i)
         if (std::ranges::count(scales[i].members, std::pair(series, chromosome)) > 0)
@@ -58,8 +49,7 @@ bool Dominance::at(std::size_t series, std::size_t chromosome) const {
     return false;
 }
 
-DominanceRule::DominanceRule(Model model, DominanceReading reading, double threshold)
-    : model_(std::move(model)), reading_(reading), threshold_(threshold) {
+DominanceRule::DominanceRule(Model model) : model_(std::move(model)) {
     for (Grid& grid = model_.grid; grid.is_2d() && std::max(grid.nodes, grid.rows) > 64;) {
         grid.nodes = (grid.nodes + 1) / 2;
         grid.rows = (grid.rows + 1) / 2;
@@ -74,10 +64,10 @@ Dominance DominanceRule::operator()(const Genome& genome) const {
     std::vector<std::optional<Curve>> alone;
     for (const LengthScale& scale : scales) {
         const auto part = response_alone(genome, scale, model_); // none if it is flat
-        alone.push_back(part ? std::optional(compared_curve(*part, reading_)) : std::nullopt);
+        alone.push_back(part ? std::optional(secant_stiffness(*part)) : std::nullopt);
     }
-    const Curve whole = compared_curve(respond(genome, model_), reading_);
-    const Dominance result{dominant_parts(whole, alone, threshold_, reading_), scales};
+    const Curve whole = secant_stiffness(respond(genome, model_));
+    const Dominance result{dominant_parts(whole, alone), scales};
     known_.keep(key, result);
     return result;
 }

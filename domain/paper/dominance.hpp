@@ -7,14 +7,6 @@
 
 namespace rough {
 
-/// Readings of Algorithm 1: points at which it compares the stiffness curves of a part and of the whole. The
-/// paper does not state these points; our choice is `same_pressure`.
-enum class DominanceReading {
-    same_pressure, ///< secants at the whole's pressures; the part's curve is constant beyond its ends
-    same_step,     ///< secants at equal numbers of the load step; each part is loaded over its range
-    raw,           ///< the solver's tangents at equal numbers of the load step
-};
-
 /// The correlation above which a part is dominant (the paper).
 constexpr double dominance_threshold = 0.95;
 
@@ -24,14 +16,11 @@ struct DominantParts {
     std::vector<char> dominant;      ///< whether each part is dominant; at least one is
     bool only_best = false;          ///< whether no part exceeds the threshold, so that only the best is kept
 };
-/// Algorithm 1 for curves of any kind. `parts` are the curves of each part alone. An entry is empty if the
-/// part is flat or has no response. If no correlation is defined, all parts are dominant.
+/// Algorithm 1 for curves of any kind. `parts` are the curves of each part alone, compared at the whole's
+/// points (our choice; the paper does not state them). A part's curve is constant beyond its ends. An entry
+/// is empty if the part is flat or has no response. If no correlation is defined, all parts are dominant.
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
-                             double threshold = dominance_threshold,
-                             DominanceReading reading = DominanceReading::same_pressure);
-
-/// The curve of a response that Algorithm 1 compares under a reading.
-Curve compared_curve(const Response& response, DominanceReading reading);
+                             double threshold = dominance_threshold);
 
 /// The length scales that dominate a genome's stiffness curve K. The correlation is NaN if a length scale is
 /// flat at the nodes or its K does not vary.
@@ -47,16 +36,13 @@ class DominanceRule {
   public:
     /// The rule for a model, whose accuracy applies only to whole genomes. A map's grid is halved while a
     /// side has more than 64 nodes, because curves are only correlated here.
-    explicit DominanceRule(Model model, DominanceReading reading = DominanceReading::same_pressure,
-                           double threshold = dominance_threshold);
+    explicit DominanceRule(Model model);
 
     /// Chromosomes of equal wavenumber, of any series, count as one.
     Dominance operator()(const Genome& genome) const;
 
   private:
     Model model_;
-    DominanceReading reading_;
-    double threshold_;
     mutable KeyedMemory<Dominance> known_; ///< under shape_key()
 };
 

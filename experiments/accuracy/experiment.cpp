@@ -2,7 +2,7 @@
 
 #include "apps/experiments/trial.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/record.hpp"
+#include "domain/mwm/response.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/numerics/statistics.hpp"
 
@@ -44,7 +44,7 @@ void add_medians(Findings& found, const json& savings) {
 
 /// Adds the time and the error of each accuracy for random surfaces of each kind, body and load.
 void try_accuracies(Csv& savings, const rough::Model& base, const Settings& settings,
-                    const Conditions& conditions) {
+                    const RunConditions& conditions) {
     const long samples = settings.whole("accuracy.surfaces");
     const std::vector<double> accuracies = settings.numbers("accuracy.accuracies");
     if (accuracies.empty())
@@ -84,7 +84,7 @@ void try_accuracies(Csv& savings, const rough::Model& base, const Settings& sett
                 }
 }
 
-Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
+Findings run_accuracy(const Settings& settings, const RunConditions& conditions) {
     const ga::Stopwatch clock;
     const rough::Model model = model_from(settings, "model.");
     Findings found;
@@ -94,7 +94,6 @@ Findings run_accuracy(const Settings& settings, const Conditions& conditions) {
     try_accuracies(savings, model, settings, conditions);
     add_medians(found, savings.rows());
     found.result = model_json(model);
-    found.result.update(origin_json(conditions.origin));
     found.result.update({{"seconds", clock.seconds()}, {"savings", savings.rows()}});
     return found;
 }

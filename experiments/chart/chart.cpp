@@ -2,6 +2,7 @@
 
 #include "apps/prompt/units.hpp"
 #include "domain/mwm/test_surfaces.hpp"
+#include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"
 
 #include <numbers>
@@ -66,7 +67,7 @@ std::string reason_to_leave_out(const ChartSetting& setting, const ChartRun& coa
     return "";
 }
 
-Findings run_chart_experiment(const Settings& settings, const Conditions& conditions) {
+Findings run_chart_experiment(const Settings& settings, const RunConditions& conditions) {
     static const ChartExtent quick{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1, 128},
         whole{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
               {512, 2048},

@@ -32,7 +32,7 @@ Profile ground_on(Index side) {
 }
 
 /// Contact fraction and stiffness at pressures; NaN beyond full contact.
-rough::TheoryCurve pressed(const Profile& surface, const VectorXd& pressures) {
+rough::TheoryCurve solved_curve(const Profile& surface, const VectorXd& pressures) {
     rough::Body body;
     body.kernel = rough::Kernel::periodic;
     const VectorXd none = VectorXd::Constant(pressures.size(), std::nan(""));
@@ -90,13 +90,12 @@ void add_scene(ChartData& data, const Stop& stop, const std::string& name, const
          {"words", words},
          {"reference", "this surface on " + std::to_string(finest) +
                            (is_map ? " x " + std::to_string(finest) : "") + " nodes"},
-         {"rms_slope", slope},
-         {"rms_height_mm", std::sqrt(spectral_moments(random).m0)}});
+         {"rms_slope", slope}});
     constexpr int load_count = 12;
     constexpr double lightest = 0.005, heaviest = 1.6; // erf of it over sqrt 2 is what touches
     const VectorXd pressure =
         slope / 2 * VectorXd::LinSpaced(load_count, std::log(lightest), std::log(heaviest)).array().exp();
-    const rough::TheoryCurve exact = pressed(surface, pressure);
+    const rough::TheoryCurve exact = solved_curve(surface, pressure);
     json line{{"scene", name}}; // the line along the lay, one section, and the coarsest grid within 3 %
     double grid_error = HUGE_VAL;
     const auto measure = [&](const std::string& family, const std::string& model, Index nodes, auto work) {
@@ -149,13 +148,13 @@ void add_scene(ChartData& data, const Stop& stop, const std::string& name, const
         const auto [columns, rows] = surface.shape();
         const Profile section{surface.heights.head(columns), surface.spacing},
             mean_line{surface.heights.reshaped(columns, rows).rowwise().mean(), surface.spacing};
-        measure("one line", "section", finest, [&] { return pressed(section, pressure); });
-        measure("one line", "mean-line", finest, [&] { return pressed(mean_line, pressure); });
+        measure("one line", "section", finest, [&] { return solved_curve(section, pressure); });
+        measure("one line", "mean-line", finest, [&] { return solved_curve(mean_line, pressure); });
     }
     for (const Index nodes : coarser) {
         const Profile coarse = on(nodes);
         measure("solved", is_map ? "map" : "profile", coarse.nodes(),
-                [&] { return pressed(coarse, pressure); });
+                [&] { return solved_curve(coarse, pressure); });
     }
     if (line.contains("line") && line.contains("section") && line.contains("map")) {
         line["aspect_ratio"] = texture(surface, true).Str;

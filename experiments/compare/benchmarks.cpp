@@ -1,4 +1,5 @@
 #include "apps/report/render.hpp"
+#include "domain/design/search.hpp"
 #include "experiments/compare/contest.hpp"
 #include "experiments/compare/problems/problems.hpp"
 #include "ga/text/nearest.hpp"

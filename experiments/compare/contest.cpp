@@ -15,21 +15,21 @@ using Areas = std::vector<std::vector<double>>; // [variant][seed]
 /// The problems of a group together.
 struct Group {
     std::string name;
-    std::vector<const Bout*> bouts = {};
+    std::vector<const ProblemResults*> results = {};
     /// For each problem: the mean share of targets that a run has reached, over the evaluations on a
     /// logarithmic scale. At 1 all targets are reached at once, at 0 none ever. Ranks and tests use these.
     std::vector<Areas> areas = {};
 
-    const Contestants& variants() const { return bouts.front()->variants; }
+    const Contestants& variants() const { return results.front()->variants; }
 };
 
 std::vector<Group> groups_of(const Contest& contest) {
     std::vector<Group> groups;
-    for (const Bout& bout : contest.bouts) {
-        auto group = std::ranges::find(groups, bout.problem.group, &Group::name);
+    for (const ProblemResults& results : contest.results) {
+        auto group = std::ranges::find(groups, results.problem.group, &Group::name);
         if (group == groups.end())
-            group = groups.insert(group, {bout.problem.group});
-        group->bouts.push_back(&bout);
+            group = groups.insert(group, {results.problem.group});
+        group->results.push_back(&results);
     }
     return groups;
 }
@@ -41,29 +41,29 @@ void add_shares(Findings& found, Group& group, const Contest& contest) {
     constexpr std::size_t resamples = 300;
     Csv& table = found.table("ecdf.csv", "group,variant,evaluations_per_gene,share,lower,upper", 6);
     double max_per_gene = 1;
-    for (const Bout* bout : group.bouts)
-        max_per_gene = std::max(max_per_gene,
-                                static_cast<double>(bout->budget) / static_cast<double>(bout->problem.genes));
+    for (const ProblemResults* results : group.results)
+        max_per_gene = std::max(max_per_gene, static_cast<double>(results->budget) /
+                                                  static_cast<double>(results->problem.genes));
     std::vector<double> evaluations;
     for (int i = 0; i < moments; ++i)
         evaluations.push_back(std::pow(max_per_gene, i / (moments - 1.0)));
     json& result = found.result["groups"][group.name];
     result["evaluations_per_gene"] = evaluations;
     const auto seeds = static_cast<std::size_t>(contest.seeds);
-    group.areas.assign(group.bouts.size(), Areas(group.variants().size(), std::vector<double>(seeds)));
+    group.areas.assign(group.results.size(), Areas(group.variants().size(), std::vector<double>(seeds)));
     for (std::size_t v = 0; v < group.variants().size(); ++v) {
         const std::string& name = group.variants()[v].first;
         std::vector<std::vector<double>> of_seed(seeds, std::vector<double>(moments)); // means over problems
-        for (std::size_t k = 0; k < group.bouts.size(); ++k)
+        for (std::size_t k = 0; k < group.results.size(); ++k)
             for (std::size_t s = 0; s < seeds; ++s) {
-                const Bout& bout = *group.bouts[k];
-                const double genes = static_cast<double>(bout.problem.genes);
+                const ProblemResults& results = *group.results[k];
+                const double genes = static_cast<double>(results.problem.genes);
                 const auto curve = rough::column(evaluations, [&](double at) {
-                    return rough::share_up_to(bout.runs[v][s].evaluations, at * genes * (1 + 1e-9));
+                    return rough::share_up_to(results.runs[v][s].evaluations, at * genes * (1 + 1e-9));
                 });
                 group.areas[k][v][s] = rough::mean(curve);
                 for (std::size_t at = 0; at < curve.size(); ++at)
-                    of_seed[s][at] += curve[at] / static_cast<double>(group.bouts.size());
+                    of_seed[s][at] += curve[at] / static_cast<double>(group.results.size());
             }
         json& variant = result["variants"][name];
         for (std::size_t at = 0; at < evaluations.size(); ++at) {
@@ -133,7 +133,7 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
             return std::pair(rough::mean(differences), rough::signed_rank_p(differences));
         });
     for (std::size_t k = 0; k < group.areas.size(); ++k)
-        add_pairs(group.bouts[k]->problem.name, [&](std::size_t a, std::size_t b) {
+        add_pairs(group.results[k]->problem.name, [&](std::size_t a, std::size_t b) {
             const Areas& areas = group.areas[k];
             return std::pair(rough::mean(areas[a]) - rough::mean(areas[b]),
                              rough::rank_sum_p(areas[a], areas[b]));
@@ -144,7 +144,7 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
 /// Adds the group's variants, the best mean rank first. `tests` are the group's rows of tests.csv.
 void add_standing(Findings& found, const Group& group, const std::vector<json>& tests) {
     constexpr double significant = 0.05;
-    const std::string over = group.bouts.size() == 1 ? group.bouts[0]->problem.name : "";
+    const std::string only_problem = group.results.size() == 1 ? group.results[0]->problem.name : "";
     std::map<std::string, long> wins;                    // on problems, by variant
     std::map<std::string, std::set<std::string>> beaten; // variants that are worse in the group
     for (const json& row : tests) {
@@ -153,7 +153,7 @@ void add_standing(Findings& found, const Group& group, const std::vector<json>& 
             continue;
         const std::string winner = row[difference > 0 ? "first" : "second"], problem = row["problem"];
         wins[winner] += !problem.empty();
-        if (problem == over)
+        if (problem == only_problem)
             beaten[winner].insert(row[difference > 0 ? "second" : "first"]);
     }
     json& result = found.result["groups"][group.name];
@@ -189,26 +189,25 @@ long reached(const Reached& run) {
 void add_problems(Findings& found, const Group& group, const Contest& contest) {
     Csv &all = found.table("runs.csv", "problem,variant,seed,evaluations,precision,targets_reached,area"),
         &ert = found.table("ert.csv", "problem,variant,precision,expected_runtime,successes,runs", 6);
-    for (std::size_t k = 0; k < group.bouts.size(); ++k) {
-        const Bout& bout = *group.bouts[k];
-        const std::string& problem = bout.problem.name;
-        const std::vector<double>& targets = bout.problem.targets;
+    for (std::size_t k = 0; k < group.results.size(); ++k) {
+        const ProblemResults& results = *group.results[k];
+        const std::string& problem = results.problem.name;
+        const std::vector<double>& targets = results.problem.targets;
         found.result["groups"][group.name]["problems"].push_back(problem);
         json& result = found.result["problems"][problem];
         result = {{"problem", problem},
                   {"group", group.name},
-                  {"genes", bout.problem.genes},
-                  {"budget", bout.budget},
+                  {"genes", results.problem.genes},
+                  {"budget", results.budget},
                   {"targets", targets}};
-        for (std::size_t v = 0; v < bout.variants.size(); ++v) {
-            const std::string& name = bout.variants[v].first;
-            const std::vector<Reached>& runs = bout.runs[v];
+        for (std::size_t v = 0; v < results.variants.size(); ++v) {
+            const std::string& name = results.variants[v].first;
+            const std::vector<Reached>& runs = results.runs[v];
             const std::vector<double> precision = rough::column(runs, &Reached::precision);
             const rough::Interval interval = rough::median_interval(precision);
             json& one = result["variants"][name];
             one = {{"median_precision", rough::median(precision)},
                    {"interval", {interval.lower, interval.upper}},
-                   {"interval_coverage", interval.coverage},
                    {"expected_runtime", expected_runtime(runs, targets.size() - 1)},
                    {"successes", successes(runs, targets.size() - 1)}};
             for (std::size_t s = 0; s < runs.size(); ++s) {
@@ -235,14 +234,15 @@ const Reached& median_run(const std::vector<Reached>& runs) {
 }
 
 /// The median over the runs of the best precision so far, with its interval, against the evaluations.
-void add_progress(Findings& found, const Bout& bout) {
+void add_progress(Findings& found, const ProblemResults& results) {
     constexpr int moments = 60;
     constexpr double first = 10;
     Csv& table = found.table("progress.csv", "problem,variant,evaluations,precision,lower,upper", 6);
-    for (std::size_t v = 0; v < bout.variants.size(); ++v)
+    for (std::size_t v = 0; v < results.variants.size(); ++v)
         for (int i = 0; i < moments; ++i) {
-            const double at = first * std::pow(static_cast<double>(bout.budget) / first, i / (moments - 1.0));
-            const auto best = rough::column(bout.runs[v], [&](const Reached& run) {
+            const double at =
+                first * std::pow(static_cast<double>(results.budget) / first, i / (moments - 1.0));
+            const auto best = rough::column(results.runs[v], [&](const Reached& run) {
                 double precision = HUGE_VAL;
                 for (const auto& [evaluations, after] : run.found)
                     if (static_cast<double>(evaluations) <= at)
@@ -251,15 +251,15 @@ void add_progress(Findings& found, const Bout& bout) {
             });
             const rough::Interval interval = rough::median_interval(best);
             if (std::isfinite(interval.upper))
-                table.row(bout.problem.name, bout.variants[v].first, at, rough::median(best), interval.lower,
-                          interval.upper);
+                table.row(results.problem.name, results.variants[v].first, at, rough::median(best),
+                          interval.lower, interval.upper);
         }
 }
 
 /// Heights and last contact pressure of a designed map, on at most 128 x 128 nodes.
-void add_map(Findings& found, const Bout& bout, const json& designed) {
+void add_map(Findings& found, const ProblemResults& results, const json& designed) {
     Csv& table = found.table("surfaces.csv", "problem,x_mm,y_mm,height_mm,pressure_MPa", 6);
-    const rough::Model& model = bout.problem.setup->model;
+    const rough::Model& model = results.problem.setup->model;
     const rough::Grid& grid = model.grid;
     const rough::Profile surface = sample(rough::genome_from_json(designed["genome"], "genome"), grid);
     rough::ContactOptions options = model.contact;
@@ -271,17 +271,17 @@ void add_map(Findings& found, const Bout& bout, const json& designed) {
     const rough::Index every = 1 + (std::max(grid.nodes, grid.rows) - 1) / 128;
     for (rough::Index j = 0; j < grid.rows; j += every)
         for (rough::Index i = 0; i < grid.nodes; i += every)
-            table.row(bout.problem.name, static_cast<double>(i) * grid.spacing(),
+            table.row(results.problem.name, static_cast<double>(i) * grid.spacing(),
                       static_cast<double>(j) * grid.row_spacing(), surface.heights[j * grid.nodes + i],
                       pressure[j * grid.nodes + i]);
 }
 
 /// Adds the set-up of a roughness problem and the answers of its variants, the best median first.
-void add_surfaces(Findings& found, const Bout& bout) {
+void add_surfaces(Findings& found, const ProblemResults& results) {
     Csv& table = found.table("answers.csv",
                              "problem,variant,similarity_worst,lower,upper,curves,gradients,seconds", 6);
-    const std::string& problem = bout.problem.name;
-    const rough::DesignSetup& setup = *bout.problem.setup;
+    const std::string& problem = results.problem.name;
+    const rough::DesignSetup& setup = *results.problem.setup;
     json of_problem = model_json(setup.model);
     of_problem.update({{"max_pressure_MPa", setup.max_pressure ? json(*setup.max_pressure) : json()},
                        {"target", target_json(setup.targets[0])},
@@ -290,15 +290,15 @@ void add_surfaces(Findings& found, const Bout& bout) {
     found.result["problems"][problem].update(of_problem);
     of_problem["problem"] = problem;
     found.result["surfaces"].push_back(of_problem);
-    const auto medians = rough::column(bout.runs, [](const std::vector<Reached>& runs) {
+    const auto medians = rough::column(results.runs, [](const std::vector<Reached>& runs) {
         return -rough::median(rough::column(runs, similarity_of));
     });
     const auto order = rough::ascending(medians);
     for (const std::size_t v : order) {
-        const std::string& name = bout.variants[v].first;
-        const auto similarities = rough::column(bout.runs[v], similarity_of);
+        const std::string& name = results.variants[v].first;
+        const auto similarities = rough::column(results.runs[v], similarity_of);
         const rough::Interval interval = rough::median_interval(similarities);
-        const json& middle = median_run(bout.runs[v]).surface;
+        const json& middle = median_run(results.runs[v]).surface;
         json& one = found.result["problems"][problem]["variants"][name];
         one.update(middle);
         one["median_lowest"] = rough::median(similarities);
@@ -306,9 +306,9 @@ void add_surfaces(Findings& found, const Bout& bout) {
         table.row(problem, name, rough::median(similarities), interval.lower, interval.upper,
                   middle["curves"], middle["gradients"], middle["seconds"]);
     }
-    add_progress(found, bout);
+    add_progress(found, results);
     if (setup.model.grid.is_2d())
-        add_map(found, bout, median_run(bout.runs[order[0]]).surface);
+        add_map(found, results, median_run(results.runs[order[0]]).surface);
 }
 
 } // namespace
@@ -327,16 +327,16 @@ double expected_runtime(const std::vector<Reached>& runs, std::size_t target) {
 
 void write_coco_runs(const Contest& contest, const std::filesystem::path& folder) {
     std::map<std::string, std::vector<ga::CocoFunction>> of_variant;
-    for (const Bout& bout : contest.bouts) {
+    for (const ProblemResults& results : contest.results) {
         int dimension = 0, function = 0;
-        if (std::sscanf(bout.problem.name.c_str(), "bbob%d-%d", &dimension, &function) != 2)
+        if (std::sscanf(results.problem.name.c_str(), "bbob%d-%d", &dimension, &function) != 2)
             continue;
-        for (std::size_t v = 0; v < bout.variants.size(); ++v) {
-            ga::CocoFunction one{function, bout.problem.genes, {}};
-            for (std::size_t s = 0; s < bout.runs[v].size(); ++s)
-                one.runs.push_back(
-                    {instance_of(contest.origin.seed + s), bout.runs[v][s].found, bout.runs[v][s].spent});
-            of_variant[bout.variants[v].first].push_back(std::move(one));
+        for (std::size_t v = 0; v < results.variants.size(); ++v) {
+            ga::CocoFunction one{function, results.problem.genes, {}};
+            for (std::size_t s = 0; s < results.runs[v].size(); ++s)
+                one.runs.push_back({instance_of(contest.origin.seed + s), results.runs[v][s].found,
+                                    results.runs[v][s].spent});
+            of_variant[results.variants[v].first].push_back(std::move(one));
         }
     }
     for (const auto& [name, functions] : of_variant) {
@@ -356,9 +356,9 @@ Findings findings_of(const Contest& contest) {
         add_shares(found, group, contest);
         add_standing(found, group, add_tests(found, group));
         add_problems(found, group, contest);
-        for (const Bout* bout : group.bouts)
-            if (bout->problem.setup)
-                add_surfaces(found, *bout);
+        for (const ProblemResults* results : group.results)
+            if (results->problem.setup)
+                add_surfaces(found, *results);
         found.summary += (found.summary.empty() ? "best on " : ", on ") + group.name + " " +
                          found.result["groups"][group.name]["standing"][0]["variant"].get<std::string>();
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/experiments/experiment.hpp"
+#include "domain/problem/setup.hpp"
 #include "experiments/compare/race.hpp"
 
 /// Runs of a comparison of variants, and their statistics.
@@ -36,7 +37,7 @@ using Contestants = std::vector<std::pair<std::string, std::string>>;
 const std::map<std::string, Contestants>& usual_contestants();
 
 /// All variants on one problem.
-struct Bout {
+struct ProblemResults {
     Benchmark problem;
     Contestants variants;
     long budget = 0;                        ///< evaluations of each run
@@ -48,7 +49,7 @@ struct Contest {
     long seeds = 0;     ///< runs of each variant on each problem
     std::string budget; ///< as given
     long curves = 0;    ///< budget of a run on roughness
-    std::vector<Bout> bouts;
+    std::vector<ProblemResults> results;
 };
 
 /// Number of the instance for a seed.

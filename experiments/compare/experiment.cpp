@@ -145,10 +145,11 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
     }
     bool has_bbob = false;
     for (Benchmark& problem : problems) {
-        Bout bout;
-        bout.variants = contestants_of(settings, problem.kind);
-        bout.budget = problem.setup ? contest.curves : budget_from(settings, contest.budget, problem.genes);
-        for (const auto& [name, text] : bout.variants)
+        ProblemResults results;
+        results.variants = contestants_of(settings, problem.kind);
+        results.budget =
+            problem.setup ? contest.curves : budget_from(settings, contest.budget, problem.genes);
+        for (const auto& [name, text] : results.variants)
             try {
                 problem.check(text);
             } catch (const ga::UsageError& error) {
@@ -157,9 +158,10 @@ Contest contest_from(const Settings& settings, const Origin& origin) {
                                 problem.name, ": ", error.what());
             }
         has_bbob |= problem.name.starts_with("bbob");
-        bout.runs.assign(bout.variants.size(), std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
-        bout.problem = std::move(problem);
-        contest.bouts.push_back(std::move(bout));
+        results.runs.assign(results.variants.size(),
+                            std::vector<Reached>(static_cast<std::size_t>(contest.seeds)));
+        results.problem = std::move(problem);
+        contest.results.push_back(std::move(results));
     }
     if (settings.is_on("compare.coco") && !has_bbob)
         settings.refuse("compare.coco", "no function of BBOB; add one to --problems, e.g. bbob5");
@@ -177,19 +179,19 @@ cluster::Work races_under(const json& setting) {
 }
 
 /// Does all runs, on threads and ranks. Unfinished problems are removed.
-void hold(Contest& contest, const Settings& settings, const Conditions& conditions) {
-    struct Place {
-        std::size_t bout, variant, seed;
+void run_all(Contest& contest, const Settings& settings, const RunConditions& conditions) {
+    struct RunIndex {
+        std::size_t problem, variant, seed;
     };
-    std::vector<Place> places;
+    std::vector<RunIndex> indices;
     std::vector<long> unfinished; // runs of each problem
     json names = json::array();
-    for (const Bout& bout : contest.bouts) {
-        for (std::size_t v = 0; v < bout.runs.size(); ++v)
-            for (std::size_t s = 0; s < bout.runs[v].size(); ++s)
-                places.push_back({names.size(), v, s});
-        unfinished.push_back(contest.seeds * static_cast<long>(bout.runs.size()));
-        names.push_back(bout.problem.name);
+    for (const ProblemResults& results : contest.results) {
+        for (std::size_t v = 0; v < results.runs.size(); ++v)
+            for (std::size_t s = 0; s < results.runs[v].size(); ++s)
+                indices.push_back({names.size(), v, s});
+        unfinished.push_back(contest.seeds * static_cast<long>(results.runs.size()));
+        names.push_back(results.problem.name);
     }
     std::mutex guard;
     long ended = 0;
@@ -197,24 +199,26 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
         .kind = "compare",
         .setting = {{"problems", names}, {"roughness", roughness_from(settings)}},
         .threads = contest.origin.threads,
-        .count = places.size(),
+        .count = indices.size(),
         .task =
             [&](std::size_t i) {
-                const Bout& bout = contest.bouts[places[i].bout];
-                const std::uint64_t number = contest.origin.seed + places[i].seed;
+                const ProblemResults& results = contest.results[indices[i].problem];
+                const std::uint64_t number = contest.origin.seed + indices[i].seed;
                 return json::array(
-                    {places[i].bout, bout.variants[places[i].variant].second, instance_of(number),
-                     ga::fold(number, bout.problem.setup ? "roughness" : bout.problem.name), bout.budget});
+                    {indices[i].problem, results.variants[indices[i].variant].second, instance_of(number),
+                     ga::fold(number, results.problem.setup ? "roughness" : results.problem.name),
+                     results.budget});
             },
         .take =
             [&](std::size_t i, const json& reached) {
-                const auto [b, variant, seed] = places[i];
-                Bout& bout = contest.bouts[b];
-                bout.runs[variant][seed] = reached.get<Reached>();
+                const auto [b, variant, seed] = indices[i];
+                ProblemResults& results = contest.results[b];
+                results.runs[variant][seed] = reached.get<Reached>();
                 const std::lock_guard lock(guard);
                 unfinished[b] -= !conditions.stop;
-                conditions.progress.show(bout.problem.name + ": " + bout.variants[variant].first + ", run " +
-                                         std::to_string(++ended) + " of " + std::to_string(places.size()));
+                conditions.progress.show(results.problem.name + ": " + results.variants[variant].first +
+                                         ", run " + std::to_string(++ended) + " of " +
+                                         std::to_string(indices.size()));
             },
         .stopped = [&] { return conditions.stop.load(); }};
     if (cluster::is_alone()) {
@@ -227,13 +231,13 @@ void hold(Contest& contest, const Settings& settings, const Conditions& conditio
         cluster::hand_out(job);
     }
     std::size_t b = 0;
-    std::erase_if(contest.bouts, [&](const Bout&) { return unfinished[b++] > 0; });
+    std::erase_if(contest.results, [&](const ProblemResults&) { return unfinished[b++] > 0; });
 }
 
-Findings run_compare(const Settings& settings, const Conditions& conditions) {
+Findings run_compare(const Settings& settings, const RunConditions& conditions) {
     Contest contest = contest_from(settings, conditions.origin);
-    hold(contest, settings, conditions);
-    if (contest.bouts.empty())
+    run_all(contest, settings, conditions);
+    if (contest.results.empty())
         return {};
     if (settings.is_on("compare.coco"))
         write_coco_runs(contest, conditions.folder / "coco");

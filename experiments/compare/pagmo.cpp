@@ -57,7 +57,7 @@ struct Measured {
     Run* run = nullptr;
 
     pagmo::vector_double fitness(const pagmo::vector_double& x) const {
-        if (run->made >= run->budget || run->tally.over())
+        if (run->made >= run->budget || run->tally.ended())
             throw Ended();
         const Evaluation value = run->instance.evaluate(x);
         run->tally.note(++run->made, run->nearness.after(value));

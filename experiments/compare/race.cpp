@@ -48,7 +48,7 @@ void Tally::note(long evaluations, double precision) {
     while (next_ < targets_.size() && reached_.precision <= targets_[next_])
         reached_.evaluations[next_++] = static_cast<double>(evaluations);
     if (next_ == targets_.size() || (stop_ && stop_->load(std::memory_order_relaxed)))
-        over_ = true;
+        ended_ = true;
 }
 
 namespace {
@@ -116,9 +116,9 @@ Reached raced(const Instance<G>& instance, const std::string& variant, const std
     ga::RunOptions options;
     options.memory_bytes = std::size_t{1} << 26;
     long left = attempt.budget;
-    for (std::uint64_t start = 0; left > 0 && !tally.over(); ++start) {
+    for (std::uint64_t start = 0; left > 0 && !tally.ended(); ++start) {
         options.seed = ga::fold(attempt.seed, start);
-        options.budget = {left, std::numeric_limits<double>::infinity(), &tally.over()};
+        options.budget = {left, std::numeric_limits<double>::infinity(), &tally.ended()};
         const auto found = ga::run_by(evaluator, stage, problem, {}, options);
         if (found.counters.requested == 0 || !found.stopped.empty())
             break;

@@ -76,14 +76,14 @@ class Tally {
     /// Records the precision after a number of evaluations.
     void note(long evaluations, double precision);
     /// Becomes true after the last target, or when the attempt's stop is true.
-    const std::atomic<bool>& over() const { return over_; }
+    const std::atomic<bool>& ended() const { return ended_; }
     const Reached& reached() const { return reached_; }
 
   private:
     const std::vector<double>& targets_;
     const std::atomic<bool>* stop_;
     std::size_t next_ = 0;
-    std::atomic<bool> over_ = false;
+    std::atomic<bool> ended_ = false;
     Reached reached_;
 };
 

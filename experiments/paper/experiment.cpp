@@ -8,8 +8,6 @@
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/log.hpp"
 
-#include <numbers>
-
 extern template class ga::Checkpoints<rough::DesignProblem>; // is in domain/design/search.cpp
 
 namespace app {
@@ -24,30 +22,12 @@ Bindings bindings_of(PaperRun& run) {
     rough::DatabaseLayout& layout = run.layout;
     return {
         {max_pressure_setting("paper.", "1.6e-4"), run.max_pressure},
-        {Setting(
-             "paper.dominance", "pressure",
-             "Algorithm 1 compares K at the same pressure, K at the same load step, or raw tangents by step")
-             .of({"pressure", "step", "raw"}),
-         run.dominance},
-        {ga::number("paper.dominant-above", "0.95", 0, 1,
-                    "correlation above which it finds a chromosome dominant"),
-         run.dominant_above},
-        {Setting("paper.cco-reduces", "parents", "genomes to which CCO applies it")
-             .of({"parents", "children"}),
-         run.reduces_children},
         {ga::whole("database.pairs", "20", 1, "Sobol pairs (H, gamma)").up_to(100000), layout.pairs},
         {ga::whole("database.phase-columns", "5", 1, "Sobol phase columns").up_to(1000),
          layout.phase_columns},
         {positive("database.A", "1", "amplitude A"), layout.A},
         {positive("database.lambda", "", "longest wave, mm [L]"), layout.lambda},
         {positive("database.shortest-wave", "", "shortest wave, mm [the grid's spacing]"), layout.shortest},
-        {Setting("database.first-point", "skipped", "the first point of Sobol's sequences")
-             .of({"skipped", "kept"}),
-         layout.with_first},
-        {ga::whole("database.phases", "0", 0,
-                   "0: Sobol's phases; 1, 2, ...: this set of phases drawn from the seed")
-             .up_to(1000000),
-         run.phases},
     };
 }
 
@@ -92,13 +72,13 @@ void take_targets(const Settings& settings, PaperRun& run) {
         run.targets.push_back({"held-out", stiffness_from(settings.path("heldout.file"))});
 }
 
-/// The sentence on each claim from an experiment of kind readings.
+/// The sentence on each claim from a file like readings.json.
 std::map<std::string, std::string> readings_from(const std::filesystem::path& file) {
     try {
         return rough::parsed_json(rough::read_whole(file), file.string()).at("claims");
     } catch (const nlohmann::json::exception&) {
-        rough::refuse(file.string(), ": has no sentence on each claim; give readings.json of an "
-                                     "experiment of kind readings");
+        rough::refuse(file.string(), ": has no sentence on each claim; give a file like "
+                                     "experiments/paper/readings.json");
     }
 }
 
@@ -113,17 +93,11 @@ std::vector<Setting> paper_settings() {
         ga::number("paper.sweep-from", "0.31", 0.01, 1, "first p_bar over p_max of the threshold sweep"),
         ga::number("paper.sweep-to", "0.69", 0.01, 1, "last p_bar over p_max of the sweep"),
         ga::whole("paper.sweep-points", "20", 0, "number of thresholds; 0: no sweep").up_to(1000),
-        {"paper.readings", "",
-         "readings.json of an experiment of kind readings: claims under other readings"},
-        ga::number("paper.phase-relative", "0.1", 0, 10,
-                   "maximum change of a phase by refinement, over paper.phase-of"),
-        Setting("paper.phase-of", "value", "value: the phase itself; turn: 2 pi").of({"value", "turn"}),
+        {"paper.readings", "", "file of sentences on the claims under other readings"},
     };
     PaperRun run;
-    return joined({settings,
-                   settings_of(bindings_of(run)),
-                   settings_of(with_bounds({}, run.layout), "database."),
-                   scan_settings("target."),
+    return joined({settings, settings_of(bindings_of(run)),
+                   settings_of(with_bounds({}, run.layout), "database."), scan_settings("target."),
                    model_settings("model.")});
 }
 
@@ -142,11 +116,6 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
     run.p_bar = settings.number("paper.threshold") * run.max_pressure;
     if (settings.has("paper.readings"))
         run.other_readings = readings_from(settings.path("paper.readings"));
-    const double share = settings.number("paper.phase-relative");
-    if (settings.choice("paper.phase-of") == 1)
-        run.reach = {0, share * 2 * std::numbers::pi};
-    else
-        run.reach = {share, 0};
     return run;
 }
 
@@ -156,15 +125,10 @@ struct Variant {
     rough::DesignPipeline pipeline;
 };
 
-/// The paper's three in both forms, then what the experiment writes in [variants]. If `reduces_children`, cco
-/// has Algorithm 1 on the children instead of the parents, which is another reading of Algorithm 5.
-std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words,
-                                   bool reduces_children) {
+/// The paper's three in both forms, then what the experiment writes in [variants].
+std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words) {
     std::vector<std::string> names{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"};
     ga::Variants texts = rough::paper_variants();
-    if (reduces_children)
-        texts["cco"] = "pair(score low | above 0.95 at_least=3, score high | above 0.95 at_least=3, unite) | "
-                       "reduce dominant | score | best 3 | refine gcmma 3 genes=phases | best 1";
     for (const auto& [name, text] : settings.texts_under("variants.")) {
         if (!texts.emplace(name, text).second)
             settings.refuse("variants." + name, "the paper has a variant of this name; choose another");
@@ -176,18 +140,6 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
         variants.push_back(
             {name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
     return variants;
-}
-
-/// The genomes of the run's database before Eq. 11.
-std::vector<rough::Genome> database_of(const PaperRun& run) {
-    std::vector<rough::Genome> genomes = sobol_database(run.layout);
-    const auto columns = static_cast<std::size_t>(run.layout.phase_columns);
-    for (std::size_t g = 0; run.phases > 0 && g < genomes.size(); ++g) { // all pairs have equal phases
-        ga::Stream random(ga::fold(ga::fold(ga::fold(run.origin.seed, "phases"), run.phases), g % columns));
-        for (rough::Chromosome& chromosome : genomes[g].series[0].chromosomes)
-            chromosome.phases[0] = random.uniform(0, 2 * std::numbers::pi);
-    }
-    return genomes;
 }
 
 /// The first record at the path, or null.
@@ -232,12 +184,9 @@ std::vector<Scores> scores_of(const std::vector<Answered>& database, const rough
 /// The searches of one experiment, with the genomes and pipelines that all targets share.
 class Paper {
   public:
-    Paper(const Settings& settings, PaperRun& run, const Conditions& conditions)
-        : settings_(settings), run_(run), conditions_(conditions), genomes_(database_of(run)),
-          variants_(variants_from(
-              settings,
-              {std::make_shared<DominanceRule>(run.model, run.dominance, run.dominant_above), run.reach},
-              run.reduces_children)) {
+    Paper(const Settings& settings, PaperRun& run, const RunConditions& conditions)
+        : settings_(settings), run_(run), conditions_(conditions), genomes_(sobol_database(run.layout)),
+          variants_(variants_from(settings, {std::make_shared<DominanceRule>(run.model)})) {
         conditions.progress.show("database");
         run.database = answered(genomes_, run.model, run.max_pressure, run.origin.threads);
     }
@@ -281,7 +230,7 @@ class Paper {
 
   private:
     rough::DesignSetup setup_for(const TargetRun& target, double p_bar) const {
-        return paper_setup(run_.model, target.target, run_.max_pressure, p_bar, run_.reach);
+        return paper_setup(run_.model, target.target, run_.max_pressure, p_bar);
     }
 
     /// Runs a variant and records its stages; its answer is solved exactly. Returns false if the run was
@@ -334,7 +283,7 @@ class Paper {
 
     const Settings& settings_;
     PaperRun& run_;
-    const Conditions& conditions_;
+    const RunConditions& conditions_;
     std::unique_ptr<ga::Evaluator<DesignProblem>> evaluator_ = design_evaluator(run_.origin.threads);
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< for the sweep
@@ -342,7 +291,7 @@ class Paper {
     std::vector<Variant> variants_;
 };
 
-Findings run_paper(const Settings& settings, const Conditions& conditions) {
+Findings run_paper(const Settings& settings, const RunConditions& conditions) {
     const ga::Stopwatch clock;
     PaperRun run = paper_from(settings, conditions.origin);
     Paper paper(settings, run, conditions);

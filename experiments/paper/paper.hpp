@@ -39,14 +39,9 @@ struct PaperRun {
     rough::Model model;
     double max_pressure = 0; ///< p_max
     double p_bar = 0;        ///< threshold of the variants, except in the sweep
-    rough::DominanceReading dominance = rough::DominanceReading::same_pressure; ///< reading of Algorithm 1
-    double dominant_above = rough::dominance_threshold;                         ///< its correlation
-    bool reduces_children = false; ///< CCO reduces the children instead of the parents
-    rough::PhaseReach reach;       ///< how far refinement moves a phase
     rough::DatabaseLayout layout;
-    std::uint64_t phases = 0;       ///< 0: Sobol's; else the number of a set drawn from the seed
-    std::vector<Answered> database; ///< pair by pair, each with every phase column
-    std::vector<TargetRun> targets; ///< drawn, then held-out
+    std::vector<Answered> database;                    ///< pair by pair, each with every phase column
+    std::vector<TargetRun> targets;                    ///< drawn, then held-out
     std::map<std::string, std::string> other_readings; ///< claims under other readings, in words, by id
 };
 

@@ -49,10 +49,8 @@ FractalStudy study_of(const PaperRun& run, std::uint64_t seed, Findings* found) 
     const std::vector<rough::Band> bands = rough::octave_bands(whole);
     std::vector<std::optional<rough::Curve>> alone;
     for (const rough::Band& band : bands)
-        alone.push_back(compared_curve(answer({band.heights, whole.spacing}), run.dominance));
-    const auto dominant = dominant_parts(compared_curve(whole_response, run.dominance), alone,
-                                         run.dominant_above, run.dominance)
-                              .dominant;
+        alone.push_back(secant_stiffness(answer({band.heights, whole.spacing})));
+    const auto dominant = dominant_parts(secant_stiffness(whole_response), alone).dominant;
     rough::Profile reduced{Eigen::VectorXd::Zero(whole.nodes()), whole.spacing};
     for (std::size_t b = 0; b < bands.size(); ++b)
         if (dominant[b])
@@ -190,7 +188,7 @@ Studies studies_of(const PaperRun& run) {
     ga::parallel_for(studies.fractals.size(), run.origin.threads, [&](std::size_t i) {
         studies.fractals[i] = study_of(run, ga::fold(seed, i), i == 0 ? &studies.found : nullptr);
     });
-    const rough::DominanceRule rule(run.model, run.dominance, run.dominant_above);
+    const rough::DominanceRule rule(run.model);
     studies.genomes.resize(run.database.size());
     ga::parallel_for(studies.genomes.size(), run.origin.threads, [&](std::size_t i) {
         const Answered& member = run.database[i];

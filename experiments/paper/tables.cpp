@@ -159,9 +159,7 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
     page["seconds"] = run.seconds;
     page["database_size"] = run.database.size();
     const auto dominant = [&](auto value) { return genome_column(studies, &GenomeStudy::dominant, value); };
-    constexpr std::array readings{"pressure", "step", "raw"};
-    page["dominance"] = {{"reading", readings[static_cast<std::size_t>(run.dominance)]},
-                         {"similarity", rough::median(dominant(&Reduction::similarity))},
+    page["dominance"] = {{"similarity", rough::median(dominant(&Reduction::similarity))},
                          {"kept", rough::mean(dominant(&Reduction::kept))},
                          {"only_best", std::ranges::count(dominant(&Reduction::only_best), 1.0)}};
     std::string target_figure;
@@ -173,8 +171,7 @@ Findings findings_of(const PaperRun& run, const Studies& studies) {
         add_search_tables(target, place, found);
         add_answer_tables(run, target, place, found);
         json result = result_json(
-            run.origin, paper_setup(run.model, target.target, run.max_pressure, run.p_bar, run.reach),
-            target.variants);
+            run.origin, paper_setup(run.model, target.target, run.max_pressure, run.p_bar), target.variants);
         result["threshold_MPa"] = run.p_bar;
         if (first)
             page.update(result);

@@ -43,7 +43,7 @@ std::string difference(const rough::LoadStep& step, std::size_t j, const Span& s
 }
 
 /// The scenes of a name on all kernels, bred ones, or all of them.
-std::vector<ContactScene> scenes_from(const Settings& settings, const Conditions& conditions) {
+std::vector<ContactScene> scenes_from(const Settings& settings, const RunConditions& conditions) {
     if (settings.has("stability.search"))
         return bred_scenes(settings.whole("stability.search"), conditions.origin.seed,
                            conditions.origin.threads, conditions.stop);
@@ -78,7 +78,7 @@ ContactTrial verified_trial(const ContactScene& scene, rough::Solver solver) {
     return trial;
 }
 
-Findings run_stability(const Settings& settings, const Conditions& conditions) {
+Findings run_stability(const Settings& settings, const RunConditions& conditions) {
     const std::vector<std::string>& methods = rough::solver_names();
     Findings found;
     Csv& table = found.table("stability.csv",

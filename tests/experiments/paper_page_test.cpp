@@ -59,10 +59,10 @@ TEST_CASE("the paper's report shows every number, verdict and figure of the resu
         CHECK(ids.contains(link));
 }
 
-TEST_CASE("a report on a handful of nodes, another body, the other reading or one target is whole, too") {
+TEST_CASE("a report on a handful of nodes, another body or one target is whole, too") {
     for (const std::string other :
          {"--set model.nodes=4", "--set model.kernel=periodic", "--set model.kernel=strip",
-          "--set paper.dominance=step", "--set heldout.file= --set paper.sweep-points=0"}) {
+          "--set heldout.file= --set paper.sweep-points=0"}) {
         const Folder folder;
         INFO(other);
         result_of(folder, small_paper + "2 --set paper.sweep-points=1 " + other);

@@ -1,5 +1,8 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
+#include "domain/mwm/response.hpp"
+#include "domain/response/curve.hpp"
+#include "ga/base/parallel.hpp"
 
 namespace rugosa::python {
 

@@ -1,4 +1,5 @@
 #include "apps/python/module/python.hpp"
+#include "domain/mwm/sampling.hpp"
 #include "domain/text/json.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,7 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/python/module/python.hpp"
+#include "domain/profile/roughness.hpp"
+#include "domain/profile/spectrum.hpp"
 
 #include <pybind11/numpy.h>
 

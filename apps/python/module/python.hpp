@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/prompt/settings.hpp"
-#include "domain/domain.hpp"
+#include "domain/accuracy/resolution.hpp"
 #include "domain/scan/scan.hpp"
 
 #include <pybind11/eigen.h>

@@ -1,4 +1,7 @@
+#include "domain/target/target.hpp"
+
 #include "apps/python/module/python.hpp"
+#include "domain/mwm/sampling.hpp"
 
 namespace rugosa::python {
 

@@ -38,7 +38,7 @@ class ActiveSet {
         : problem_(problem), options_(options), purpose_(purpose), solver_(problem),
           set_(problem.nodes(), *problem.team), load_(problem.nodes()), tangent_(problem.nodes()) {}
 
-    StepSolution press(double approach, std::optional<Eigen::VectorXd> guess) {
+    StepSolution solve_step(double approach, std::optional<Eigen::VectorXd> guess) {
         start(approach, std::move(guess));
         for (double tolerance = options_.tolerance;;) {
             problem_.is_2d() ? settle_area(approach, tolerance) : settle_line(approach, tolerance);
@@ -56,7 +56,7 @@ class ActiveSet {
     /// Presses an area to a load and sets `approach` to the one found. The sum of the pressures is kept while
     /// they settle, and the approach follows from them. A step along the tangent is too long, because the
     /// stiffness of rough areas grows about as the load (Persson 2007).
-    StepSolution press_to(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
+    StepSolution solve_load(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
         sum_ = load;
         if (guess) {
             load_.pressure = *std::exchange(guess, std::nullopt); // frees the pressures before
@@ -87,7 +87,7 @@ class ActiveSet {
         return problem_.team->sum_of(static_cast<Index>(nodes.size()),
                                      [&](Index k) { return value(nodes[static_cast<std::size_t>(k)]); });
     }
-    double sum_of(const Loaded& x) const {
+    double sum_of(const SurfaceState& x) const {
         return sum_over_set([&](int i) { return x.pressure[i]; });
     }
 
@@ -119,7 +119,7 @@ class ActiveSet {
             }
         });
         if (product)
-            load_.blur += by * tangent_.blur;
+            load_.displacement_error += by * tangent_.displacement_error;
     }
 
     /// Starts from the step before, moved along its tangent or by the growth of a coarser grid's pressures
@@ -127,7 +127,7 @@ class ActiveSet {
     /// pressure falls with the load. The first step starts from the coarser grid's pressures or from none.
     void start(double approach, std::optional<Eigen::VectorXd> guess) {
         const bool is_guided = guess.has_value(), is_first = approach_ == 0;
-        std::optional<Loaded> grown;
+        std::optional<SurfaceState> grown;
         if (is_guided && !is_first) {
             grown = load_;
             grown->pressure += (*guess - *last_guess_).cwiseMax(0);
@@ -139,18 +139,18 @@ class ActiveSet {
         else
             move(approach - approach_);
         approach_ = approach;
-        solver_.load(load_, rough_accuracy * approach);
+        solver_.update(load_, rough_accuracy * approach);
         stale_ = false;
         if (!is_guided)
             return;
         double left = residual(load_, approach);
         if (is_first && left > std::max(0.0, approach - problem_.gap.minCoeff()) / approach) {
             load_.pressure.setZero();
-            solver_.load(load_);
+            solver_.update(load_);
             return;
         }
         if (grown) {
-            solver_.load(*grown, rough_accuracy * approach);
+            solver_.update(*grown, rough_accuracy * approach);
             const double of_grown = residual(*grown, approach);
             if (of_grown > left)
                 return;
@@ -200,7 +200,7 @@ class ActiveSet {
         return std::max(gap, deepest_) / std::abs(approach);
     }
 
-    double residual(const Loaded& x, double approach) const {
+    double residual(const SurfaceState& x, double approach) const {
         return problem_.team->largest_of(problem_.nodes(), [&](Index i) {
             const double depth = approach - problem_.gap[i] - x.displacement[i];
             return x.pressure[i] > 0 ? std::abs(depth) : depth;
@@ -220,7 +220,7 @@ class ActiveSet {
             change_set(approach, 0.3 * tolerance * size, std::min(rough_accuracy, 0.1 * target) * size);
             double worst = residual(approach);
             if (worst <= tolerance) {
-                solver_.load(load_, 0.1 * tolerance * approach); // unless it is as good already
+                solver_.update(load_, 0.1 * tolerance * approach); // unless it is as good already
                 look(approach);
                 worst = residual(approach);
             }
@@ -276,10 +276,10 @@ class ActiveSet {
             for (Eigen::VectorXd* scaled : {&load_.pressure, &load_.updated, &load_.displacement})
                 problem_.team->each_range(
                     scaled->size(), [&](Index first, Index n, int) { scaled->segment(first, n) *= growth; });
-            load_.blur *= growth;
+            load_.displacement_error *= growth;
         }
         if (stale_ || !dropped.empty())
-            solver_.load(load_, accuracy);
+            solver_.update(load_, accuracy);
         stale_ = false;
         look(approach);
         std::vector<int> added;
@@ -301,7 +301,7 @@ class ActiveSet {
     Purpose purpose_;
     SetSolver solver_;
     ContactSet set_;
-    Loaded load_, tangent_;
+    SurfaceState load_, tangent_;
     double ahead_ = 0; ///< excess of the last tangent step, until nodes have joined in view of it
     Eigen::ArrayXd depth_;
     double deepest_ = 0;                        ///< the greatest depth
@@ -403,8 +403,8 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
         }
         if (!by_load)
             approach = problem.approach[j];
-        StepSolution found = by_load ? solver.press_to(problem.load[j], approach, std::move(start))
-                                     : solver.press(approach, std::move(start));
+        StepSolution found = by_load ? solver.solve_load(problem.load[j], approach, std::move(start))
+                                     : solver.solve_step(approach, std::move(start));
         found.approach = approach;
         if (check)
             certify_step("active set", problem, found, *check, solver.pressure(), 2 * options.tolerance);

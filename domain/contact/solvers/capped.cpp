@@ -9,7 +9,7 @@ namespace rough {
 namespace {
 
 /// Residual of the gaps, over the approach, at which a step is solved.
-constexpr double settled = 1e-11;
+constexpr double gap_tolerance = 1e-11;
 /// Factor by which the residual falls before the bounds are examined again.
 constexpr double falling = 0.01;
 /// Armijo's share of the descent that the gradient predicts.
@@ -28,10 +28,10 @@ class BoundedPressures {
           load_(problem.nodes()), tangent_(problem.nodes()) {}
 
     /// Presses until the gaps to `goal` are small against the approach.
-    void press(double approach, Eigen::VectorXd goal) {
+    void solve(double approach, Eigen::VectorXd goal) {
         goal_ = std::move(goal);
-        solver_.load(load_);
-        const double enough = settled * approach;
+        solver_.update(load_);
+        const double enough = gap_tolerance * approach;
         double worst = std::numeric_limits<double>::infinity();
         for (int round = 0; round < max_projections; ++round) {
             check_stop(options_);
@@ -95,15 +95,15 @@ class BoundedPressures {
 
     /// Takes one projected Newton step; false if none descends any more.
     bool descend(double residual) {
-        Loaded newton = load_;
+        SurfaceState newton = load_;
         solver_.improve(
             free_, [&](Index i) { return goal_[i]; }, newton, Enough{residual}, max_newton_iterations);
         const Eigen::VectorXd direction = newton.pressure - load_.pressure;
-        Loaded next(problem_.nodes());
+        SurfaceState next(problem_.nodes());
         double length = 1;
         for (int halving = 0; halving < max_halvings; ++halving, length /= 2) {
             next.pressure = (load_.pressure + length * direction).cwiseMax(lower_).cwiseMin(upper_);
-            solver_.load(next);
+            solver_.update(next);
             const Eigen::VectorXd step = next.pressure - load_.pressure;
             const double promised = step.dot(load_.displacement - goal_);
             // A quadratic changes by the mean of its gradients at both ends.
@@ -127,7 +127,7 @@ class BoundedPressures {
             return;
         load_.pressure = (load_.pressure.array() + change).matrix().cwiseMin(upper_);
         load_.pressure[highest] = upper_[highest];
-        solver_.load(load_);
+        solver_.update(load_);
     }
 
     const ContactProblem& problem_;
@@ -136,7 +136,7 @@ class BoundedPressures {
     SetSolver solver_;
     SplitOperator check_;
     ContactSet free_;
-    Loaded load_, tangent_;
+    SurfaceState load_, tangent_;
 };
 
 class CappedContact {
@@ -145,8 +145,8 @@ class CappedContact {
         : problem_(problem), bounded_(problem, options, Eigen::VectorXd::Zero(problem.nodes()),
                                       Eigen::VectorXd::Constant(problem.nodes(), problem.cap)) {}
 
-    StepSolution press(double approach, std::optional<double>) {
-        bounded_.press(approach, (approach - problem_.gap.array()).matrix());
+    StepSolution solve_step(double approach, std::optional<double>) {
+        bounded_.solve(approach, (approach - problem_.gap.array()).matrix());
         StepSolution step = bounded_.solution(approach, problem_.team->where(problem_.nodes(), [&](Index i) {
             return bounded_.pressure()[i] > 0;
         }));
@@ -174,7 +174,7 @@ void solve_slip(const ContactProblem& problem, const Eigen::VectorXd& limit, con
     const std::vector<int> touching =
         problem.team->where(problem.nodes(), [&](Index i) { return limit[i] > 0; });
     for (const double moved : problem.approach) {
-        bounded.press(moved, Eigen::VectorXd::Constant(problem.nodes(), moved));
+        bounded.solve(moved, Eigen::VectorXd::Constant(problem.nodes(), moved));
         StepSolution step = bounded.solution(moved, touching);
         const Eigen::VectorXd displacement = bounded.check().apply(traction);
         for (const int i : touching) {

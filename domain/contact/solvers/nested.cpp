@@ -20,7 +20,7 @@ class NestedContact {
           touching_(static_cast<std::size_t>(problem.nodes()), 0) {}
 
     /// The solution at an approach that is above the one before, or at a load (a sum of pressures) that is.
-    StepSolution press(double approach, std::optional<double> load) {
+    StepSolution solve_step(double approach, std::optional<double> load) {
         double residual = 0;
         if (load && factor_.size() == 0) { // the highest node first
             Index highest = 0;

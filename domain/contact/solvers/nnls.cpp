@@ -16,7 +16,7 @@ class LawsonHanson {
           passive_(static_cast<std::size_t>(problem.nodes())), influence_(problem.column, problem.shape),
           direct_(influence_), factor_(influence_, problem.gap) {}
 
-    StepSolution press(double approach, std::optional<double>) {
+    StepSolution solve_step(double approach, std::optional<double>) {
         const long limit = iterations_ + 3 * problem_.nodes();
         reach_solution(approach);
         while (iterations_ < limit) {

@@ -18,7 +18,7 @@ class PolonskyKeer {
           direction_(problem.nodes()), tangent_(problem.nodes()) {}
 
     /// One step to an approach, or to a load if one is given.
-    StepSolution press(double approach, std::optional<double> load) {
+    StepSolution solve_step(double approach, std::optional<double> load) {
         if (load) {
             const double sum = load_.pressure.sum();
             if (sum > 0)
@@ -27,7 +27,7 @@ class PolonskyKeer {
                 load_.pressure.setConstant(*load / static_cast<double>(problem_.nodes()));
         } else if (load_.pressure.maxCoeff() == 0) { // the overlap, scaled to the lowest energy
             load_.pressure = (approach - problem_.gap.array()).max(0);
-            solver_.load(load_);
+            solver_.update(load_);
             const double work = load_.pressure.dot(load_.displacement);
             if (work > 0)
                 load_.pressure *= load_.pressure.squaredNorm() / work;
@@ -59,7 +59,7 @@ class PolonskyKeer {
             if (iteration % 16 == 0)
                 check_stop(options_);
             auto& p = load_.pressure;
-            solver_.load(load_);
+            solver_.update(load_);
             const Eigen::Array<bool, Eigen::Dynamic, 1> contact = p.array() > 0;
             const double count = static_cast<double>(contact.count());
             if (load)
@@ -81,7 +81,7 @@ class PolonskyKeer {
             const double growth = conjugate ? squares / previous : 0; // previous may be 0
             direction_.pressure = contact.select(gap_ + growth * direction_.pressure.array(), 0);
             previous = squares;
-            solver_.load(direction_);
+            solver_.update(direction_);
             ArrayXd image = direction_.displacement.array();
             if (load)
                 image -= contact.select(image, 0).sum() / count;
@@ -105,7 +105,7 @@ class PolonskyKeer {
     SetSolver solver_;
     SplitOperator check_;
     ContactSet set_;
-    Loaded load_, direction_, tangent_;
+    SurfaceState load_, direction_, tangent_;
     ArrayXd gap_;
     long iterations_ = 0;
 };

@@ -75,15 +75,15 @@ struct Solution {
     long iterations = 0;             ///< in the solver's unit, over all steps
 };
 
-/// Adds the steps of a problem to a solution. press(approach, load) of a Method solves one to an approach or,
-/// under load control, to a load. iterations() counts them in the solver's unit.
+/// Adds the steps of a problem to a solution. solve_step(approach, load) of a Method solves one to an
+/// approach or, under load control, to a load. iterations() counts them in the solver's unit.
 template <class Method>
 void solve_steps(const ContactProblem& problem, const ContactOptions& options, Solution& solution) {
     Method solver(problem, options);
     for (std::size_t j = 0; j < problem.steps(); ++j) {
         const long before = solver.iterations();
-        solution.steps.push_back(problem.load.empty() ? solver.press(problem.approach[j], {})
-                                                      : solver.press(0, problem.load[j]));
+        solution.steps.push_back(problem.load.empty() ? solver.solve_step(problem.approach[j], {})
+                                                      : solver.solve_step(0, problem.load[j]));
         solution.iterations += solver.iterations() - before;
     }
 }

@@ -218,17 +218,17 @@ SetSolver::SetSolver(const ContactProblem& problem)
         extension_.emplace(inverse_shape_, team_);
 }
 
-void SetSolver::load(Loaded& x) {
+void SetSolver::update(SurfaceState& x) {
     forward_.apply(x.pressure.data(), x.displacement.data());
     if (x.updated.size() > 0)
         team_.copy(x.pressure, x.updated);
-    x.blur = 0;
+    x.displacement_error = 0;
     ++applies_;
 }
 
-void SetSolver::load(Loaded& x, double accuracy) {
+void SetSolver::update(SurfaceState& x, double accuracy) {
     const Index n = x.pressure.size();
-    if (x.updated.size() == n && x.blur < accuracy) {
+    if (x.updated.size() == n && x.displacement_error < accuracy) {
         const double scale = team_.largest(n, [&](Index first, Index count) {
             return (x.pressure.segment(first, count) - x.updated.segment(first, count)).cwiseAbs().maxCoeff();
         });
@@ -240,14 +240,15 @@ void SetSolver::load(Loaded& x, double accuracy) {
                     input[i] = static_cast<float>((x.pressure[i] - x.updated[i]) * inverse);
                 std::copy_n(x.pressure.data() + first, count, x.updated.data() + first);
             });
-            x.blur += single_rounding * scale * add(team_, scale, single_.apply(), x.displacement);
+            x.displacement_error +=
+                single_rounding * scale * add(team_, scale, single_.apply(), x.displacement);
             ++applies_;
         }
-        if (x.blur <= accuracy) // false for NaN
+        if (x.displacement_error <= accuracy) // false for NaN
             return;
     }
     x.updated.resize(n);
-    load(x);
+    update(x);
 }
 
 std::vector<int> SetSolver::inverse_places(const std::vector<int>& nodes) const {
@@ -283,7 +284,7 @@ void SetSolver::multiply(BasicFourierOperator<Real>& matrix, const std::vector<i
     });
 }
 
-bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
+bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)>& target, SurfaceState& x,
                         const Enough& enough, long limit, double* level, bool projected) {
     const auto& nodes = set.nodes();
     const Index m = static_cast<Index>(nodes.size());
@@ -361,7 +362,7 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             if (!(scale < before))
                 each([&](Index k) { pressure(k) = start[k]; });
             before = std::numeric_limits<double>::infinity();
-            load(x);
+            update(x);
             continue;
         }
         before = scale;
@@ -400,8 +401,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             if (is_cut && step > whole_step)
                 step = 1;
             if (is_2d() && !exact)
-                x.blur += single_rounding * std::abs(step * scale) *
-                          add(team_, step * scale, single_.applied(), x.displacement);
+                x.displacement_error += single_rounding * std::abs(step * scale) *
+                                        add(team_, step * scale, single_.applied(), x.displacement);
             each([&](Index k) {
                 r[k] -= step * hq[k];
                 pressure(k) += step * q[k];
@@ -422,19 +423,19 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             team_.copy(x.pressure, x.updated);
         const bool ends = solved || is_cut || iteration >= limit || !progress;
         if (!ends || (is_2d() && exact))
-            load(x);
+            update(x);
         if (ends)
             return solved;
     }
 }
 
-void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w) {
+void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry, SurfaceState& w) {
     const Index n = w.pressure.size();
     team_.each(n, [&](Index i) {
         if (!set.holds(i))
             w.pressure[i] = 0;
     });
-    load(w);
+    update(w);
     const auto good = [&](double energy) {
         return energy <= 0.5 * tolerance * team_.sum(n, [&](Index first, Index count) {
             return w.pressure.segment(first, count).sum();
@@ -444,18 +445,18 @@ void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry
         set, [](Index) { return 1.0; }, w, each_entry ? Enough{0.1 * tolerance} : Enough{0, good},
         max_tangent_iterations);
     if (tolerance < single_stiffness)
-        load(w);
+        update(w);
 }
 
-double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
-                    const Loaded& tangent) {
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set,
+                    const SurfaceState& load, const SurfaceState& tangent) {
     double missing = 0;
     for (const int i : set.nodes())
         missing += tangent.pressure[i] * (approach - problem.gap[i] - load.displacement[i]);
     return missing;
 }
 
-StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,
+StepSolution step_solution(const ContactSet& set, const SurfaceState& load, const SurfaceState& tangent,
                            bool with_tangent) {
     StepSolution step;
     step.nodes = set.nodes();

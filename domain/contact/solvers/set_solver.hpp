@@ -37,15 +37,15 @@ class ContactSet {
 };
 
 /// A vector that is zero off the contact set, and H times it at every node.
-struct Loaded {
+struct SurfaceState {
     Eigen::VectorXd pressure;     ///< p, N entries, in the problem's units
     Eigen::VectorXd displacement; ///< u = H p as of its last update by the solver, N entries
     /// The pressures whose product the displacements are, so that only the product of a change is needed.
     /// Empty if that is not wanted.
     Eigen::VectorXd updated;
-    double blur = 0; ///< bound of the displacements' error by products in single precision
+    double displacement_error = 0; ///< bound of the displacements' error by products in single precision
     /// No load.
-    explicit Loaded(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
+    explicit SurfaceState(Index nodes) : pressure(Eigen::VectorXd::Zero(nodes)), displacement(pressure) {}
 };
 
 /// Condition at which an improvement may end: the residual or, if given, a low enough energy.
@@ -66,10 +66,10 @@ class SetSolver {
     explicit SetSolver(const ContactProblem& problem);
 
     /// Recomputes u = H p.
-    void load(Loaded& x);
+    void update(SurfaceState& x);
     /// Updates u = H p with an error of at most `accuracy` at each node. If that is accurate enough, it adds
     /// the product of the change since the last update, in single precision.
-    void load(Loaded& x, double accuracy);
+    void update(SurfaceState& x, double accuracy);
     /// Improves x, whose displacements must be up to date, until it is good enough. On a map the
     /// displacements are then up to date at every node. On a line they are so on A, or not changed if
     /// x.updated is kept. Returns false if `limit` iterations are not enough or rounding stops it.
@@ -80,11 +80,11 @@ class SetSolver {
     /// has the usual length and is projected, so that those pressures become 0 (projected Newton's method,
     /// Bertsekas 1982). One product serves the step and the nodes that leave contact. Afterwards the sum has
     /// to be restored.
-    bool improve(const ContactSet& set, const std::function<double(Index)>& target, Loaded& x,
+    bool improve(const ContactSet& set, const std::function<double(Index)>& target, SurfaceState& x,
                  const Enough& enough, long limit, double* level = nullptr, bool projected = true);
     /// Solves H_AA w = 1 from any w: as well as `stiffness` needs it to have `tolerance`, or each of its
     /// entries. On a map w.displacement is then up to date at every node.
-    void tangent(const ContactSet& set, double tolerance, bool each_entry, Loaded& w);
+    void tangent(const ContactSet& set, double tolerance, bool each_entry, SurfaceState& w);
 
     long applies() const { return applies_; } ///< products with H so far, in either precision
 
@@ -112,11 +112,11 @@ class SetSolver {
 };
 
 /// Error of the load sum p that the remaining residual r on A causes: w'r.
-double missing_load(const ContactProblem& problem, double approach, const ContactSet& set, const Loaded& load,
-                    const Loaded& tangent);
+double missing_load(const ContactProblem& problem, double approach, const ContactSet& set,
+                    const SurfaceState& load, const SurfaceState& tangent);
 
 /// A step's solution from vectors over all nodes. K = 2 sum w - w'Hw: its error is the square of w's.
-StepSolution step_solution(const ContactSet& set, const Loaded& load, const Loaded& tangent,
+StepSolution step_solution(const ContactSet& set, const SurfaceState& load, const SurfaceState& tangent,
                            bool with_tangent);
 
 } // namespace rough

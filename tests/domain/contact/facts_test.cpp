@@ -137,7 +137,7 @@ TEST_CASE("iterations on a fixed set do not grow with the grid", "[contact]") {
         ContactSet set(nodes);
         set.assign([&](Index i) { return i >= nodes / 3 && i < nodes / 2; });
         SetSolver solver(problem);
-        Loaded w(nodes);
+        SurfaceState w(nodes);
         CHECK(solver.improve(
             set, [](Index) { return 1.0; }, w, Enough{1e-8}, 100));
         CHECK(solver.applies() <= 22);

@@ -68,24 +68,6 @@ TEST_CASE("every load is met, though a step from first touch leads to full conta
               Approx(loads.back()).epsilon(2e-6));
 }
 
-TEST_CASE("a periodic map settles at half contact under load and displacement control", "[contact]") {
-    const Body body{Kernel::periodic};
-    const ContactOptions active_set{.solver = Solver::active_set},
-        polonsky_keer{.solver = Solver::polonsky_keer};
-    for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
-        INFO("seed " << seed);
-        const Profile map = maps::self_affine(192, 0.8, seed, 0.1);
-        const std::vector<double> load{0.027 + 0.002 * seed}; // Persson: erf(sqrt(2) P/(E* slope))
-        const LoadStep loaded = solve_contact_at_pressures(map, body, load, active_set).steps[0];
-        const LoadStep pressed = solve_contact(map, body, {loaded.displacement}, active_set).steps[0];
-        const LoadStep reference = solve_contact_at_pressures(map, body, load, polonsky_keer).steps[0];
-        CHECK(loaded.contact_fraction > 0.3);
-        CHECK(loaded.contact_fraction == Approx(reference.contact_fraction).epsilon(1e-3));
-        CHECK(loaded.displacement == Approx(reference.displacement).epsilon(1e-5));
-        CHECK(pressed.pressure == Approx(reference.pressure).epsilon(1e-5));
-    }
-}
-
 TEST_CASE("a load on a large free map settles at a third of contact", "[contact][areas]") {
     const Profile map = maps::self_affine(1024, 0.8, 1, 0.1);
     const ContactCurve curve = solve_contact_at_pressures(map, {}, {0.02}, {.solver = Solver::active_set});

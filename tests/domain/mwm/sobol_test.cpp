@@ -37,18 +37,3 @@ TEST_CASE("the Sobol database has the pairs and phases of the reference") {
     CHECK(rows == 39);
     CHECK(sobol_database(layout).size() == 100);
 }
-
-TEST_CASE("the first point of a Sobol database is the middle of the ranges, before all other points") {
-    const DatabaseLayout without{.pairs = 4, .shortest = 0.1};
-    DatabaseLayout with = without;
-    with.with_first = true;
-    with.pairs = 5;
-    const auto pairs = sobol_pairs(with);
-    CHECK(pairs[0].first == Approx((with.H_from + with.H_to) / 2));
-    CHECK(pairs[0].second == Approx((with.gamma_from + with.gamma_to) / 2));
-    CHECK(std::vector(pairs.begin() + 1, pairs.end()) == sobol_pairs(without));
-    const auto phases = sobol_phases(3, 5, true);
-    CHECK(phases[0][2] == Approx(std::numbers::pi));
-    CHECK(phases[1] == sobol_phases(3, 4)[0]);
-    CHECK(sobol_database(with)[0].series[0].chromosomes[0].phases[0] == Approx(std::numbers::pi));
-}

@@ -38,13 +38,13 @@ TEST_CASE("a tally keeps the first evaluation at which each target is met, and e
     tally.note(1, 20);
     tally.note(2, 0.5);
     tally.note(3, 5);
-    CHECK_FALSE(tally.over());
+    CHECK_FALSE(tally.ended());
     CHECK(tally.reached().evaluations[0] == 2);
     CHECK(tally.reached().evaluations[1] == 2);
     CHECK(std::isnan(tally.reached().evaluations[2]));
     CHECK(tally.reached().precision == 0.5);
     tally.note(7, 0.1);
-    CHECK(tally.over());
+    CHECK(tally.ended());
     CHECK(tally.reached().evaluations[2] == 7);
     CHECK(tally.reached().spent == 7);
 }
@@ -124,16 +124,16 @@ TEST_CASE("shares of targets, their means, ranks and duels of a comparison by ha
     Contest contest;
     contest.seeds = 6;
     for (int k = 0; k < 6; ++k) {
-        Bout bout;
-        bout.problem.name = "p" + std::to_string(k);
-        bout.problem.group = "g";
-        bout.problem.genes = 2;
-        bout.problem.targets = {1, 0.1};
-        bout.variants = {{"slow", ""}, {"fast", ""}};
-        bout.budget = 2000; // 1000 per gene
+        ProblemResults results;
+        results.problem.name = "p" + std::to_string(k);
+        results.problem.group = "g";
+        results.problem.genes = 2;
+        results.problem.targets = {1, 0.1};
+        results.variants = {{"slow", ""}, {"fast", ""}};
+        results.budget = 2000; // 1000 per gene
         for (const double factor : {100.0, 2.0})
-            bout.runs.push_back(std::vector<Reached>(6, reached({factor, factor > 2 ? NAN : 2000}, 2000)));
-        contest.bouts.push_back(std::move(bout));
+            results.runs.push_back(std::vector<Reached>(6, reached({factor, factor > 2 ? NAN : 2000}, 2000)));
+        contest.results.push_back(std::move(results));
     }
     const Findings found = findings_of(contest);
     const nlohmann::json &group = found.result["groups"]["g"], &slow = group["variants"]["slow"],
