@@ -38,7 +38,7 @@ TEST_CASE("the paper's report shows every number, verdict and figure of the resu
     const auto verdicts = found(html, "class=\"badge ([a-z]*)\"");
     REQUIRE(verdicts.size() == result["claims"].size());
     for (std::size_t c = 0; c < verdicts.size(); ++c) {
-        CHECK(verdicts[c] == result["claims"][c]["verdict"]);
+        CHECK(verdicts[c] == result["claims"][c]["verdict"].get<std::string>());
         ++counts[verdicts[c]];
     }
     CHECK(tiles[2] == std::to_string(counts["reproduced"]));
