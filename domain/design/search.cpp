@@ -252,8 +252,11 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
                 compared_draws);
         return answer;
     };
-    const std::vector<Genome> candidates =
+    std::vector<Genome> candidates =
         candidates_of(problem, explored.population, explored.verified.members, seen, options, plan.answers);
+    // A block on another grid or in other load steps that was stopped returned nothing.
+    if (!explored.spent.stopped.empty() && explored.nearest)
+        candidates.push_back(*explored.nearest);
     std::vector<Answer> answers(candidates.size());
     ga::parallel_for(answers.size(), threads, [&](std::size_t i) { answers[i] = verified(candidates[i]); });
     result.best = *std::ranges::max_element(answers, {}, rank_of);

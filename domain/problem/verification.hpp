@@ -9,10 +9,10 @@ namespace rough {
 /// (DesignSetup::measured) are computed again in the finer steps; other targets do not change.
 DesignSetup in_finer_steps(DesignSetup setup, int times);
 
-/// Factors on the nodes along each axis and on the load steps.
+/// The factors of a finer model.
 struct Refinement {
-    Index nodes;
-    int steps;
+    Index nodes; ///< on the nodes along each axis
+    int steps;   ///< on the load steps
 };
 /// The factors of the verification: 4 times the nodes, or twice those of a map with 512 or more along an
 /// axis. 16 times the load steps of a line, because its stiffness rises steeply where a crest begins to

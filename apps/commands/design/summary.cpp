@@ -139,7 +139,7 @@ std::string worst_case(const DesignRun& run) {
         "similarity " + known(best.similarity) + " on the search grid, " + known(best.refined) +
         " on a grid " + std::to_string(by.nodes) + " times finer, " + known(best.more_steps) + " in " +
         std::to_string(by.steps) + " times the load steps, " + known(best.both) + " with both; " +
-        (best.is_verified() ? "less the estimated error of the last, " + readable(best.both - best.worst, 2) +
+        (best.is_verified() ? "less the estimated error of the last, " + readable(best.both - best.worst, 3) +
                                   ", it is " + known(best.worst)
                             : "so the verdict is not known");
     if (!run.trust)

@@ -142,7 +142,7 @@ class Contact(WithFolder):
                          lambda a: rugosa.optimise(lambda x: a, lower=[0], upper=[1]),
                          lambda a: rugosa.optimise(lambda x: 1.0, lower=a, upper=[1])):
                 refused(rugosa.InputError, r"^[^\n]*; give real numbers, in rows of one length$", call, bad)
-        refused(rugosa.InputError, "None returned", rugosa.optimise, lambda x: None, lower=[0], upper=[1])
+        refused(rugosa.InputError, "evaluate returned None", rugosa.optimise, lambda x: None, lower=[0], upper=[1])
         (self.folder / "bad.txt").write_text("1\n2\nx\n")
         refused(rugosa.InputError, "bad.txt, line 3", rugosa.read, self.folder / "bad.txt", spacing=1)
 

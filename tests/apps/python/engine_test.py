@@ -222,7 +222,7 @@ class Engine(WithFolder):
         self.assertRaisesRegex(ValueError, "mesh failed", rugosa.optimise, lambda x: raises(), **options)
         self.assertRaisesRegex(rugosa.InputError, "the first: evaluate returned None", rugosa.optimise, lambda x: None,
                                **options)
-        self.assertRaisesRegex(rugosa.InputError, "evaluate: str returned; return a number", rugosa.optimise,
+        self.assertRaisesRegex(rugosa.InputError, "evaluate returned: no array of numbers", rugosa.optimise,
                                lambda x: "3.5", **options)
 
     def test_a_missing_gradient_is_noted(self):
@@ -238,7 +238,7 @@ class Engine(WithFolder):
 
         for gradient, note in ((lambda x: [1.0], "1 derivatives for 2 genes"), (raises, "RuntimeError: no gradient"),
                                (lambda x: [math.nan] * 2, "a derivative is not finite"),
-                               (lambda x: "none", "gradient: str returned; return a number or a sequence of numbers")):
+                               (lambda x: "none", "gradient returned: no array of numbers; give real numbers, in rows of one length")):
             found = rugosa.optimise(Bowl(gradient), lower=[-5] * 2, upper=[5] * 2, minimise=True,
                                     pipeline="sample 3 | score | refine nlopt LD_MMA 50 | best 1")
             self.assertEqual(found.notes, ["pipeline/refine.1: a derivative is missing: " + note])

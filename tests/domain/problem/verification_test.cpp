@@ -58,8 +58,8 @@ TEST_CASE("a problem on a coarser grid keeps the verification and the prices of 
     const DesignProblem derived = problem.with(coarse);
     CHECK(rough::testing::fitness(derived, three_waves(), "verified") ==
           rough::testing::fitness(problem, three_waves(), "verified"));
-    CHECK(derived.levels()[1].price == problem.levels()[1].price);
-    CHECK(derived.levels()[0].price < problem.levels()[0].price);
+    CHECK(derived.levels()[1].evaluation == problem.levels()[1].evaluation);
+    CHECK(derived.levels()[0].evaluation < problem.levels()[0].evaluation);
     CHECK(rough::testing::fitness(derived, three_waves(), "similarity") !=
           rough::testing::fitness(problem, three_waves(), "similarity"));
 }
