@@ -176,7 +176,8 @@ TEST_CASE("a map's verdict is at most its similarity on a grid and in load steps
             setup.targets = {
                 read_target(RUGOSA_SOURCE "/experiments/targets/" + std::string(target) + ".csv")};
             setup.max_pressure = 1.6e-4;
-            const Answer found = search(setup, {.pipeline = "shape 6 | score | best 1 | refine lm 15",
+            setup.model.loading.steps = 20;
+            const Answer found = search(setup, {.pipeline = "shape 6 | score | best 2 | refine lm 15",
                                                 .seed = seed,
                                                 .alternatives = 1,
                                                 .verifying = 1})
@@ -184,6 +185,6 @@ TEST_CASE("a map's verdict is at most its similarity on a grid and in load steps
             const DesignSetup finest = in_finer_steps(setup, 16);
             const double truth = similarity(finest, respond(finest, found.genome, refined(finest.model, 16)));
             CHECK(found.worst <= truth);
-            CHECK(truth - found.worst < 0.02);
+            CHECK(truth - found.worst < 0.03);
         }
 }

@@ -73,3 +73,16 @@ TEST_CASE("a search with given starts returns an answer at least as good as the 
     options.pipeline = "mutate 1 | score";
     CHECK(search(setup, options).best.lowest() >= good.lowest() - 1e-9);
 }
+
+// The stiffness of a line rises steeply where a crest begins to touch. A search uses what its load steps do
+// not show.
+TEST_CASE("a line's verdict is at most 0.015 above its similarity in four times the load steps", "[long]") {
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+        DesignSetup setup = rough::testing::drawn_setup(512, true);
+        const Answer found = search(setup, {.seed = seed, .alternatives = 1}).best;
+        const DesignSetup finest = in_finer_steps(setup, 64);
+        const double truth = similarity(finest, respond(finest, found.genome, refined(finest.model, 16)));
+        WARN("seed " << seed << ": similarity_worst " << found.worst << ", similarity " << truth);
+        CHECK(found.worst <= truth + 0.015);
+    }
+}
