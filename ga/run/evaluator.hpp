@@ -69,7 +69,8 @@ void differentiate(const P& problem, Slope<P>& slope) {
         if constexpr (Sensitive<P>)
             if (slope.of_residuals) {
                 auto found = problem.sensitivity(slope.genome, slope.objective.text());
-                const auto &r = found.residuals, &j = found.jacobian;
+                const auto& r = found.residuals;
+                const auto& j = found.jacobian;
                 const auto genes = static_cast<std::ptrdiff_t>(genes_of(problem, slope.genome).size());
                 if (r.size() == 0 || j.rows() != r.size() || j.cols() != genes)
                     slope.failure = reason("a matrix of " + std::to_string(j.rows()) + " x " +
