@@ -104,14 +104,6 @@ DesignPipeline in_more_steps(const ga::Arguments& arguments, const DesignPipelin
                  [=](const DesignSetup& setup) { return in_finer_steps(setup, times); });
 }
 
-DesignPipeline within_tolerance(const ga::Arguments& arguments, const DesignPipeline& body) {
-    const double tolerance = arguments.number("t");
-    return under("tolerance " + ga::number(tolerance), body, [=](DesignSetup setup) {
-        setup.model.contact.tolerance = std::max(setup.model.contact.tolerance, tolerance);
-        return setup;
-    });
-}
-
 /// The set-up with targets corrected by the difference of two curves of one genome: that of the problem, with
 /// the misfits `own`, and that of the finest model, with the misfits `finest` to the targets before any
 /// correction. A genome with the same difference that meets the corrected targets meets the given ones in the
@@ -237,8 +229,6 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           {ga::whole("n", std::nullopt, 1, "how often the nodes are halved")}, coarser);
     block("more-steps", "runs the pipeline in n times the load steps",
           {ga::whole("n", std::nullopt, 2, "the factor").up_to(64)}, in_more_steps);
-    block("tolerance", "runs the pipeline with a larger tolerance of iterative contact solvers",
-          {ga::number("t", std::nullopt, 1e-12, 0.1, "the tolerance")}, within_tolerance);
     block("corrected",
           "runs the pipeline on the first individual, with targets corrected by the change of its curve on "
           "the finer grid and in finer load steps",

@@ -115,7 +115,7 @@ TEST_CASE("a body that cannot work is refused in every block before anything is 
             INFO(entry.name);
             std::string block = entry.name == "until" ? "until generations 2" : entry.name;
             for (const auto& parameter : entry.parameters)
-                block += parameter.standard ? "" : entry.name == "tolerance" ? " 0.01" : " 2";
+                block += parameter.standard ? "" : " 2";
             refused(block + " { best 1 }");
         }
     for (const std::string block : {"corrected", "coarser 2"}) { // other problems, whose fitness is another
