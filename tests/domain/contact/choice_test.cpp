@@ -151,7 +151,7 @@ TEST_CASE("auto presses a rough line to a list of loads near full contact", "[co
         loads.push_back(share * full_contact_load(profile, periodic));
     const ContactCurve curve = solve_contact_at_pressures(profile, periodic, loads);
     for (std::size_t j = 0; j < loads.size(); ++j)
-        CHECK(curve.steps[j].pressure == Approx(loads[j]).epsilon(1e-5));
+        CHECK(std::abs(curve.steps[j].pressure / loads[j] - 1) < 1e-5);
 }
 
 TEST_CASE("active-set and auto press lines under stiff layers as nnls does", "[contact]") {
