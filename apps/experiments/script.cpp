@@ -18,7 +18,7 @@ namespace app {
 namespace {
 
 /// Where Python looks for modules: a folder, then the absolute folders of PYTHONPATH. An empty or a relative
-/// one there would be found from the current folder, whose files nobody asked to run.
+/// one there would be found from the current folder, whose files must not run.
 std::string module_path(const std::filesystem::path& folder) {
     std::string path = folder.string();
     const char* const before = std::getenv("PYTHONPATH");

@@ -154,7 +154,7 @@ void add_contact(py::module_& module) {
         .def_property_readonly(
             "slip_assumption",
             [](const Curve& c) { return rough::slip_assumption(c.body, c.surface.is_2d()); },
-            "What partial_slip() assumes, in words.")
+            "The assumptions of partial_slip(), in words.")
         .def("__len__", &Curve::steps)
         .def("__repr__", [](const Curve& c) {
             return rough::line_of("<rugosa.Curve of ", c.steps(), " load steps to ",

@@ -98,7 +98,7 @@ struct Curve : rough::Response, rough::ResolutionBand {
     Eigen::MatrixXd contact_fraction_gradient; ///< its derivative, steps x heights or genes
     std::string account;                       ///< how it was modelled within an accuracy, in words
     rough::Profile surface;                    ///< heights that were pressed
-    rough::Body body;                          ///< what they were pressed on
+    rough::Body body;                          ///< body of the contact
 };
 
 /// Heights on a 2-D grid.
