@@ -64,9 +64,9 @@ DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std
         const auto evaluator = design_evaluator(options.threads);
         options.evaluator = evaluator.get();
         answer.found = rough::search(
-            task.setup, options,
-            {recorder(stages),
-             ga::progress<rough::Genome>([&](const std::string& text) { progress.show(text); })});
+            task.setup, options, {recorder(stages), ga::progress<rough::Genome>([&](const std::string& text) {
+                                      progress.show(text);
+                                  })});
     }
     const rough::Answer& best = answer.found.best;
     const rough::Grid& grid = task.setup.model.grid;
@@ -78,7 +78,7 @@ DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std
 }
 
 /// The tolerance from the file of an interrupted run with the same answer, or else the result of `compute`.
-/// If that is complete, it is stored.
+/// If that did not depend on the time, it is stored.
 template <class Compute>
 rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file, Compute compute) {
     const std::string key = rough::json_text({run.origin.inputs, rough::description(run.setup),
@@ -95,7 +95,7 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
         }
     const rough::Tolerance tolerance = compute();
     const auto bytes = nlohmann::json::to_cbor({{"key", key}, {"tolerance", tolerance}});
-    if (tolerance.complete) // without the file a resumed run computes it again
+    if (tolerance.complete && !tolerance.shortened) // without the file a resumed run computes it again
         ga::seal(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return tolerance;
 }

@@ -212,17 +212,23 @@ std::pair<double, double> share_interval(double share, int draws) {
     return {(centre - half) / all, (centre + half) / all};
 }
 
-/// The number of draws of noise, and the number of parts of each octave of tilts and scales. Both are smaller
-/// if time is short, by the time of some curves, and planned for 0.7 of it. Similarities to contact fractions
-/// jump when a node touches, so there are more parts for such targets.
-std::pair<int, int> effort_for(ErrorTrials& trials, const DesignSetup& setup,
-                               const ToleranceOptions& options) {
+/// The number of draws of noise, and the number of parts of each octave of tilts and scales.
+struct Effort {
+    int draws, parts;
+    bool operator==(const Effort&) const = default;
+};
+/// The effort if there is time. Similarities to contact fractions jump when a node touches, so there are more
+/// parts for such targets.
+Effort full_effort(const DesignSetup& setup) {
     const Grid& grid = setup.model.grid;
     const bool jumps = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
-    std::pair effort(draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8);
-    auto& [draws, parts] = effort;
+    return {draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8};
+}
+/// The effort in the time that is left, of which 0.7 is planned by the time of some curves.
+Effort effort_for(ErrorTrials& trials, const DesignSetup& setup, const ToleranceOptions& options) {
+    auto [draws, parts] = full_effort(setup);
     if (options.fixed_draws || std::isinf(options.seconds))
-        return effort;
+        return {draws, parts};
     const ga::Stopwatch clock;
     trials.lowest({trials.heights()},
                   std::vector(static_cast<std::size_t>(trials.threads()), 1e-6)); // 2 each
@@ -232,7 +238,7 @@ std::pair<int, int> effort_for(ErrorTrials& trials, const DesignSetup& setup,
     // draws.
     const double left = curves - 4 * (7 * parts + 18) - 4 * few_draws;
     draws = static_cast<int>(std::clamp<double>(left / 4, min_draws_in_time, draws));
-    return effort;
+    return {draws, parts};
 }
 
 } // namespace
@@ -250,7 +256,9 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
         result.levels.push_back({level, unknown, unknown, unknown});
     try {
         result.similarity = trials.similarity();
-        const auto [draws, parts] = effort_for(trials, setup, options);
+        const Effort effort = effort_for(trials, setup, options);
+        const auto [draws, parts] = effort;
+        result.shortened = effort != full_effort(setup);
         result.draws = draws;
         std::tie(result.share_from, result.share_to) = share_interval(Tolerance::share, draws);
         const auto first = std::ranges::find_if(result.levels, [&](const ToleranceLevel& level) {

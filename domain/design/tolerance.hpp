@@ -49,6 +49,7 @@ struct Tolerance {
     std::vector<NoiseQuantile> curve;     ///< similarities under each noise that was tried, by rising noise
     /// Whether all levels were found in time. If not, a noise may be based on few draws.
     bool complete = true;
+    bool shortened = false; ///< whether fewer errors were tried because time was short
 };
 
 /// The tolerance of a genome from in_final_form() on the set-up's grid and load steps. The noise has the
