@@ -78,24 +78,24 @@ CapContact::CapContact(const CapArray& array, double effective_modulus, CapModel
     influence_ = std::make_shared<const Eigen::MatrixXd>(std::move(influence));
 }
 
-PressedCaps CapContact::at_load(const Caps& caps, double load, const PressedCaps* start) const {
+CapState CapContact::at_load(const Caps& caps, double load, const CapState* start) const {
     if (start)
         return solve(caps, load, start->plane, start);
     if (influence_) { // one cap's plane would be far too deep for many caps
-        const PressedCaps alone = CapContact(caps.array, modulus_, CapModel::independent).at_load(caps, load);
+        const CapState alone = CapContact(caps.array, modulus_, CapModel::independent).at_load(caps, load);
         return solve(caps, load, alone.plane, &alone);
     }
     const double deepest = std::pow(0.75 * load / (modulus_ * std::sqrt(caps.radii.minCoeff())), 2.0 / 3);
     return solve(caps, load, caps.heights.maxCoeff() - deepest, nullptr);
 }
 
-PressedCaps CapContact::at_plane(const Caps& caps, double plane, const PressedCaps* start) const {
+CapState CapContact::at_plane(const Caps& caps, double plane, const CapState* start) const {
     return solve(caps, 0, plane, start);
 }
 
 /// Newton's method on the indentations, and with a load also on the plane. The residual of each cap is
 /// delta_i + plane + sum_j G_ij F_j - h_i. A step that does not lower the largest residual is halved.
-PressedCaps CapContact::solve(const Caps& caps, double load, double plane, const PressedCaps* start) const {
+CapState CapContact::solve(const Caps& caps, double load, double plane, const CapState* start) const {
     struct State {
         double plane;
         Eigen::VectorXd depth, force, residual;
@@ -118,12 +118,12 @@ PressedCaps CapContact::solve(const Caps& caps, double load, double plane, const
         const Tangent tangent(stiffnesses(caps, now.depth, modulus_), influence);
         const Eigen::VectorXd unit = tangent.unit_forces();
         const double stiffness = unit.sum();
-        const auto pressed = [&] {
+        const auto result = [&] {
             const Eigen::VectorXd area = pi * caps.radii.array() * now.depth.array().max(0);
-            return PressedCaps{now.plane, now.depth, now.force, area, stiffness};
+            return CapState{now.plane, now.depth, now.force, area, stiffness};
         };
         if (now.error <= converged || round == max_rounds)
-            return pressed();
+            return result();
         Eigen::VectorXd change = tangent.forces(-now.residual(tangent.touching));
         double rise = 0; // change of the plane
         if (load > 0 && stiffness > 0) {
@@ -139,19 +139,19 @@ PressedCaps CapContact::solve(const Caps& caps, double load, double plane, const
         if (next.error < now.error)
             now = std::move(next);
         else if (now.error <= 1e-11) // as near as rounding allows
-            return pressed();
+            return result();
         else
             throw NotConverged("asperities: Newton's method stops at a relative residual of " +
                                line_of(now.error) + "; increase the pitch");
     }
 }
 
-CapSlopes CapContact::slopes(const Caps& caps, const PressedCaps& pressed) const {
-    const Eigen::VectorXd& depth = pressed.indentation;
+CapSlopes CapContact::slopes(const Caps& caps, const CapState& state) const {
+    const Eigen::VectorXd& depth = state.indentation;
     const Eigen::VectorXd k = stiffnesses(caps, depth, modulus_);
     const Tangent tangent(k, influence_.get());
     const auto& at = tangent.touching;
-    const Eigen::ArrayXd K = k(at), R = caps.radii(at), d = depth(at), F = pressed.force(at);
+    const Eigen::ArrayXd K = k(at), R = caps.radii(at), d = depth(at), F = state.force(at);
     const Eigen::ArrayXd by_radius = F / (2 * R) / K; // (dF_i/dR_i)/K_i at a fixed indentation
     const auto slope = [&](const Eigen::ArrayXd& by_forces, const Eigen::ArrayXd& direct) {
         // A quantity q with dq = by_forces' dF + direct' dR, and dF = (1/K + G)^-1 (dh + by_radius dR).

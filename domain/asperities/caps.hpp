@@ -31,7 +31,7 @@ struct Caps {
 };
 
 /// The contact of caps with a flat body that is pressed on them.
-struct PressedCaps {
+struct CapState {
     double plane = 0;            ///< height of the undeformed flat body above the base, mm
     Eigen::VectorXd indentation; ///< indentations delta_i, mm; not above 0 for caps that do not touch
     Eigen::VectorXd force;       ///< forces F_i, N
@@ -71,14 +71,14 @@ class CapContact {
 
     /// The contact under a load (N, > 0), by Newton's method. `start` is the contact under a similar load.
     /// Throws NotConverged if caps are so near to each other that point loads do not describe them.
-    PressedCaps at_load(const Caps& caps, double load, const PressedCaps* start = nullptr) const;
+    CapState at_load(const Caps& caps, double load, const CapState* start = nullptr) const;
     /// The contact with a flat body at this height above the base (mm). Throws as at_load().
-    PressedCaps at_plane(const Caps& caps, double plane, const PressedCaps* start = nullptr) const;
+    CapState at_plane(const Caps& caps, double plane, const CapState* start = nullptr) const;
     /// The derivatives at a contact, by the adjoint of the contact's equations.
-    CapSlopes slopes(const Caps& caps, const PressedCaps& pressed) const;
+    CapSlopes slopes(const Caps& caps, const CapState& state) const;
 
   private:
-    PressedCaps solve(const Caps& caps, double load, double plane, const PressedCaps* start) const;
+    CapState solve(const Caps& caps, double load, double plane, const CapState* start) const;
 
     double modulus_;
     std::shared_ptr<const Eigen::MatrixXd> influence_; ///< 1/(pi E* r_ij), zero on the diagonal; null: none

@@ -44,15 +44,14 @@ CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& 
     CapCurve curve{Eigen::VectorXd(points), Eigen::MatrixXd(with_derivatives ? points : 0, genes)};
     Index highest = 0;
     const double top = caps.heights.maxCoeff(&highest);
-    std::optional<PressedCaps> before;
+    std::optional<CapState> before;
     for (Index k = 0; k < points; ++k) {
-        const PressedCaps* start = before ? &*before : nullptr;
-        PressedCaps pressed = target.against_pressure() ? contact.at_load(caps, target.x[k] * nominal, start)
-                                                        : contact.at_plane(caps, top - target.x[k], start);
-        curve.values[k] =
-            value_of(setup, target.quantity, pressed.load(), pressed.total_area(), pressed.stiffness);
+        const CapState* start = before ? &*before : nullptr;
+        CapState state = target.against_pressure() ? contact.at_load(caps, target.x[k] * nominal, start)
+                                                   : contact.at_plane(caps, top - target.x[k], start);
+        curve.values[k] = value_of(setup, target.quantity, state.load(), state.total_area(), state.stiffness);
         if (with_derivatives) {
-            const CapSlopes slopes = contact.slopes(caps, pressed);
+            const CapSlopes slopes = contact.slopes(caps, state);
             const CapSlope& of = target.quantity == Quantity::load_at_displacement ? slopes.load
                                  : is_contact_fraction(target.quantity)            ? slopes.area
                                                                                    : slopes.stiffness;
@@ -62,13 +61,13 @@ CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& 
             if (!target.against_pressure())
                 by_heights[highest] += of.by_plane();
             const double scale = target.quantity == Quantity::interface_stiffness
-                                     ? std::pow(curve.values[k] * nominal / pressed.stiffness, 2) / nominal
+                                     ? std::pow(curve.values[k] * nominal / state.stiffness, 2) / nominal
                                      : 1 / nominal;
             curve.by_genes.row(k).head(n) = scale * by_heights;
             if (setup.radii.is_free())
                 curve.by_genes.row(k).tail(n) = scale * (of.by_radii + per_load * slopes.load.by_radii);
         }
-        before = std::move(pressed);
+        before = std::move(state);
     }
     return curve;
 }

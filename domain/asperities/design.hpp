@@ -104,8 +104,8 @@ ga::Variants cap_variants(const CapSetup& setup);
 
 /// The solution by boundary elements, and the largest errors of the model.
 struct CapVerification {
-    std::vector<MeshedCaps> meshed;   ///< solutions at the first, middle and last point of the first target
-    std::vector<PressedCaps> pressed; ///< results of the model under the same loads
+    std::vector<MeshedCaps> meshed; ///< solutions at the first, middle and last point of the first target
+    std::vector<CapState> states;   ///< results of the model under the same loads
     double similarity = std::numeric_limits<double>::quiet_NaN(); ///< similarity at these points
     double area_error = 0;  ///< largest relative error of the model in the total area
     double force_error = 0; ///< largest error of the model in a cap's force, divided by the largest force

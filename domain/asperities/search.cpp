@@ -162,11 +162,11 @@ CapVerification verified(const CapSetup& setup, const CapGenome& genome, const C
         const MeshedCaps& mesh = found.meshed[s];
         const double value = value_of(setup, target.quantity, mesh.load, mesh.area.sum(), mesh.stiffness);
         found.similarity = std::min(found.similarity, 1 - std::abs(misfit(target, points[s], value)));
-        const PressedCaps pressed = contact.at_load(caps, mesh.load);
-        found.area_error = std::max(found.area_error, std::abs(pressed.total_area() / mesh.area.sum() - 1));
-        found.force_error = std::max(found.force_error, (pressed.force - mesh.force).cwiseAbs().maxCoeff() /
+        const CapState state = contact.at_load(caps, mesh.load);
+        found.area_error = std::max(found.area_error, std::abs(state.total_area() / mesh.area.sum() - 1));
+        found.force_error = std::max(found.force_error, (state.force - mesh.force).cwiseAbs().maxCoeff() /
                                                             mesh.force.maxCoeff());
-        found.pressed.push_back(pressed);
+        found.states.push_back(state);
     }
     found.seconds = clock.seconds();
     return found;

@@ -266,10 +266,10 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
     }
     ContactProblem found = make_problem(profile, body, displacements, *problem.team);
     SolverChoice choice = choose_solver(found, options);
-    const Solution pressed = solve(choice, found, options);
+    const Solution elastic = solve(choice, found, options);
     const double unit = found.displacement_unit / problem.displacement_unit;
-    solution.iterations += pressed.iterations;
-    for (auto [step, j] = std::pair(pressed.steps.begin(), 0U); j < flat.size(); ++j) {
+    solution.iterations += elastic.iterations;
+    for (auto [step, j] = std::pair(elastic.steps.begin(), 0U); j < flat.size(); ++j) {
         solution.steps.push_back(flat[j] ? *flat[j] : *step++);
         if (flat[j])
             continue;
@@ -383,22 +383,22 @@ std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& bod
     if (profile.is_2d())
         refuse("partial slip: the tangential matrix of a map is not known; give a line");
     options.states = true;
-    const ContactState pressed = solve_contact(profile, body, {displacement}, options).states.front();
+    const ContactState normal = solve_contact(profile, body, {displacement}, options).states.front();
     ContactProblem problem = make_problem(profile, body, {displacement});
     problem.traction = Traction::tangential;
     problem.column = influence_column(problem, problem.shape);
     Eigen::VectorXd limit = Eigen::VectorXd::Zero(problem.nodes());
-    limit(pressed.nodes) = friction / problem.pressure_unit * pressed.pressure;
+    limit(normal.nodes) = friction / problem.pressure_unit * normal.pressure;
     const Eigen::VectorXd moved = SplitOperator(problem.column, problem.shape).apply(limit);
-    const double last = moved(pressed.nodes).maxCoeff(); // every node slips
+    const double last = moved(normal.nodes).maxCoeff(); // every node slips
     problem.approach.clear();
     for (int k = 0; k < steps; ++k)
         problem.approach.push_back(last * k / steps);
     options.states = false;
     Solution solution;
     solve_slip(problem, limit, options, solution);
-    StepSolution slipping{.nodes = pressed.nodes, .pressure = limit(pressed.nodes), .approach = last};
-    slipping.held = static_cast<Index>(pressed.nodes.size());
+    StepSolution slipping{.nodes = normal.nodes, .pressure = limit(normal.nodes), .approach = last};
+    slipping.held = static_cast<Index>(normal.nodes.size());
     solution.steps.push_back(std::move(slipping));
     std::vector<LoadStep> rows;
     for (const StepSolution& step : solution.steps)

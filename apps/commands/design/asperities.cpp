@@ -158,7 +158,7 @@ json answer_json(const CapRun& run) {
             {{"load_N", mesh.load},
              {"area_mm2", mesh.area.sum()},
              {"area_from_nodes_mm2", {mesh.area_low.sum(), mesh.area_high.sum()}},
-             {"area_by_model_mm2", verified.pressed[s].total_area()},
+             {"area_by_model_mm2", verified.states[s].total_area()},
              {"approach_mm", mesh.approach},
              {"kkt_residual", mesh.kkt_residual}});
     }
@@ -204,7 +204,7 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
         for (std::size_t s = 0; s < verified.meshed.size(); ++s) {
             const rough::MeshedCaps& mesh = verified.meshed[s];
             spots.row(mesh.load, setup.array.x(i), setup.array.y(i),
-                      std::sqrt(mesh.area[i] / std::numbers::pi), mesh.force[i], verified.pressed[s].force[i],
+                      std::sqrt(mesh.area[i] / std::numbers::pi), mesh.force[i], verified.states[s].force[i],
                       mesh.area[i], mesh.area_low[i], mesh.area_high[i]);
         }
     }

@@ -28,7 +28,7 @@ TEST_CASE("one cap has the contact of Hertz under both models") {
         for (const double depth : {1e-6, 1e-3, 0.03, 0.12}) {
             const CapContact contact(caps.array, modulus, model);
             const double force = 4.0 / 3 * modulus * std::sqrt(radius) * std::pow(depth, 1.5);
-            const PressedCaps pressed = contact.at_load(caps, force);
+            const CapState pressed = contact.at_load(caps, force);
             CHECK(-pressed.plane == Approx(depth).epsilon(1e-12));
             CHECK(pressed.total_area() == Approx(std::numbers::pi * radius * depth).epsilon(1e-12));
             CHECK(pressed.stiffness == Approx(2 * modulus * std::sqrt(radius * depth)).epsilon(1e-12));
@@ -39,7 +39,7 @@ TEST_CASE("one cap has the contact of Hertz under both models") {
 TEST_CASE("pressed caps satisfy their equations and carry the load") {
     const CapArray array{5, 4, 1.5};
     const Caps caps = random_caps(array, 3);
-    const PressedCaps pressed = CapContact(array, modulus, CapModel::interacting).at_load(caps, 0.5);
+    const CapState pressed = CapContact(array, modulus, CapModel::interacting).at_load(caps, 0.5);
     CHECK(pressed.load() == Approx(0.5).epsilon(1e-12));
     for (Index i = 0; i < array.caps(); ++i) {
         double depth = caps.heights[i] - pressed.plane;
@@ -56,7 +56,7 @@ TEST_CASE("a thousand caps are pressed by a load that many of them share") {
     const CapArray array{40, 25, 1.5};
     Caps caps = random_caps(array, 4);
     caps.radii.setConstant(radius);
-    const PressedCaps pressed = CapContact(array, modulus, CapModel::interacting).at_load(caps, 15);
+    const CapState pressed = CapContact(array, modulus, CapModel::interacting).at_load(caps, 15);
     CHECK(pressed.load() == Approx(15).epsilon(1e-10));
     CHECK((pressed.force.array() > 0).count() > 500);
 }
@@ -68,10 +68,10 @@ TEST_CASE("derivatives of pressed caps equal differences") {
             const Caps caps = random_caps(array, seed);
             const CapContact contact(array, modulus, model);
             const double plane = 0.03;
-            const PressedCaps pressed = contact.at_plane(caps, plane);
+            const CapState pressed = contact.at_plane(caps, plane);
             const CapSlopes slopes = contact.slopes(caps, pressed);
             const auto values = [&](const Caps& moved) {
-                const PressedCaps at = contact.at_plane(moved, plane);
+                const CapState at = contact.at_plane(moved, plane);
                 return Eigen::Vector3d(at.load(), at.total_area(), at.stiffness);
             };
             for (const auto& [member, by] :
@@ -100,7 +100,7 @@ TEST_CASE("interacting caps agree with boundary elements") {
         const auto meshed =
             pressed_on_mesh(caps, modulus, {0.06, 0.12}, false, 40000 * static_cast<double>(array.caps()));
         for (const MeshedCaps& mesh : meshed) {
-            const PressedCaps pressed =
+            const CapState pressed =
                 CapContact(array, modulus, CapModel::interacting).at_plane(caps, highest - mesh.approach);
             INFO(array.caps() << " caps at " << mesh.approach << " mm");
             CHECK(pressed.load() == Approx(mesh.load).epsilon(0.005));
