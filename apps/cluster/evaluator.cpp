@@ -61,7 +61,7 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
 
   private:
     cluster::Job designs(const DesignProblem& problem, std::size_t count) const {
-        return {"designs", problem.setup(), requested_, count, {}, {}};
+        return {"designs", {problem.verifier().setup(), problem.setup()}, requested_, count, {}, {}};
     }
 
     int requested_;
@@ -69,8 +69,9 @@ class OnRanks : public ga::OnThreads<DesignProblem> {
 
 } // namespace
 
-cluster::Work designs_under(const json& setup) {
-    const auto problem = std::make_shared<const DesignProblem>(setup.get<rough::DesignSetup>());
+cluster::Work designs_under(const json& setups) {
+    const auto problem = std::make_shared<const DesignProblem>(
+        DesignProblem(setups.at(0).get<rough::DesignSetup>()).with(setups.at(1).get<rough::DesignSetup>()));
     return [problem](const json& task) -> json {
         if (task.at(1).is_string()) {
             ga::Slope<DesignProblem> slope;
@@ -107,7 +108,8 @@ cluster::Work responses_under(const json& setting) {
 
 rough::Computing computing_on_ranks(int threads) {
     return [threads](const rough::DatabaseSetup& setup, const rough::Orders& orders) {
-        cluster::Job job{"responses", rough::named_values(setup), threads, orders.count, {}, {}, orders.ended};
+        cluster::Job job{"responses", rough::named_values(setup), threads, orders.count, {}, {},
+                         orders.ended};
         job.task = [&](std::size_t) -> std::optional<json> { return orders.next(); };
         job.take = [&](std::size_t, const json& answer) {
             auto found = answer.at(1).get<rough::Response>();
