@@ -8,8 +8,15 @@ namespace ga {
 template <class G>
 struct Combine {
     std::string name; ///< name of the function in text pipelines
-    std::function<std::optional<G>(const Individual<G>&, const Individual<G>&)>
-        of; ///< the function; returns a child or nothing
+    /// The function; returns a child or nothing.
+    std::function<std::optional<G>(const Individual<G>&, const Individual<G>&, Work&)> of;
+
+    /// @param function  from two parents, and a Work if it is one, to a child or nothing
+    template <gives_with_work<std::optional<G>, const Individual<G>&, const Individual<G>&> Function>
+    Combine(std::string word, Function function)
+        : name(std::move(word)), of([function](const Individual<G>& a, const Individual<G>& b, Work& work) {
+              return std::optional<G>(with_work(function, work, a, b));
+          }) {}
 };
 
 /// Runs two pipelines on the same population. Combines every individual of the left result with every
@@ -60,10 +67,11 @@ struct Pair : Operator {
     static Population<G> children(const Population<G>& lefts, const Population<G>& rights,
                                   const Combine<G>& combine, Context<P>& context) {
         Population<G> children;
+        std::vector<Work> work(1);
         Table<bool> seen;
         for (const auto& a : lefts)
             for (const auto& b : rights) {
-                std::optional<G> genome = combine.of(a, b);
+                std::optional<G> genome = combine.of(a, b, work[0]);
                 if (!genome)
                     continue;
                 if (children.size() % 1024 == 0)
@@ -78,6 +86,7 @@ struct Pair : Operator {
                                                              std::to_string(rights.size()) +
                                                              " individuals gave no child by " + combine.name +
                                                              "; pair other individuals");
+        context.charge(work);
         return children;
     }
 };

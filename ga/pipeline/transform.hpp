@@ -9,22 +9,23 @@ namespace ga {
 /// under the objective that scored the individual, or under the problem's first objective.
 template <class Function>
 struct Transform : Operator {
-    std::string name;  ///< name of the stage
-    Function function; ///< function from a genome to a genome; called from several threads
+    std::string name; ///< name of the stage
+    /// Function from a genome, and a Work if it is one, to a genome; called from several threads.
+    Function function;
 
     std::string text() const { return name; }
     void check(CheckState& known) const { known.scored.reset(); }
 
     template <Problem P>
-    requires std::is_invocable_r_v<typename P::Genome, const Function&, const typename P::Genome&>
-        PopulationOf<P>
+    requires gives_with_work<Function, typename P::Genome, const typename P::Genome&> PopulationOf<P>
     operator()(PopulationOf<P> population, Context<P>& context) const {
+        std::vector<Work> work(population.size());
         parallel_for(population.size(), context.threads(), [&](std::size_t i) {
             auto& individual = population[i];
             if (individual.fitness.has_failed())
                 return;
             try {
-                individual.genome = function(std::as_const(individual.genome));
+                individual.genome = with_work(function, work[i], std::as_const(individual.genome));
                 individual.fitness = {};
             } catch (...) {
                 const Fitness& fitness = individual.fitness;
@@ -32,6 +33,7 @@ struct Transform : Operator {
                     fitness.known() ? fitness.objective_name() : context.objective_name(0), reason_caught());
             }
         });
+        context.charge(work);
         return population;
     }
 };

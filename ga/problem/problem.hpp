@@ -213,11 +213,38 @@ struct Variable {
     double upper;     ///< upper bound, at least `lower`
 };
 
+/// What a problem's function costs that computes more than its result shows, for example curves to compare.
+/// The function takes it as its last argument and adds to it. It then counts as evaluations do.
+struct Work {
+    double price = 0; ///< price, in evaluations of level 0
+};
+
+/// Whether a function gives a result from these arguments, with a Work or none as the last one.
+template <class Function, class Result, class... Arguments>
+concept gives_with_work = std::is_invocable_r_v<Result, const Function&, Arguments...> ||
+    std::is_invocable_r_v<Result, const Function&, Arguments..., Work&>;
+
+/// The function's result. The function may take a Work as its last argument.
+template <class Function, class... Arguments>
+decltype(auto) with_work(const Function& function, Work& work, Arguments&&... arguments) {
+    if constexpr (std::is_invocable_v<const Function&, Arguments..., Work&>)
+        return function(std::forward<Arguments>(arguments)..., work);
+    else
+        return function(std::forward<Arguments>(arguments)...);
+}
+
 /// A named choice of genes for refinement: which genes may move, and how far.
 template <class G>
 struct Variables {
-    std::string name;                                  ///< name in pipelines, as in "genes=NAME"
-    std::function<std::vector<Variable>(const G&)> of; ///< function that returns the genes for a genome
+    std::string name; ///< name in pipelines, as in "genes=NAME"
+    /// The function that returns the genes for a genome.
+    std::function<std::vector<Variable>(const G&, Work&)> of;
+
+    /// @param function  from a genome, and a Work if it is one, to the genes that may move
+    template <gives_with_work<std::vector<Variable>, const G&> Function>
+    Variables(std::string word, Function function)
+        : name(std::move(word)),
+          of([function](const G& genome, Work& work) { return with_work(function, work, genome); }) {}
 };
 
 /// Optional: the genes that operators (and refinement with `genes=all`) may move, with their bounds, in
@@ -242,10 +269,20 @@ decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome
     return all;
 }
 
-/// Optional: a new genome drawn at random.
+/// The problem's new genome, drawn at random.
 template <class P>
-concept Sampled = requires(const P& problem, Stream& stream) {
-    { problem.sample(stream) } -> std::same_as<typename P::Genome>;
+auto sampled(const P& problem, Stream& stream, Work& work) -> decltype(problem.sample(stream, work)) {
+    return problem.sample(stream, work);
+}
+template <class P>
+auto sampled(const P& problem, Stream& stream, Work&) -> decltype(problem.sample(stream)) {
+    return problem.sample(stream);
+}
+
+/// Optional: a new genome drawn at random. `sample` may take a Work as a second argument.
+template <class P>
+concept Sampled = requires(const P& problem, Stream& stream, Work& work) {
+    { sampled(problem, stream, work) } -> std::same_as<typename P::Genome>;
 };
 
 /// Optional: the problem's mutation. It mutates each gene with probability `rate`, and returns whether a gene

@@ -207,6 +207,16 @@ struct Refine : Operator {
         for (auto& individual : population)
             if (!individual.fitness.has_failed())
                 jobs.push_back(&individual);
+        std::vector<std::vector<Variable>> genes(jobs.size());
+        const auto original = [&](std::size_t i) -> const G& {
+            return jobs[i]->origin ? *jobs[i]->origin : jobs[i]->genome;
+        };
+        if constexpr (!std::same_as<Choice, EveryGene>) {
+            std::vector<Work> work(jobs.size());
+            parallel_for(jobs.size(), context.threads(),
+                         [&](std::size_t i) { genes[i] = variables.of(original(i), work[i]); });
+            context.charge(work);
+        }
         // One evaluation is reserved for each result. The rest of the budget is divided before any search.
         const auto count = static_cast<long>(jobs.size());
         const std::size_t which =
@@ -223,12 +233,9 @@ struct Refine : Operator {
         const int threads = context.ledger().evaluator().threads();
         Rounds<P>::run(jobs.size(), context.queue(), threads, [&](std::size_t i, EvaluationQueue<P>& queue) {
             const auto& individual = *jobs[i];
-            const G& original = individual.origin ? *individual.origin : individual.genome;
-            std::vector<Variable> moving;
+            std::vector<Variable> moving = std::move(genes[i]);
             if constexpr (std::same_as<Choice, EveryGene>)
-                moving = checked_bounds(context.problem(), original);
-            else
-                moving = variables.of(original);
+                moving = checked_bounds(context.problem(), original(i));
             std::erase_if(moving,
                           [](const Variable& variable) { return !(variable.lower < variable.upper); });
             const double share = std::floor(left / static_cast<double>(count)),

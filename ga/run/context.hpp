@@ -326,6 +326,16 @@ class Context {
     /// Time since the run began, in all its processes.
     double seconds() const { return state.earlier_seconds + watch().seconds(); }
 
+    /// Counts work that was done outside evaluations. It does not end the run.
+    void charge(std::span<const Work> done) {
+        EvaluationRequest<P> request;
+        for (const Work& one : done)
+            request.work += one.price;
+        EvaluationRequest<P>* const requests[] = {&request};
+        if (request.work > 0)
+            queue_.serve(std::span<EvaluationRequest<P>* const>(requests));
+    }
+
   private:
     struct Shown {
         std::string path;

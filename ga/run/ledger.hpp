@@ -176,6 +176,7 @@ struct EvaluationRequest {
 
     std::vector<OutcomeRequest> outcomes;   ///< requested outcomes, which are counted in this order
     std::vector<Slope<P>*> slopes;          ///< requests for derivatives
+    double work = 0;                        ///< price of Work that is done, which always counts
     StopMode stop_mode = StopMode::at_once; ///< whether a stop request waits for the answers
     /// Reads the answers, which are valid until it returns. It is called on the queue's thread. It calls
     /// `fail` for each failure that it finds.
@@ -306,6 +307,8 @@ class Ledger : public EvaluationQueue<P> {
         };
         request.spent = false;
         request.failures = 0;
+        counters.requested_price += request.work;
+        counters.price += request.work;
         for (auto& wanted : request.outcomes) {
             if (wanted.counts && !pay(price_of(problem_, wanted.level).evaluation))
                 break;

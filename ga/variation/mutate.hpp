@@ -300,14 +300,17 @@ struct Sample : Operator {
     template <Sampled P>
     PopulationOf<P> operator()(PopulationOf<P>, Context<P>& context) const {
         PopulationOf<P> fresh;
+        std::vector<Work> work(n);
         for (std::size_t i = 0; i < n; ++i) {
             Stream stream = context.stream(i);
-            fresh.push_back({context.problem().sample(stream), context.new_identity(), {}, {}, {}});
+            fresh.push_back(
+                {sampled(context.problem(), stream, work[i]), context.new_identity(), {}, {}, {}});
             if (i == 0) {
                 context.need_room(n, {}, &fresh.front().genome);
                 fresh.reserve(n);
             }
         }
+        context.charge(work);
         return fresh;
     }
 };
