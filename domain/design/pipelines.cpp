@@ -53,11 +53,14 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
     Designs shorter;
     for (const auto& design : designs) {
         Designs tries{design};
+        ga::Work work;
         for (auto next = without_shortest(design.genome); next; next = without_shortest(*next)) {
             tries.push_back(design);
             tries.back().genome = with_fitting_amplitude(context.problem().setup(), *next);
+            work.price += context.problem().levels()[0].evaluation * fitting_price(context.problem().setup());
             context.make_child(tries.back(), ga::Parents(design.identity));
         }
+        context.charge({&work, 1});
         const std::vector<double> exceeded = excesses(tries, context);
         shorter.push_back(
             tries[static_cast<std::size_t>(std::ranges::min_element(exceeded) - exceeded.begin())]);
@@ -175,9 +178,12 @@ DesignPipeline within_limits(const ga::Arguments&, const DesignPipeline& body) {
 } // namespace
 
 ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
-    const auto fit = [setup](const Genome& genome) { return with_fitting_amplitude(setup, genome); };
+    const auto fit = [setup](const Genome& genome, ga::Work& work) {
+        work.price += fitting_price(setup);
+        return with_fitting_amplitude(setup, genome);
+    };
     auto registry = paper_registry({.rule = std::make_shared<DominanceRule>(setup.model), .fitted = fit});
-    // A stage that replaces the population by n genomes, the i-th from make(setup, i, stream).
+    // A stage that replaces the population by n genomes, the i-th from make(setup, i, stream, work).
     const auto start = [&](const char* name, const char* meaning, auto make) {
         registry.add({name, "roughness", meaning, {ga::whole("n", std::nullopt, 1, "how many")}},
                      [name, make](const ga::Arguments& a, const auto&...) -> DesignPipeline {
@@ -188,9 +194,12 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                          stage.begins = true;
                          stage.apply = [n, make](Designs, ga::Context<DesignProblem>& context) {
                              Designs fresh(n);
+                             std::vector<ga::Work> work(n);
                              ga::parallel_for(n, context.threads(), [&](std::size_t i) {
-                                 fresh[i].genome = make(context.problem().setup(), i, context.stream(i));
+                                 fresh[i].genome =
+                                     make(context.problem().setup(), i, context.stream(i), work[i]);
                              });
+                             context.charge(work);
                              for (auto& design : fresh)
                                  design.identity = context.new_identity();
                              return fresh;
@@ -198,14 +207,16 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
                          return stage;
                      });
     };
-    start(
-        "shape",
-        "replaces the population by n genomes that are made for the target, with contact solved backwards",
-        [](const DesignSetup& given, std::size_t, ga::Stream random) { return shaped_start(given, random); });
+    start("shape",
+          "replaces the population by n genomes that are made for the target, with contact solved backwards",
+          [](const DesignSetup& given, std::size_t, ga::Stream random, ga::Work&) {
+              return shaped_start(given, random);
+          });
     start("own",
           "replaces the population by n sums of the measured profile's waves, each of half as many waves as "
           "the one before",
-          [](const DesignSetup& given, std::size_t i, ga::Stream) {
+          [](const DesignSetup& given, std::size_t i, ga::Stream, ga::Work& work) {
+              work.price += scan_waves_price(given);
               return scan_waves(given, max_scan_waves(given) >> i);
           });
     registry.add("fit", "roughness",
@@ -214,8 +225,8 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
     for (std::size_t g = 0; g < setup.targets.size(); ++g) {
         const std::string name = "reduce goal" + std::to_string(g + 1);
         registry.add(name, "roughness", "keeps the chromosomes whose curve alone follows this target (M-CCO)",
-                     ga::transform(name, [setup, g](const Genome& genome) {
-                         return reduced_to_target(setup, genome, g);
+                     ga::transform(name, [setup, g](const Genome& genome, ga::Work& work) {
+                         return reduced_to_target(setup, genome, g, work);
                      }));
     }
     const auto block = [&](const char* name, const char* meaning, std::vector<ga::Parameter> parameters,

@@ -4,6 +4,7 @@
 #include "domain/errors.hpp"
 #include "domain/mwm/sobol.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "domain/problem/prices.hpp"
 #include "domain/problem/response.hpp"
 #include "ga/base/parallel.hpp"
 
@@ -286,6 +287,13 @@ Index max_scan_waves(const DesignSetup& setup) {
     return static_cast<Index>(longest_wave(setup) /
                               std::max(setup.limits.shortest_wave, 2 * setup.model.grid.spacing()) *
                               (1 + 1e-12));
+}
+
+double scan_waves_price(const DesignSetup& setup) {
+    Model one_step = setup.model;
+    one_step.grid.nodes = setup.measured->nodes();
+    one_step.loading.steps = 1;
+    return relative_price(one_step, setup.model);
 }
 
 Genome scan_waves(const DesignSetup& setup, Index waves) {

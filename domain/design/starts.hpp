@@ -43,5 +43,7 @@ Index max_scan_waves(const DesignSetup& setup);
 /// contact depends on have the largest weight: nodes that touch under the targets' last load, and nodes below
 /// the sum of the waves. Throws InputError without a measured profile or with a map.
 Genome scan_waves(const DesignSetup& setup, Index waves);
+/// The price of the contact that scan_waves() solves, in curves of the set-up's model.
+double scan_waves_price(const DesignSetup& setup);
 
 } // namespace rough

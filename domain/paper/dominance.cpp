@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "domain/problem/prices.hpp"
 
 namespace rough {
 
@@ -49,17 +50,15 @@ bool Dominance::at(std::size_t series, std::size_t chromosome) const {
     return false;
 }
 
-DominanceRule::DominanceRule(Model model) : model_(std::move(model)) {
+DominanceRule::DominanceRule(Model model) : model_(model) {
     for (Grid& grid = model_.grid; grid.is_2d() && std::max(grid.nodes, grid.rows) > 64;) {
         grid.nodes = (grid.nodes + 1) / 2;
         grid.rows = (grid.rows + 1) / 2;
     }
+    price_ = relative_price(model_, model);
 }
 
 Dominance DominanceRule::operator()(const Genome& genome) const {
-    const std::string key = shape_key(genome);
-    if (const auto found = known_.find(key))
-        return *found;
     const auto scales = length_scales(genome);
     std::vector<std::optional<Curve>> alone;
     for (const LengthScale& scale : scales) {
@@ -67,16 +66,15 @@ Dominance DominanceRule::operator()(const Genome& genome) const {
         alone.push_back(part ? std::optional(secant_stiffness(*part)) : std::nullopt);
     }
     const Curve whole = secant_stiffness(respond(genome, model_));
-    const Dominance result{dominant_parts(whole, alone), scales};
-    known_.keep(key, result);
-    return result;
+    const auto curves = 1 + std::ranges::count_if(alone, [](const auto& part) { return part.has_value(); });
+    return {dominant_parts(whole, alone), scales, price_ * static_cast<double>(curves)};
 }
 
 Genome reduced(const Genome& genome, const Dominance& dominance) {
     return filtered(genome, [&](std::size_t s, std::size_t c) { return dominance.at(s, c); });
 }
 
-Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
+Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target, ga::Work& work,
                          double threshold) {
     const Target& wanted = setup.targets[target];
     Model model = setup.model;
@@ -85,8 +83,10 @@ Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::si
     std::vector<std::optional<Curve>> alone(scales.size());
     for (std::size_t i = 0; i < scales.size(); ++i)
         try {
-            if (const auto response = response_alone(genome, scales[i], model))
+            if (const auto response = response_alone(genome, scales[i], model)) {
                 alone[i] = curve_of(wanted.quantity, *response);
+                work.price += 1;
+            }
         } catch (const InputError&) { // periodic, in full contact below that load
         }
     return reduced(genome, {dominant_parts({wanted.x, wanted.y}, alone, threshold), scales});

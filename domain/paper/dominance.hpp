@@ -26,12 +26,13 @@ DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional
 /// flat at the nodes or its K does not vary.
 struct Dominance : DominantParts {
     std::vector<LengthScale> scales; ///< the genome's length scales, in the order of the parts
+    double price = 0; ///< price of the curves that were compared, in curves of the rule's model
 
     /// Whether a chromosome is in a dominant length scale, by the indices of its series and in this series.
     bool at(std::size_t series, std::size_t chromosome) const;
 };
 
-/// Algorithm 1 on genomes. It stores its results. Several threads may call it.
+/// Algorithm 1 on genomes. Several threads may call it.
 class DominanceRule {
   public:
     /// The rule for a model, whose accuracy applies only to whole genomes. A map's grid is halved while a
@@ -43,7 +44,7 @@ class DominanceRule {
 
   private:
     Model model_;
-    mutable KeyedMemory<Dominance> known_; ///< under shape_key()
+    double price_; ///< price of a curve of model_, in curves of the given model
 };
 
 /// The genome with only its dominant chromosomes.
@@ -51,8 +52,8 @@ Genome reduced(const Genome& genome, const Dominance& dominance);
 
 /// The genome with only the length scales whose curve alone follows a target (Cinat, Paggi and Gnecco 2019),
 /// by dominant_parts() at the target's points. Each length scale keeps the genome's amplitude and is loaded
-/// as far as the target.
-Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target,
+/// as far as the target. The price of its curves, in curves of the set-up's model, is added to `work`.
+Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target, ga::Work& work,
                          double threshold = dominance_threshold);
 
 } // namespace rough

@@ -31,8 +31,9 @@ struct Gcmma {
 
 /// The phases of the dominant chromosomes, or of all others.
 Variables<Genome> phases_where(const char* name, const Vocabulary& words, bool dominant) {
-    return {name, [rule = words.rule, reach = words.reach, dominant](const Genome& genome) {
+    return {name, [rule = words.rule, reach = words.reach, dominant](const Genome& genome, Work& work) {
                 const Dominance dominance = (*rule)(genome);
+                work.price += dominance.price;
                 return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
                     return dominance.at(s, c) == dominant;
                 });
@@ -53,14 +54,16 @@ Registry<DesignProblem> paper_registry(const Vocabulary& words) {
     auto registry = whole_vocabulary<DesignProblem>();
     add_method<Gcmma>(registry);
     registry.add("reduce dominant", "roughness", "keeps each genome's dominant chromosomes (Algorithm 1)",
-                 transform("reduce dominant", [rule = words.rule](const Genome& genome) { // at the same scale
-                     return reduced(genome, (*rule)(genome));
+                 transform("reduce dominant", [rule = words.rule](const Genome& genome, Work& work) {
+                     const Dominance dominance = (*rule)(genome);
+                     work.price += dominance.price;
+                     return reduced(genome, dominance); // at the same scale
                  }));
     // At their scored scales, because the relative amplitude of the parents matters.
     registry.add(Combine<Genome>{"unite",
-                                 [fitted = words.fitted](const auto& left, const auto& right) {
+                                 [fitted = words.fitted](const auto& left, const auto& right, Work& work) {
                                      const Genome both = sum(left.genome, right.genome);
-                                     return std::optional(fitted ? fitted(both) : both);
+                                     return std::optional(fitted ? fitted(both, work) : both);
                                  }},
                  "the sum of two genomes, each at its scored scale");
     registry.add(phases_where("dominant", words, true), "phases of the dominant chromosomes (Algorithm 1)");

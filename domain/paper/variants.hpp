@@ -14,7 +14,7 @@ struct Vocabulary {
     std::shared_ptr<const DominanceRule> rule; ///< Algorithm 1, for dominant phases and `reduce dominant`
     PhaseReach reach = {};                     ///< range of every refined phase
     /// Sets the amplitude of a sum of genomes if Eq. 11 does not. Empty: the amplitude is kept.
-    std::function<Genome(const Genome&)> fitted = {};
+    std::function<Genome(const Genome&, ga::Work&)> fitted = {};
 };
 
 /// The paper's problem: the genome whose K(p) is most similar to the target after Eq. 11 has rescaled its

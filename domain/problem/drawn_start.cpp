@@ -1,5 +1,6 @@
 #include "domain/problem/drawn_start.hpp"
 
+#include "domain/problem/prices.hpp"
 #include "domain/problem/response.hpp"
 
 #include <numbers>
@@ -91,15 +92,27 @@ Genome drawn_start(const DesignSetup& setup, ga::Stream random) {
     return genome;
 }
 
+namespace {
+
+/// Curves of maps are expensive, and a start does not need finer load steps.
+Model fitting_model(Model model) {
+    const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
+    model.loading = {steps, model.loading.reach};
+    return model;
+}
+
+} // namespace
+
+double fitting_price(const DesignSetup& setup) {
+    return setup.max_pressure ? 0 : relative_price(fitting_model(setup.model), setup.model);
+}
+
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome) {
     constexpr double rounding = 1e-12; // a point beyond the curve by this share is at its end
     if (setup.max_pressure)
         return genome;
     const Target& target = setup.targets.front();
-    Model model = setup.model;
-    // Curves of maps are expensive, and a start does not need finer load steps.
-    const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
-    model.loading = {steps, model.loading.reach};
+    const Model model = fitting_model(setup.model);
     const Response response = respond(folded(genome), model);
     const double end =
         target.against_pressure() ? response.pressure.tail(1)[0] : response.displacement.tail(1)[0];

@@ -32,5 +32,7 @@ Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 /// times the one at which full approach just reaches the target's last load. Under Eq. 11 the genome is
 /// returned unchanged.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
+/// The price of with_fitting_amplitude() in curves of the set-up's model; 0 under Eq. 11.
+double fitting_price(const DesignSetup& setup);
 
 } // namespace rough

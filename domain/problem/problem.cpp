@@ -216,7 +216,8 @@ Genome DesignProblem::final_genome(Genome genome, const Outcome& outcome) const 
     return genome;
 }
 
-Genome DesignProblem::sample(ga::Stream& random) const {
+Genome DesignProblem::sample(ga::Stream& random, ga::Work& work) const {
+    work.price += levels_[0].evaluation * fitting_price(*setup_);
     return unless_stopped(setup_->model.contact, [&] {
         return with_fitting_amplitude(*setup_, drawn_start(*setup_, ga::Stream(random())));
     });

@@ -81,7 +81,7 @@ class DesignProblem {
         return rough::with_genes(genome, values);
     }
     /// A random genome (drawn_start). Without Eq. 11 its amplitude is fitted to the first target.
-    Genome sample(ga::Stream& random) const;
+    Genome sample(ga::Stream& random, ga::Work& work) const;
     /// Cuts both genomes' chromosomes, ordered by wavelength, at `cuts` places. Exchanges every second piece.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
         rough::cross_points(a, b, cuts, stream);

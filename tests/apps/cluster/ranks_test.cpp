@@ -198,6 +198,27 @@ TEST_CASE("one of two ranks takes texts, then refuses them for numbers", "[.][a-
     cluster::leave(0);
 }
 
+TEST_CASE("two ranks together solve the curves whose price is reported", "[ranks]") {
+    if (has_no_mpi())
+        return;
+    const Folder folder;
+    const std::string self = fs::read_symlink("/proc/self/exe").string();
+    REQUIRE(std::system(("cd '" + folder.path().string() + "' && " + mpirun + "2 '" + self +
+                         "' '[counted-rank]' >/dev/null 2>&1")
+                            .c_str()) == 0);
+    double solved = 0;
+    int ranks = 0;
+    for (const auto& file : fs::directory_iterator(folder.path()))
+        if (file.path().filename().string().starts_with("solved-")) {
+            const double one = std::stod(rough::read_whole(file.path()));
+            CHECK(one > 0);
+            solved += one;
+            ++ranks;
+        }
+    CHECK(ranks == 2);
+    CHECK(std::stod(rough::read_whole(folder / "reported")) == Approx(solved).epsilon(1e-9));
+}
+
 TEST_CASE("an answer of another form ends a job on several ranks with the reason", "[ranks]") {
     if (has_no_mpi())
         return;

@@ -134,7 +134,8 @@ TEST_CASE("waves longer and shorter than a part of the length are all waves, eac
             for (const auto& [choice, meaning] : registry.variables())
                 if (choice.name == name) {
                     std::vector<std::size_t> genes;
-                    for (const ga::Variable& variable : choice.of(genome))
+                    ga::Work work;
+                    for (const ga::Variable& variable : choice.of(genome, work))
                         genes.push_back(variable.gene);
                     return genes;
                 }
