@@ -10,8 +10,8 @@
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceLevel, similarity, noise_rms, tilt, scale)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NoiseQuantile, noise_rms, quantile, median, draws)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, share_from, share_to, levels,
-                                   curve, complete)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, nodes, share_from, share_to,
+                                   levels, curve, complete)
 } // namespace rough
 
 namespace app {
@@ -104,7 +104,7 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
 AnswerChecks checks_of(const DesignRun& run, double limit, const std::filesystem::path& folder,
                        ProgressLine& progress) {
     const rough::Answer& best = run.found.best;
-    rough::ToleranceOptions tolerance = run.tolerance_options;
+    rough::ToleranceOptions tolerance = priced_tolerance(run);
     rough::TrustOptions trust = run.trust_options;
     tolerance.stop = trust.stop = run.options.stop;
     progress.show("tolerance");

@@ -16,6 +16,12 @@ namespace app {
 
 namespace {
 
+std::vector<std::string> quantities() {
+    std::vector<std::string> names = rough::quantity_names();
+    names.push_back("conductance");
+    return names;
+}
+
 std::vector<Setting> target_settings() {
     const std::vector<Setting> settings{
         {"formula", "",
@@ -27,58 +33,87 @@ std::vector<Setting> target_settings() {
         {"draw", "", "page to write (HTML), on which a person draws a target and saves it"},
         Setting("quantity", "stiffness",
                 "quantity of the target, against displacement for area-displacement and load, else against "
-                "pressure")
-            .of(rough::quantity_names()),
+                "pressure; conductance takes --conductivity or --resistivity")
+            .of(quantities()),
         positive("to", "",
                  "last pressure (MPa) or displacement (mm) [last of the response; --formula needs it]"),
-        ga::whole("points", "20", 1, "points of the target, evenly spaced").up_to(1e6),
+        positive("from", "",
+                 "first pressure (MPa) or displacement (mm) [the last over the number of points]"),
+        ga::whole("points", "20", 1, "points of the target").up_to(1e6),
+        Setting("spaced", "even", "spacing of the points: even, or log for a constant factor")
+            .of({"even", "log"}),
         ga::number("band", "", 0, 1,
                    "tolerance band on both sides, as a fraction of each value [none; a scan: that of its "
                    "resolution]"),
-        resistivity_setting(),
         {"out", "", "target file to write (CSV)"},
         force_setting(),
     };
-    return joined({settings, scan_settings(), {resolution_setting()}, model_settings()});
+    return joined({settings, scale_settings(), scan_settings(), {resolution_setting()}, model_settings()});
+}
+
+/// The requested quantity. A conductance is an interface stiffness with columns of its own.
+struct RequestedQuantity {
+    rough::Quantity quantity;
+    std::optional<rough::WrittenColumns> written = {};
+};
+RequestedQuantity quantity_from(const Settings& settings, const rough::Model& model) {
+    const std::size_t choice = settings.choice("quantity");
+    if (choice < rough::quantity_names().size())
+        return {static_cast<rough::Quantity>(choice)};
+    return {rough::Quantity::interface_stiffness,
+            placing(settings, "", [&] { return conductance_columns(scales_from(settings, model)); })};
+}
+
+rough::PointPlacement points_from(const Settings& settings) {
+    rough::PointPlacement points{settings.whole<rough::Index>("points")};
+    settings.take("to", points.last);
+    settings.take("from", points.first);
+    points.logarithmic = settings.choice("spaced") == 1;
+    return points;
 }
 
 /// Makes the target that --formula, --genome or --like describes, and the model that it is meant for.
 std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
-    const auto quantity = static_cast<rough::Quantity>(settings.choice("quantity"));
-    const auto points = settings.whole<rough::Index>("points");
+    const rough::PointPlacement points = points_from(settings);
     if (settings.has("formula")) {
-        if (!settings.has("to"))
+        if (!points.last)
             rough::refuse("--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
-        const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
         const rough::Model model = surface_model_from(settings);
-        rough::Target target = rough::even_target(quantity, "--formula", points, settings.number("to"), y);
-        target.recorded = recorded_model(model);
-        return {std::move(target), model};
+        const auto [quantity, written] = quantity_from(settings, model);
+        const auto y = formula(settings.text("formula"), against_pressure(quantity) ? "p" : "d", "--formula");
+        const double unit = written ? written->y_unit : 1;
+        const Eigen::VectorXd x = placing(settings, "", [&] { return points.up_to(*points.last); });
+        rough::Target target =
+            rough::target_at(quantity, "--formula", x, [&](double at) { return unit * y(at); });
+        target.written = written;
+        return {std::move(target), model}; // it records no body, because a formula belongs to none
     }
     const MapScene scene = scene_from(settings, "like");
     std::ranges::for_each(scene.notes, say);
+    const auto [quantity, written] = quantity_from(settings, scene.model);
     rough::Model loaded = scene.model;
-    std::optional<double> last;
-    settings.take("to", last);
-    (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = last;
+    (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = points.last;
     const bool has_band = !settings.has("genome") && !settings.has("band") &&
                           (!scene.map.is_2d() || settings.given("resolution")); // that of a map takes long
-    return {placing(settings, "",
-                    [&] {
-                        return target_like(scene.map, loaded,
-                                           settings.text(settings.has("genome") ? "genome" : "like"),
-                                           quantity, points, last,
-                                           has_band ? resolution_from(settings) : rough::Resolution::off);
-                    }),
-            scene.model};
+    std::pair made{placing(settings, "",
+                           [&, quantity = quantity] {
+                               return target_like(
+                                   scene.map, loaded,
+                                   settings.text(settings.has("genome") ? "genome" : "like"), quantity,
+                                   points, has_band ? resolution_from(settings) : rough::Resolution::off);
+                           }),
+                   scene.model};
+    made.first.written = written;
+    return made;
 }
 
 /// Describes the target and returns the exit code: 3 if no profile can reach it.
 int report(const rough::Target& target, const rough::Model& model, const Settings& settings) {
-    const rough::Columns columns = columns_of(target.quantity);
+    const rough::WrittenColumns columns = columns_of(target);
     say(target.name + ": " + std::to_string(target.points()) + " points of " + columns.y + " from " +
-        readable(target.y.minCoeff(), 4) + " to " + readable(target.y.maxCoeff(), 4) + " against " +
-        columns.x + " up to " + readable(target.last(), 4) + (target.has_band() ? ", with a band" : ""));
+        readable(target.y.minCoeff() / columns.y_unit, 4) + " to " +
+        readable(target.y.maxCoeff() / columns.y_unit, 4) + " against " + columns.x + " up to " +
+        readable(target.last() / columns.x_unit, 4) + (target.has_band() ? ", with a band" : ""));
     if (!states_modulus(settings))
         say(modulus_note);
     const auto reasons = rough::out_of_reach({target}, model);
@@ -92,7 +127,7 @@ void write_drawing_page(const std::filesystem::path& page, const Settings& setti
     const rough::Model model = surface_model_from(settings);
     const bool nests = contact_sets_nest(model.body, model.grid);
     nlohmann::json data{{"file", page.stem().string() + ".csv"},
-                        {"quantity", rough::quantity_names()[settings.choice("quantity")]},
+                        {"quantity", quantities()[settings.choice("quantity")]},
                         {"to", settings.has("to") ? nlohmann::json(settings.number("to")) : nullptr},
                         {"points", settings.whole<rough::Index>("points")},
                         {"band", settings.has("band") ? 100 * settings.number("band") : 0},
@@ -106,6 +141,8 @@ void write_drawing_page(const std::filesystem::path& page, const Settings& setti
         const rough::Columns columns = columns_of(rough::quantity_named(name));
         data["quantities"].push_back({{"name", name}, {"x", columns.x}, {"y", columns.y}});
     }
+    if (const auto [quantity, written] = quantity_from(settings, model); written)
+        data["quantities"].push_back({{"name", "conductance"}, {"x", written->x}, {"y", written->y}});
     std::string text = rough::json_text(data, true);
     boost::replace_all(text, "<", "\\u003c"); // no tag within the page's script
     rough::write_atomically(page, render({.values = {{"kind", "draw"}, {"data", text}}, .folder = {}}));

@@ -38,20 +38,44 @@ void expect_same_model(const rough::Target& target, const rough::Model& model) {
 
 } // namespace
 
-Setting resistivity_setting() {
-    return positive(
-        "resistivity", "",
-        "rho1 + rho2 of a conductance target, C = 2 K_i/(E* (rho1 + rho2)) of the interface stiffness K_i");
+std::vector<Setting> scale_settings() {
+    return {
+        positive("conductivity", "",
+                 "thermal conductivities k1,k2 of the two bodies, W/(m K), for a target "
+                 "conductance_W_per_m2K; one number: of both")
+            .several(),
+        positive("resistivity", "",
+                 "resistivities rho1,rho2 of the two bodies, ohm m, for a target conductance_S_per_m2; one "
+                 "number: rho1 + rho2")
+            .several(),
+        positive("shear-strength", "",
+                 "shear strength sigma of the interface, MPa, for friction targets: friction = sigma A")};
+}
+
+rough::TargetScales scales_from(const Settings& settings, const rough::Model& model) {
+    rough::TargetScales scales{.effective_modulus = model.body.effective_modulus};
+    if (model.grid.is_2d())
+        scales.nominal_area = model.grid.nominal_area();
+    const auto of_bodies = [&](const char* name) {
+        const std::vector<double> values = settings.numbers(name);
+        if (values.size() > 2)
+            settings.refuse(name, values.size(), " given; give one for each of the two bodies");
+        return values;
+    };
+    if (settings.has("resistivity")) {
+        const auto rho = of_bodies("resistivity");
+        scales.resistivity = rho.front() + (rho.size() > 1 ? rho.back() : 0);
+    }
+    if (settings.has("conductivity")) {
+        const auto k = of_bodies("conductivity");
+        scales.thermal_resistivity = 1 / k.front() + 1 / k.back();
+    }
+    settings.take("shear-strength", scales.shear_strength);
+    return scales;
 }
 
 rough::Target target_from(const Settings& settings, const std::string& file, const rough::Model& model) {
-    rough::TargetScales scales;
-    if (model.grid.is_2d())
-        scales.nominal_area = model.grid.nominal_area();
-    if (settings.has("resistivity")) // C = 2 K_i/(E* (rho1 + rho2))
-        scales.conductance_to_stiffness = 0.5 * model.body.effective_modulus * settings.number("resistivity");
-    if (settings.knows("shear-strength"))
-        settings.take("shear-strength", scales.shear_strength);
+    const rough::TargetScales scales = scales_from(settings, model);
     rough::Target target = placing(settings, "", [&] { return rough::read_target(file, scales); });
     expect_same_model(target, model);
     return target;
@@ -69,11 +93,13 @@ std::vector<std::string> notes_on(const Settings& settings, const rough::Model& 
         note("strip-width", "the kernel is " + kernel);
     if (kernel != rough::name_of(rough::Kernel::free))
         note("datum", "the kernel is " + kernel);
-    const auto conducts = [](const rough::Target& target) {
-        return rough::read_target_table(target.name).place_of("conductance") >= 0;
+    const auto needs = [&](const char* column, const char* flag, const char* kind) {
+        if (std::ranges::none_of(targets,
+                                 [&](const rough::Target& target) { return columns_of(target).y == column; }))
+            note(flag, "no target is " + std::string(kind));
     };
-    if (std::ranges::none_of(targets, conducts))
-        note("resistivity", "no target is a conductance");
+    needs("conductance_S_per_m2", "resistivity", "an electrical conductance");
+    needs("conductance_W_per_m2K", "conductivity", "a thermal conductance");
     for (const rough::Target& target : targets)
         if (const auto carried = carried_over(target, model); !carried.empty())
             notes.push_back("note: " + target.name + ": recorded with " + in_words(carried) +

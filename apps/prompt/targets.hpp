@@ -5,10 +5,12 @@
 
 namespace app {
 
-/// --resistivity for conductance targets.
-Setting resistivity_setting();
+/// --resistivity and --conductivity for conductance targets, --shear-strength for friction.
+std::vector<Setting> scale_settings();
+/// What converts a target's columns for a model, from scale_settings().
+rough::TargetScales scales_from(const Settings& settings, const rough::Model& model);
 
-/// Reads a target file for a model; a conductance with --resistivity. Throws rough::InputError if the file
+/// Reads a target file for a model, with scales_from(). Throws rough::InputError if the file
 /// cannot be read, or if the model that it records differs.
 rough::Target target_from(const Settings& settings, const std::string& file, const rough::Model& model);
 

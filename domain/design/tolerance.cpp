@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
+#include "domain/problem/prices.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr int min_draws = 40, max_draws = 1000, min_draws_in_time = 5;
 constexpr int few_draws = 20;                       ///< minimum to bracket a noise
 constexpr double line_nodes = 4096, map_nodes = 64; ///< largest grids that get max_draws
+constexpr double agreed = 0.005;                    ///< largest change of a misfit on a coarser grid
 constexpr double precision = 1.015; ///< ratio of the smallest size found to fail to the largest found to hold
 constexpr double max_scale = 0.99, max_tilt = 16; ///< relative to all heights, to the height range
 constexpr double smallest = 0x1p-40;              ///< smallest size that is tried, relative to the largest
@@ -224,41 +226,76 @@ Effort full_effort(const DesignSetup& setup) {
     const bool jumps = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     return {draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8};
 }
+/// The largest difference of the misfits of a genome on two grids; infinity without a response.
+double disagreement(const DesignSetup& setup, const DesignSetup& coarser, const Genome& genome) {
+    try {
+        const auto fine = misfits_of(setup, respond(setup, genome, setup.model)),
+                   coarse = misfits_of(coarser, respond(coarser, genome, coarser.model));
+        double largest = 0;
+        for (std::size_t t = 0; t < fine.size(); ++t)
+            largest = std::max(largest, (fine[t] - coarse[t]).cwiseAbs().maxCoeff());
+        return largest;
+    } catch (const std::exception&) {
+        return HUGE_VAL;
+    }
+}
+
+/// The set-up on the coarsest grid that agrees with its own on the answer (tolerance_of()).
+DesignSetup on_agreeing_grid(const DesignSetup& setup, const Genome& genome) {
+    DesignSetup found = setup, coarser = setup;
+    for (Grid& grid = coarser.model.grid; grid.is_2d() && grid.nodes % 2 == 0 && grid.rows % 2 == 0;) {
+        grid.nodes /= 2, grid.rows /= 2;
+        if (grid.widest_spacing() > setup.errors.noise_length ||
+            disagreement(setup, coarser, genome) > agreed)
+            break;
+        found = coarser;
+    }
+    return found;
+}
+
+/// The effort for a number of curves. There are two per tilt and scale in 7 octaves and for 18 finer sizes, 4
+/// per draw, and 4 noises with few draws.
+Effort effort_of(double curves, Effort full) {
+    const int parts = static_cast<int>(std::clamp<double>(curves / 200, 1, full.parts));
+    const double left = curves - 4 * (7 * parts + 18) - 4 * few_draws;
+    return {static_cast<int>(std::clamp<double>(left / 4, min_draws_in_time, full.draws)), parts};
+}
+
 /// The effort in the time that is left, of which 0.7 is planned by the time of some curves.
-Effort effort_for(ErrorTrials& trials, const DesignSetup& setup, const ToleranceOptions& options) {
-    auto [draws, parts] = full_effort(setup);
-    if (options.fixed_draws || std::isinf(options.seconds))
-        return {draws, parts};
+Effort effort_in_time(ErrorTrials& trials, Effort full) {
     const ga::Stopwatch clock;
     trials.lowest({trials.heights()},
                   std::vector(static_cast<std::size_t>(trials.threads()), 1e-6)); // 2 each
-    const double curves = 1.4 * trials.seconds_left() * trials.threads() / clock.seconds();
-    parts = static_cast<int>(std::clamp<double>(curves / 200, 1, parts));
-    // Curves: two per tilt and scale in 7 octaves and for 18 finer sizes, 4 per draw, and 4 noises with few
-    // draws.
-    const double left = curves - 4 * (7 * parts + 18) - 4 * few_draws;
-    draws = static_cast<int>(std::clamp<double>(left / 4, min_draws_in_time, draws));
-    return {draws, parts};
+    return effort_of(1.4 * trials.seconds_left() * trials.threads() / clock.seconds(), full);
 }
 
 } // namespace
 
-Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options) {
+Tolerance tolerance_of(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    ErrorTrials trials(setup, genome, options);
     Tolerance result;
-    result.noise_length = setup.errors.noise_length;
+    result.noise_length = given.errors.noise_length;
     result.similarity = unknown;
-    std::vector<double> levels{0.99, 0.95, 0.9, setup.required_similarity};
+    std::vector<double> levels{0.99, 0.95, 0.9, given.required_similarity};
     std::sort(levels.rbegin(), levels.rend());
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     for (const double level : levels)
         result.levels.push_back({level, unknown, unknown, unknown});
     try {
+        const ga::Stopwatch clock;
+        const DesignSetup setup = on_agreeing_grid(given, genome);
+        ToleranceOptions left = options;
+        left.seconds -= clock.seconds();
+        ErrorTrials trials(setup, genome, left);
+        result.nodes = setup.model.grid.nodes;
         result.similarity = trials.similarity();
-        const Effort effort = effort_for(trials, setup, options);
-        const auto [draws, parts] = effort;
-        result.shortened = effort != full_effort(setup);
+        const Effort full = full_effort(setup);
+        const Effort priced = options.draws
+                                  ? Effort{*options.draws, full.parts}
+                                  : effort_of(options.price / relative_price(setup.model, given.model), full);
+        const bool in_time = !options.fixed_draws && !options.draws && !std::isinf(options.seconds);
+        const auto [draws, parts] = in_time ? effort_in_time(trials, priced) : priced;
+        result.shortened = Effort{draws, parts} != priced;
         result.draws = draws;
         std::tie(result.share_from, result.share_to) = share_interval(Tolerance::share, draws);
         const auto first = std::ranges::find_if(result.levels, [&](const ToleranceLevel& level) {

@@ -6,14 +6,17 @@
 
 namespace rough {
 
-/// Options of the tolerance of a design. The number of draws depends only on the grid, unless `seconds` is
-/// finite and `fixed_draws` is false.
+/// Options of the tolerance of a design. The number of draws depends on the grid and the price. It depends on
+/// the time only if `seconds` is finite and `fixed_draws` is false.
 struct ToleranceOptions {
     std::uint64_t seed = 1; ///< seed of the draws
     int threads = 0;        ///< number of threads, 0: all; the result does not depend on it
     /// Wall time, s. Sizes that are not found by then stay NaN.
     double seconds = std::numeric_limits<double>::infinity();
-    bool fixed_draws = false;                ///< whether the number of draws ignores `seconds`
+    /// Price of the curves to solve, in curves of the set-up's model. If it is small, fewer errors are tried.
+    double price = std::numeric_limits<double>::infinity();
+    std::optional<int> draws = {}; ///< number of draws of noise, whatever they cost; none: from the price
+    bool fixed_draws = false;      ///< whether the number of draws ignores `seconds`
     const std::atomic<bool>* stop = nullptr; ///< true ends the work early, as `seconds` does
 };
 
@@ -43,6 +46,7 @@ struct Tolerance {
     double noise_length = 0;              ///< correlation length of the noise, mm
     double similarity = 0;                ///< similarity without errors; NaN: not computed in time
     int draws = 0;                        ///< number of draws of noise per level; 0: not computed in time
+    Index nodes = 0;                      ///< nodes of the grid of all draws along x
     double share_from = 0;                ///< lower end of the share's 95 % confidence interval
     double share_to = 1;                  ///< upper end of this interval
     std::vector<ToleranceLevel> levels;   ///< levels 0.99, 0.95, 0.9 and the required similarity, falling
@@ -52,12 +56,15 @@ struct Tolerance {
     bool shortened = false; ///< whether fewer errors were tried because time was short
 };
 
-/// The tolerance of a genome from in_final_form() on the set-up's grid and load steps. The noise has the
+/// The tolerance of a genome from in_final_form() in the set-up's load steps. A map is drawn on the coarsest
+/// grid of N, N/2, N/4, ... nodes along each side that resolves the noise, and on which no misfit of the
+/// answer without errors changes by more than 0.005. The noise has the
 /// correlation length of DesignSetup::errors. Eq. 11 does not rescale the heights of a draw, and displacement
 /// counts from the first touch of the draw.
 ///
 /// Noise is tried up to the height range, tilt up to 16 times the height range and scale up to 0.99. There
-/// are 1,000 draws of noise on lines of up to 4,096 nodes, and fewer on larger ones and maps, at least 40.
+/// are 1,000 draws of noise on lines of up to 4,096 nodes, and fewer on larger ones and maps. At least 40 are
+/// drawn, or 5 if time or price is short.
 /// Throws InputError if the design has no response.
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 

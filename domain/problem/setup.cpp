@@ -99,7 +99,7 @@ DesignSetup as_reported(DesignSetup setup) {
 DesignSetup design_like(const Profile& profile, Model model, const std::string& name,
                         const std::vector<Quantity>& quantities, Index points, std::optional<Index> nodes,
                         Resolution resolution, std::optional<double> max_pressure) {
-    auto targets = targets_like(profile, model, name, quantities, points, max_pressure, resolution);
+    auto targets = targets_like(profile, model, name, quantities, {points, max_pressure}, resolution);
     for (Target& target : targets)
         if (target.has_band()) {
             target.lower = target.lower.cwiseMax((1 - max_band_share) * target.y);

@@ -1,8 +1,8 @@
 #include "domain/target/target.hpp"
 
 #include "domain/errors.hpp"
-#include "domain/text/unit.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/text/unit.hpp"
 #include "domain/text/words.hpp"
 
 #include <array>
@@ -34,10 +34,11 @@ const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<
 constexpr std::size_t max_bytes = 16'000'000, max_points = 1'000'000;
 /// A ratio K_i/K that only rounding next to full contact reaches.
 constexpr double nearly_rigid = 1e9;
+constexpr const char* pressure_units = "Pa, kPa, MPa, GPa, bar or psi";
 constexpr const char* expected_columns =
-    "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction or "
-    "conductance, or displacement_mm with contact_fraction or pressure_MPa, in these or other units (load_N, "
-    "area_mm2, displacement_um); optionally lower and upper";
+    "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction, "
+    "conductance_W_per_m2K or conductance_S_per_m2, or displacement_mm with contact_fraction or "
+    "pressure_MPa, in these or other units (load_N, area_mm2, displacement_um); optionally lower and upper";
 
 double number_in(std::string_view cell, Separator separator, const std::string& where) {
     auto value = number(cell, {separator, false});
@@ -61,7 +62,12 @@ Factor factor_of(std::string_view unit, const std::map<std::string_view, double>
     return found == units.end() ? std::nullopt : Factor(found->second);
 }
 Factor in_mpa(std::string_view unit) {
-    return factor_of(unit, {{"Pa", 1e-6}, {"kPa", 1e-3}, {"MPa", 1}, {"GPa", 1e3}});
+    return factor_of(unit, {{"Pa", 1e-6},
+                            {"kPa", 1e-3},
+                            {"MPa", 1},
+                            {"GPa", 1e3},
+                            {"bar", 0.1},
+                            {"psi", 6.894757293168361e-3}}); // pound-force per square inch
 }
 Factor in_newton(std::string_view unit) {
     return factor_of(unit, {{"uN", 1e-6}, {"mN", 1e-3}, {"N", 1}, {"kN", 1e3}});
@@ -69,6 +75,15 @@ Factor in_newton(std::string_view unit) {
 Factor in_mm(std::string_view unit) {
     const auto known = length_unit(unit);
     return known ? Factor(known->in_mm) : std::nullopt;
+}
+
+constexpr const char *thermal = "conductance_W_per_m2K", *electrical = "conductance_S_per_m2";
+
+/// The interface stiffness (MPa/mm) that conducts 1 W/(m^2 K) or 1 S/m^2: K_i = C E* (rho_1 + rho_2)/2
+/// (Barber 2003). 1 MPa/mm is 1e9 Pa/m, and 1 MPa is 1e6 Pa.
+double conductance_unit(const TargetScales& scales, bool is_thermal) {
+    return 0.5e-3 * scales.effective_modulus *
+           *(is_thermal ? scales.thermal_resistivity : scales.resistivity);
 }
 
 /// The usual column for a name; an unknown name stays as it is.
@@ -83,13 +98,18 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
                 "pairs");
         return factor ? Factor(*factor / *scales.nominal_area) : std::nullopt;
     };
-    if (name == "conductance") {
-        if (!scales.conductance_to_stiffness)
-            throw InputError(
-                file + ": has a conductance, C = 2 K_i/(E* resistivity); give a resistivity with it",
-                "resistivity");
-        return {"interface_stiffness_MPa_per_mm", *scales.conductance_to_stiffness};
+    if (name == "conductance")
+        refuse("give it a unit: conductance_W_per_m2K (thermal) or conductance_S_per_m2 (electrical)");
+    if (name == thermal || name == electrical) {
+        const char* needed = name == thermal ? "conductivity" : "resistivity";
+        if (!(name == thermal ? scales.thermal_resistivity : scales.resistivity))
+            throw InputError(file + ": column \"" + name + "\" needs the " + needed +
+                                 " of both bodies; give a " + needed,
+                             needed);
+        return {"interface_stiffness_MPa_per_mm", conductance_unit(scales, name == thermal)};
     }
+    if (name == "contact_percent")
+        return {"contact_fraction", 0.01};
     const auto cut =
         name.rfind('_', name.find("_per_") == std::string::npos ? name.size() : name.find("_per_") - 1);
     if (cut == std::string::npos)
@@ -101,7 +121,7 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
         return UsualColumn{usual, *factor};
     };
     if (what == "pressure")
-        return scaled("pressure_MPa", in_mpa(unit), "Pa, kPa, MPa or GPa");
+        return scaled("pressure_MPa", in_mpa(unit), pressure_units);
     if (what == "load" || what == "normal")
         return scaled("pressure_MPa", over_area(in_newton(unit)), "uN, mN, N or kN");
     if (what == "displacement")
@@ -113,7 +133,7 @@ UsualColumn usual_column(const std::string& name, const TargetScales& scales, co
                              "shear-strength");
         const Factor force = what == "shear" ? in_mpa(unit) : over_area(in_newton(unit));
         return scaled("contact_fraction", force ? Factor(*force / *scales.shear_strength) : force,
-                      what == "shear" ? "Pa, kPa, MPa or GPa" : "uN, mN, N or kN");
+                      what == "shear" ? pressure_units : "uN, mN, N or kN");
     }
     if (what == "area") {
         const auto length = unit.ends_with('2') ? in_mm(unit.substr(0, unit.size() - 1)) : std::nullopt;
@@ -191,6 +211,20 @@ Quantity quantity_named(const std::string& name) {
 
 Columns columns_of(Quantity quantity) { return row_of(quantity).columns; }
 
+WrittenColumns columns_of(const Target& target) {
+    const Columns usual = columns_of(target.quantity);
+    return target.written.value_or(WrittenColumns{usual.x, usual.y});
+}
+
+WrittenColumns conductance_columns(const TargetScales& scales) {
+    const bool is_thermal = scales.thermal_resistivity.has_value();
+    if (is_thermal == scales.resistivity.has_value())
+        throw InputError("conductance: give either a conductivity (thermal) or a resistivity (electrical) of "
+                         "both bodies",
+                         "conductivity");
+    return {"pressure_MPa", is_thermal ? thermal : electrical, 1, conductance_unit(scales, is_thermal)};
+}
+
 void validate(const Target& target) {
     const Columns columns = columns_of(target.quantity);
     const auto fail = [&](Index k, const std::string& column, double value, const std::string& permitted) {
@@ -261,6 +295,7 @@ int TargetTable::place_of(const std::string& name) const {
 Target read_target(const std::filesystem::path& file, const TargetScales& scales) {
     TargetTable table = read_target_table(file);
     std::string given;
+    const std::vector<std::string> header = table.header;
     std::vector<double> factors;
     for (std::string& name : table.header) {
         given += (given.empty() ? "" : ",") + name;
@@ -291,9 +326,12 @@ Target read_target(const std::filesystem::path& file, const TargetScales& scales
             values[static_cast<Index>(k)] = factor * table.rows[k][static_cast<std::size_t>(place)];
         return values;
     };
-    const double factor = factors[static_cast<std::size_t>(y)];
-    target.x = column(x, factors[static_cast<std::size_t>(x)]);
+    const auto at_x = static_cast<std::size_t>(x), at_y = static_cast<std::size_t>(y);
+    const double factor = factors[at_y];
+    target.x = column(x, factors[at_x]);
     target.y = column(y, factor);
+    if (header != table.header)
+        target.written = {header[at_x], header[at_y], factors[at_x], factor};
     if (lower >= 0) {
         target.lower = column(lower, factor);
         target.upper = column(upper, factor);
@@ -307,12 +345,12 @@ std::string to_csv(const Target& target) {
     out.precision(17);
     for (const auto& [key, value] : target.recorded)
         out << "# " << key << ": " << value << "\n";
-    const Columns columns = columns_of(target.quantity);
+    const WrittenColumns columns = columns_of(target);
     out << columns.x << "," << columns.y << (target.has_band() ? ",lower,upper" : "") << "\n";
     for (Index k = 0; k < target.points(); ++k) {
-        out << target.x[k] << "," << target.y[k];
+        out << target.x[k] / columns.x_unit << "," << target.y[k] / columns.y_unit;
         if (target.has_band())
-            out << "," << target.lower[k] << "," << target.upper[k];
+            out << "," << target.lower[k] / columns.y_unit << "," << target.upper[k] / columns.y_unit;
         out << "\n";
     }
     return out.str();
@@ -384,31 +422,45 @@ void expect_recorded(const Target& target, const Model& model) {
                          ", on which the target depends; use the same");
 }
 
-Target even_target(Quantity quantity, const std::string& name, Index points, double last,
-                   const std::function<double(double)>& y) {
-    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(points, last / static_cast<double>(points), last);
+Eigen::VectorXd PointPlacement::up_to(double end) const {
+    if (count == 1)
+        return Eigen::VectorXd::Constant(1, end);
+    const double begin = first.value_or(end / static_cast<double>(count));
+    if (!(begin > 0 && begin < end))
+        throw InputError("the first point, " + field_text(begin) + ", is not between 0 and the last, " +
+                             field_text(end) + "; give a smaller one",
+                         "from");
+    if (!logarithmic)
+        return Eigen::VectorXd::LinSpaced(count, begin, end);
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(count, std::log(begin), std::log(end)).array().exp();
+    x[0] = begin, x[count - 1] = end;
+    return x;
+}
+
+Target target_at(Quantity quantity, const std::string& name, const Eigen::VectorXd& x,
+                 const std::function<double(double)>& y) {
     return {quantity, name, x, x.unaryExpr([&](double at) { return y(at); })};
 }
 
 std::vector<Target> targets_like(const Profile& profile, const Model& model, const std::string& name,
-                                 const std::vector<Quantity>& quantities, Index points,
-                                 std::optional<double> last, Resolution resolution) {
+                                 const std::vector<Quantity>& quantities, const PointPlacement& points,
+                                 Resolution resolution) {
     const Response response = respond(profile, model);
     const std::vector<Response> finer = finer_responses(profile, model, response, resolution);
     std::vector<Target> targets;
     for (const Quantity quantity : quantities) {
         const Curve curve = curve_of(quantity, response);
         // A solver finds a load within its tolerance of the requested one.
-        const bool reaches = last && *last <= curve.to * (1 + 1e-9);
-        Target target = even_target(quantity, name, points, reaches ? *last : curve.to,
-                                    [&](double x) { return curve.at(x); });
+        const bool reaches = points.last && *points.last <= curve.to * (1 + 1e-9);
+        Target target = target_at(quantity, name, points.up_to(reaches ? *points.last : curve.to),
+                                  [&](double x) { return curve.at(x); });
         // The line through the first two secants may fall below 0 before the first one; points there are
         // omitted.
         Index omitted = 0;
-        while (omitted + 1 < points && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0])
+        while (omitted + 1 < points.count && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0])
             ++omitted;
-        target.x = target.x.tail(points - omitted).eval();
-        target.y = target.y.tail(points - omitted).eval();
+        target.x = target.x.tail(points.count - omitted).eval();
+        target.y = target.y.tail(points.count - omitted).eval();
         target.recorded = recorded_model(model);
         if (quantity == Quantity::interface_stiffness &&
             target.y.maxCoeff() > nearly_rigid * response.tangent_stiffness.maxCoeff())
@@ -430,8 +482,8 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
 }
 
 Target target_like(const Profile& profile, const Model& model, const std::string& name, Quantity quantity,
-                   Index points, std::optional<double> last, Resolution resolution) {
-    return targets_like(profile, model, name, {quantity}, points, last, resolution).front();
+                   const PointPlacement& points, Resolution resolution) {
+    return targets_like(profile, model, name, {quantity}, points, resolution).front();
 }
 
 } // namespace rough

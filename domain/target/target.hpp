@@ -33,6 +33,14 @@ inline bool against_pressure(Quantity quantity) {
     return quantity != Quantity::area_at_displacement && quantity != Quantity::load_at_displacement;
 }
 
+/// The columns of a target's file, and the size of their units in the units of its quantity.
+struct WrittenColumns {
+    std::string x;     ///< for example "pressure_psi"
+    std::string y;     ///< for example "conductance_W_per_m2K"
+    double x_unit = 1; ///< one unit of x, MPa or mm
+    double y_unit = 1; ///< one unit of y, in the unit of the quantity
+};
+
 /// A curve that a design must match, with its weight. A band contains the values that count as a match.
 struct Target {
     Quantity quantity = Quantity::stiffness; ///< y and x of the curve
@@ -44,6 +52,7 @@ struct Target {
     double weight = 1;                       ///< factor on each misfit, in (0, 1]
     /// The model that the file states: "kernel", "datum_mm", ...
     std::map<std::string, std::string> recorded = {};
+    std::optional<WrittenColumns> written = {}; ///< as the file has them; none: those of the quantity
 
     Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
@@ -59,6 +68,8 @@ struct Columns {
 };
 /// The names of a quantity's columns in a target file.
 Columns columns_of(Quantity quantity);
+/// The columns of a target's file.
+WrittenColumns columns_of(const Target& target);
 
 /// Throws InputError if points are missing, x is not positive and increasing, y is out of range, or a band
 /// excludes y. The message names the point (from 1) and the value.
@@ -77,27 +88,38 @@ struct TargetTable {
 /// semicolon or tab. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
 TargetTable read_target_table(const std::filesystem::path& file);
 
-/// Factors that convert the columns of a target file into a quantity.
+/// What converts the columns of a target file into a quantity.
 struct TargetScales {
     std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
-    /// E* (rho_1 + rho_2)/2, with the resistivities rho of the bodies (Barber 2003).
-    std::optional<double> conductance_to_stiffness = {};
+    double effective_modulus = 1;            ///< E* of the bodies that conduct, MPa
+    /// rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
+    std::optional<double> resistivity = {};
+    /// 1/k_1 + 1/k_2 of both bodies, with the thermal conductivities k (W/(m K)), m K/W
+    std::optional<double> thermal_resistivity = {};
     /// Shear strength sigma, MPa: the friction is sigma times the contact area.
     std::optional<double> shear_strength = {};
 };
 
+/// The columns of a conductance: thermal (conductance_W_per_m2K) if the scales have a thermal resistivity,
+/// electrical (conductance_S_per_m2) if they have a resistivity. A conductance per nominal area is C = 2
+/// K_i/(E* (rho_1 + rho_2)), with the interface stiffness K_i (Barber 2003). Throws InputError if the scales
+/// have neither or both.
+WrittenColumns conductance_columns(const TargetScales& scales);
+
 /// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
-/// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm,
+/// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, a
 /// conductance; with displacement_mm also pressure_MPa) and optionally lower and upper. A column name may
-/// state another unit. A pressure may be in Pa, kPa, MPa or GPa. A load in uN, mN, N or kN is divided by the
-/// nominal area. A displacement may be in any unit of length, e.g. displacement_um, and an area in its
-/// square, e.g. area_mm2. With a shear strength sigma, friction_N or shear_MPa (friction over the nominal
-/// area) is divided by sigma and gives the contact area. normal_N is a load. A stiffness is a pressure or a
-/// load per length, e.g. stiffness_N_per_um. A conductance C is read as the interface stiffness C E* (rho_1 +
-/// rho_2)/2. Lines "# key: value" record the model. Throws InputError that names file and line or column.
+/// state another unit. A pressure may be in Pa, kPa, MPa, GPa, bar or psi. A load in uN, mN, N or kN is
+/// divided by the nominal area. A displacement may be in any unit of length, e.g. displacement_um. A contact
+/// area may be in percent (contact_percent), or in the square of a length, e.g. area_mm2. With a shear
+/// strength sigma, friction_N or shear_MPa (friction over the nominal area) is divided by sigma and gives the
+/// contact area. normal_N is a load. A stiffness is a pressure or a load per length, e.g. stiffness_N_per_um.
+/// A conductance is that of conductance_columns(). Lines "# key: value" record the model. Throws InputError
+/// that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
-/// The text of a target's file: the recorded lines, the header, and one row per point with 17 digits.
+/// The text of a target's file: the recorded lines, the header, and one row per point with 17 digits, in the
+/// units of columns_of(target).
 std::string to_csv(const Target& target);
 
 /// The curve of `response` that is compared with a target of this quantity.
@@ -153,21 +175,32 @@ std::string in_words(const std::vector<RecordedDifference>& differences);
 /// Throws InputError that names all recorded_differences, if there are any.
 void expect_recorded(const Target& target, const Model& model);
 
-/// A target with the values y(x) at `points` evenly spaced x up to `last`, in the quantity's units.
-Target even_target(Quantity quantity, const std::string& name, Index points, double last,
-                   const std::function<double(double)>& y);
+/// Where the points of a target stand.
+struct PointPlacement {
+    Index count = 20;                 ///< number of points, at least 1
+    std::optional<double> last = {};  ///< largest x; none: the last load step
+    std::optional<double> first = {}; ///< smallest x; none: `last` over `count`
+    bool logarithmic = false;         ///< whether x grows by a constant factor, not by a constant step
 
-/// A profile's response as a target, with its recorded model, at evenly spaced points up to `last` (MPa or
-/// mm). If `last` is not given or beyond the last load step, the last load step is used. Points at which the
-/// curve is continued to 0 or less are omitted. Unless `resolution` is `off`, the band spans the curves of
-/// the given heights and of heights interpolated linearly and by a spline. Throws InputError if an interface
-/// stiffness is infinite at full contact.
+    /// The x of the points up to `end`. Throws InputError unless 0 < `first` < `end`, if there is a choice.
+    Eigen::VectorXd up_to(double end) const;
+};
+
+/// A target with the values y(x) at these x, in the quantity's units.
+Target target_at(Quantity quantity, const std::string& name, const Eigen::VectorXd& x,
+                 const std::function<double(double)>& y);
+
+/// A profile's response as a target, with its recorded model. If the last point is not given or beyond the
+/// last load step, the last load step is used. PointPlacement at which the curve is continued to 0 or less
+/// are omitted. Unless `resolution` is `off`, the band spans the curves of the given heights and of heights
+/// interpolated linearly and by a spline. Throws InputError if an interface stiffness is infinite at full
+/// contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
-                   Quantity quantity = Quantity::stiffness, Index points = 20,
-                   std::optional<double> last = {}, Resolution resolution = Resolution::off);
+                   Quantity quantity = Quantity::stiffness, const PointPlacement& points = {},
+                   Resolution resolution = Resolution::off);
 /// Targets of several quantities, as target_like; the response is computed once.
 std::vector<Target> targets_like(const Profile& profile, const Model& model, const std::string& name,
-                                 const std::vector<Quantity>& quantities, Index points,
-                                 std::optional<double> last, Resolution resolution);
+                                 const std::vector<Quantity>& quantities, const PointPlacement& points,
+                                 Resolution resolution);
 
 } // namespace rough

@@ -2,4 +2,6 @@
 
 #include "tests/fuzz/reader.hpp"
 
-FUZZ(target) { rough::read_target(fuzz::as_file(bytes), {.nominal_area = 1, .conductance_to_stiffness = 1}); }
+FUZZ(target) {
+    rough::read_target(fuzz::as_file(bytes), {.nominal_area = 1, .resistivity = 1, .thermal_resistivity = 1});
+}

@@ -212,12 +212,13 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
         const rough::Target& target = setup.targets[t];
         rough::Target drawn = target;
         drawn.x = Eigen::VectorXd::LinSpaced(drawn_points, 0.2 * target.x[0], target.last());
-        curves.points(drawn.x, curve_of(setup, drawn, best.genome, setup.model).values, t + 1, "answer");
+        const rough::WrittenColumns columns = columns_of(target);
+        curves.points(drawn.x / columns.x_unit,
+                      curve_of(setup, drawn, best.genome, setup.model).values / columns.y_unit, t + 1,
+                      "answer");
         const Eigen::VectorXd misfits =
             misfit(target, curve_of(setup, target, best.genome, setup.model).values) / target.weight;
-        for (rough::Index k = 0; k < target.points(); ++k)
-            points.row(t + 1, target.x[k], target.y[k], target.has_band() ? target.lower[k] : NAN,
-                       target.has_band() ? target.upper[k] : NAN, misfits[k], NAN);
+        add_points(points, t + 1, target, misfits, Eigen::VectorXd::Constant(target.points(), NAN));
     }
     for (const auto& [name, csv] :
          {std::pair("asperities", &table), {"spots", &spots}, {"curves", &curves}, {"points", &points}})

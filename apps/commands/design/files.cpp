@@ -4,6 +4,8 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/text/atomic_file.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Check, name, similarity, decides)
 } // namespace rough
@@ -57,6 +59,7 @@ json tolerance_json(const rough::Tolerance& tolerance) {
             {"share_from", tolerance.share_from},
             {"share_to", tolerance.share_to},
             {"draws", tolerance.draws},
+            {"nodes", tolerance.nodes},
             {"similarity", tolerance.similarity},
             {"complete", tolerance.complete},
             {"levels", levels}};
@@ -133,7 +136,7 @@ json design_json(const DesignRun& run) {
 
 constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 
-/// Curves and, at the targets' points, misfits over the weight; x and y in the units of the target's file.
+/// Curves and, at the targets' points, misfits over the weight; x and y in the units of columns_of(target).
 /// Drawn are the answer's response, that on a grid four times finer if it was verified there, and that of the
 /// surface in production.
 void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
@@ -145,16 +148,15 @@ void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
     Csv curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_finer");
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t) {
         const rough::Target& target = run.setup.targets[t];
+        const rough::WrittenColumns columns = columns_of(target);
         Eigen::VectorXd designed, finer = Eigen::VectorXd::Constant(target.points(), NAN);
         for (const auto& [name, response] : responses) {
             const rough::Curve curve = to_its_end(response.curves[t]);
-            curves.points(curve.x, curve.y, t + 1, name);
+            curves.points(curve.x / columns.x_unit, curve.y / columns.y_unit, t + 1, name);
             if (name != "before")
                 (name == "finer" ? finer : designed) = misfit(target, response.curves[t]) / target.weight;
         }
-        for (rough::Index k = 0; k < target.points(); ++k)
-            points.row(t + 1, target.x[k], target.y[k], target.has_band() ? target.lower[k] : NAN,
-                       target.has_band() ? target.upper[k] : NAN, designed[k], finer[k]);
+        add_points(points, t + 1, target, designed, finer);
     }
     rough::write_atomically(folder / "curves.csv", curves.text());
     rough::write_atomically(folder / "points.csv", points.text());
@@ -191,7 +193,50 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "heights-drawn.csv", table);
 }
 
+/// The labels of a target's axes in the units of its file, each in quotes, after the word own.
+std::string labels_of(const rough::Target& target) {
+    if (!target.written)
+        return "";
+    static const std::pair<const char*, const char*> signs[] = {
+        {"_per_", "/"}, {"m2K", "(m²K)"}, {"m2", "m²"}, {"um", "µm"}, {"uN", "µN"}, {"percent", "%"}};
+    static const std::map<std::string, std::string> names{{"pressure", "Mean pressure p"},
+                                                          {"load", "Load"},
+                                                          {"normal", "Load"},
+                                                          {"displacement", "Displacement"},
+                                                          {"contact", "Contact area A"},
+                                                          {"contact_fraction", "Contact fraction A"},
+                                                          {"area", "Contact area"},
+                                                          {"friction", "Friction"},
+                                                          {"shear", "Friction"},
+                                                          {"stiffness", "Stiffness K"},
+                                                          {"interface_stiffness", "Interface stiffness K_i"},
+                                                          {"conductance", "Conductance"}};
+    std::string labels = " own";
+    for (const std::string& column : {target.written->x, target.written->y}) {
+        std::string what = column, unit;
+        if (!names.contains(column)) {
+            const std::size_t cut = column.rfind('_', column.find("_per_") - 1);
+            what = column.substr(0, cut), unit = column.substr(cut + 1);
+        }
+        for (const auto& [from, to] : signs)
+            boost::replace_all(unit, from, to);
+        labels += " \"" + names.at(what) + (unit.empty() ? "" : " (" + unit + ")") + "\"";
+    }
+    return labels;
+}
+
 } // namespace
+
+void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
+                const Eigen::VectorXd& finer) {
+    const rough::WrittenColumns columns = columns_of(target);
+    const auto end = [&](const Eigen::VectorXd& values, rough::Index k) {
+        return target.has_band() ? values[k] / columns.y_unit : NAN;
+    };
+    for (rough::Index k = 0; k < target.points(); ++k)
+        points.row(number, target.x[k] / columns.x_unit, target.y[k] / columns.y_unit, end(target.lower, k),
+                   end(target.upper, k), misfits[k], finer[k]);
+}
 
 json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,
                  const std::string& curves) {
@@ -204,8 +249,8 @@ json record_json(const DesignRecord& run, const std::vector<rough::Target>& targ
         shown["file"] = std::filesystem::path(target.name).filename().string();
         shown["quantity"] = quantity;
         shown["figure"] = std::to_string(result["targets"].size() + 1) + " " + quantity +
-                          (target.against_pressure() ? " pressure" : " displacement") + curves +
-                          (target.has_band() ? " band" : "");
+                          (target.against_pressure() ? " pressure" : " displacement") + labels_of(target) +
+                          curves + (target.has_band() ? " band" : "");
         result["targets"].push_back(std::move(shown));
     }
     result["target"] = result["targets"][0];

@@ -13,6 +13,8 @@
 /// A design from settings to files, for the program and Python.
 namespace app {
 
+class Csv;
+
 struct Fact {
     std::string key;  ///< in result.json
     std::string name; ///< heading on the page and the terminal
@@ -115,12 +117,18 @@ std::string pipeline_from(const Settings& settings, const std::map<std::string, 
 
 /// The targets of --target with their --weights.
 std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model);
+/// The options of the tolerance, which costs about as much as the search unless --draws is given.
+rough::ToleranceOptions priced_tolerance(const DesignRun& run);
 ///@{
 /// Parts of result.json.
 nlohmann::json trust_json(const rough::Trust& trust);
 nlohmann::json tolerance_json(const rough::Tolerance& tolerance);
 ///@}
 
+/// Adds a row for each point of a target to points.csv, in the units of columns_of(target). Misfits are over
+/// the weight; `finer` are those on the finer grid.
+void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
+                const Eigen::VectorXd& finer);
 /// The keys of result.json for the record, and for each target its points, file, quantity, and the argument
 /// of its figure with further `curves`.
 nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,

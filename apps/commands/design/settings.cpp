@@ -124,6 +124,8 @@ std::vector<Setting> search_settings() {
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
+        ga::whole("draws", "", 20, "draws of noise for the tolerance [as many as cost as much as the search]")
+            .up_to(1e6),
     };
     return joined(
         {settings, settings_of(bindings_of(options)), settings_of(bindings_of(setup)), model_settings()});
@@ -135,9 +137,6 @@ std::vector<Setting> design_settings() {
         positive("weights", "", "weight of each target, with commas between [1 each]").several(),
         {"like", "",
          "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
-        resistivity_setting(),
-        positive("shear-strength", "",
-                 "shear strength sigma of the interface, MPa, for friction targets: friction = sigma A"),
         {"from", "",
          "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
          "necessary to meet the target"},
@@ -152,8 +151,12 @@ std::vector<Setting> design_settings() {
             true),
         pictures_setting(),
     };
-    return joined(
-        {settings, search_settings(), asperity_settings(), scan_settings(), {resolution_setting()}});
+    return joined({settings,
+                   scale_settings(),
+                   search_settings(),
+                   asperity_settings(),
+                   scan_settings(),
+                   {resolution_setting()}});
 }
 
 std::vector<rough::Target> targets_from(const Settings& settings, const rough::Model& model) {
@@ -224,6 +227,13 @@ DesignRequest request_from(const Settings& settings) {
     return request;
 }
 
+rough::ToleranceOptions priced_tolerance(const DesignRun& run) {
+    rough::ToleranceOptions options = run.tolerance_options;
+    if (const double price = run.found.counters.price; price > 0) // no search ran for the phases of --from
+        options.price = price;
+    return options;
+}
+
 DesignRun design_from(const Settings& settings, DesignRequest request) {
     auto& [clock, setup, accounts, from] = request;
     if (from) {
@@ -253,8 +263,9 @@ DesignRun design_from(const Settings& settings, DesignRequest request) {
     settings.take("hardness", trust.hardness);
     if (from)
         trust.phase_draws = 0; // with other phases it is another surface
-    const rough::ToleranceOptions tolerance{
+    rough::ToleranceOptions tolerance{
         .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
+    settings.take("draws", tolerance.draws);
     return {{.clock = clock, .unreachable = std::move(unreachable)},
             {.setup = setup,
              .options = std::move(options),

@@ -129,7 +129,7 @@ py::dict tolerance_of(Design& design) {
     if (!design.tolerance) {
         const py::gil_scoped_release unlocked;
         design.tolerance =
-            rough::tolerance_of(design.setup, design.found.best.genome, design.tolerance_options);
+            rough::tolerance_of(design.setup, design.found.best.genome, app::priced_tolerance(design));
     }
     py::dict result = without_units(app::tolerance_json(*design.tolerance));
     py::list curve;

@@ -153,9 +153,7 @@ std::vector<app::Setting> map_options() {
 }
 
 Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
-    auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
-    if (!settings.given("detrend"))
-        settings = settings.with({{"detrend", "none"}});
+    const auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
     return {app::surface_from(settings.with({{"surface", file.string()}}, app::scan_settings())).heights};
 }
 
@@ -242,7 +240,7 @@ void add_profile(py::module_& module) {
         });
     module.def("read_surface", &read_surface, "file"_a,
                documented("Reads a map: X3P, SDF, SUR, GSF, GWY, columns x, y, height, or a text matrix with "
-                          "its spacing (a pair along x and y). By default detrend='none'.",
+                          "its spacing (a pair along x and y).",
                           map_options())
                    .c_str());
     module.def("read_profile", &read_profile, "file"_a,

@@ -1,5 +1,6 @@
 #include "domain/target/target.hpp"
 
+#include "apps/prompt/targets.hpp"
 #include "apps/python/module/python.hpp"
 #include "domain/mwm/sampling.hpp"
 
@@ -23,6 +24,14 @@ Target target_from(const py::object& x, const py::object& y, const std::string& 
     return target;
 }
 
+Target target_read(const std::filesystem::path& file, const py::kwargs& given) {
+    Keywords keywords(given, "Target.read");
+    const app::Settings settings = keywords.settings(app::scale_settings());
+    const rough::Model model = model_from(keywords);
+    keywords.expect_none_left();
+    return rough::read_target(file, scales_from(settings, model));
+}
+
 Target target_like(const py::object& like, const Spacing& spacing, const std::string& quantity,
                    rough::Index points, std::optional<double> last, const py::kwargs& given) {
     Keywords keywords(given, "Target.like");
@@ -35,7 +44,7 @@ Target target_like(const py::object& like, const Spacing& spacing, const std::st
     if (is_genome)
         surface = sample(like.cast<const rough::Genome&>(), model.grid);
     warn_of_filling(surface, filling, model);
-    return rough::target_like(surface, model, "like", rough::quantity_named(quantity), points, last);
+    return rough::target_like(surface, model, "like", rough::quantity_named(quantity), {points, last});
 }
 
 } // namespace
@@ -52,9 +61,10 @@ x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: 
 20
 )")
         .def(py::init(&target_from), "x"_a, "y"_a, "quantity"_a = "stiffness", "weight"_a = 1.0)
-        .def_static(
-            "read", [](const std::filesystem::path& file) { return rough::read_target(file); }, "file"_a,
-            "Reads a target file (CSV).")
+        .def_static("read", &target_read, "file"_a,
+                    "Reads a target file (CSV). conductivity (W/(m K)) or resistivity (ohm m): of the two "
+                    "bodies, for\n"
+                    "a conductance; shear_strength (MPa): for friction; model keywords as in contact().")
         .def_static(
             "like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
             "quantity"_a = "stiffness", "points"_a = 20, "last"_a = py::none(),

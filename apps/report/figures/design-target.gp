@@ -1,13 +1,16 @@
 # A target, and the curves of the answer on its grid and on a finer one.
-# arg: number of the target, its quantity, pressure or displacement, and further curves: finer, before, band
+# arg: number of the target, its quantity, pressure or displacement; in the units of its file: own and the labels of x
+# and y; further curves: finer, before, band
 here(i) = column("target") == int(word(arg, 1)); quantity = word(arg, 2); is_pressure = word(arg, 3) eq "pressure"
 has(name) = strstrt(arg, name) > 0
 curves = tables."curves.csv"; points = tables."points.csv"
 stats points using (here(0) ? column("x") : NaN) nooutput
-factor = is_pressure ? pressure_factor(STATS_max) : length_factor(STATS_max)
-set xlabel (is_pressure ? "Mean pressure p (".pressure_unit(STATS_max) : "Displacement (".length_unit(STATS_max)).")"
-set ylabel (quantity eq "stiffness" ? "Stiffness K (MPa/mm)" : quantity eq "load" ? "Mean pressure p (MPa)" : \
-    quantity eq "contact_fraction" ? "Contact fraction A" : "Interface stiffness K_i (MPa/mm)") noenhanced
+in_own_units = word(arg, 4) eq "own"
+factor = in_own_units ? 1 : is_pressure ? pressure_factor(STATS_max) : length_factor(STATS_max)
+set xlabel (in_own_units ? word(arg, 5) : is_pressure ? "Mean pressure p (".pressure_unit(STATS_max).")" : \
+    "Displacement (".length_unit(STATS_max).")")
+set ylabel (in_own_units ? word(arg, 6) : quantity eq "stiffness" ? "Stiffness K (MPa/mm)" : \
+    quantity eq "load" ? "Mean pressure p (MPa)" : quantity eq "contact_fraction" ? "Contact fraction A" : "Interface stiffness K_i (MPa/mm)") noenhanced
 set xrange [0:*]; set yrange [0:*]; set key maxcols 3 width -1
 x(name) = here(0) && strcol("curve") eq name ? factor * column("x") : NaN
 p(i) = here(0) ? factor * column("x") : NaN

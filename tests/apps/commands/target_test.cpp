@@ -27,7 +27,17 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
     CHECK(made.y[9] == Approx(1.1));
     CHECK(made.upper[9] == Approx(1.122));
     CHECK(made.lower[9] == Approx(1.078));
-    CHECK(made.recorded.at("kernel") == "free");
+    CHECK(made.recorded.empty()); // a formula belongs to no body
+    done(folder,
+         "target --formula '3e4 * p^0.95' --quantity conductance --conductivity 167,200 --modulus 5e4 "
+         "--from 0.1 --to 5 --points 5 --spaced log --out h.csv");
+    const rough::Target wanted = rough::read_target(
+        folder / "h.csv", {.effective_modulus = 5e4, .thermal_resistivity = 1 / 167.0 + 1 / 200.0});
+    CHECK(wanted.x[0] == Approx(0.1));
+    CHECK(wanted.x[1] / wanted.x[0] == Approx(std::pow(50, 0.25)));
+    CHECK(wanted.y[4] == Approx(3e4 * std::pow(5, 0.95) * 0.5e-3 * 5e4 * (1 / 167.0 + 1 / 200.0)));
+    check_refused(rugosa("target --formula p --quantity conductance --to 1 --out x.csv", folder.path()),
+                  "--conductivity: ");
 
     folder.write("g.json", genome_text(1e-3, 1, 1.6, {{1, {0.3}}, {2, {1}}, {3, {4}}}));
     for (const char* quantity : {"stiffness", "area", "area-displacement", "load", "interface_stiffness"}) {

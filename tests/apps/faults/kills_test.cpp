@@ -85,9 +85,11 @@ TEST_CASE("design, run, optimise and database build resume to the same result af
 }
 
 TEST_CASE("a design that is interrupted in its checks resumes to the same result") {
+    const std::string grid = GENERATE("96", "16x16 --length 0.84942 --max-pressure 1.6e-4");
     const std::string words = "design --target '" RUGOSA_SOURCE
-                              "/experiments/targets/drawn.csv' --nodes 96 --threads 1 --out o --pipeline "
-                              "'shape 4 | score | best 2 | refine lm 4 | best 1 | score verified' ";
+                              "/experiments/targets/drawn.csv' --threads 1 --draws 400 --out o --pipeline "
+                              "'shape 4 | score | best 2 | refine lm 4 | best 1 | score verified' --nodes " +
+                              grid + " ";
     const Folder undisturbed;
     const Ended whole = answered(rugosa(words, undisturbed.path()));
     enum Moment { in_tolerance, after_tolerance, before_damage };

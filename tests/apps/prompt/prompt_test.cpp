@@ -16,7 +16,7 @@ struct Desk : Folder {
         write("g.json", one_wave);
         write("gamma.json", genome_text(1, 0.8, 0.5, {{1, {0.3}}}));
         write("scan.txt", "x [um];z [um]\n0;1\n1;3\n2;0.5\n3;2\n4;1\n");
-        write("conductance.csv", "pressure_MPa,conductance\n1,10\n");
+        write("conductance.csv", "pressure_MPa,conductance_S_per_m2\n1,10\n");
         write("one.txt", "1\n3\n0.5\n2\n1\n");
         write("map.txt", "0 1 2 1\n1 2 3 2\n");
         write("recorded.csv", "# kernel: strip\n# length_mm: 0.004\n# strip_width_mm: "
@@ -273,7 +273,7 @@ TEST_CASE("a flag without effect is reported") {
         {"contact --genome g.json --datum 1 --kernel periodic --out d.csv",
          "--datum is without effect: the kernel is periodic"},
         {"target --check whole.csv --resistivity 3",
-         "--resistivity is without effect: no target is a conductance"}};
+         "--resistivity is without effect: no target is an electrical conductance"}};
     desk.write("whole.csv", "pressure_MPa,contact_fraction\n1e-3,0.5\n");
     for (const auto& [words, note] : cases) {
         const Ended ended = rugosa(words, desk.path());

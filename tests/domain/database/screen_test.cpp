@@ -15,8 +15,8 @@ namespace {
 Target goal_of(const Response& response, double factor, double reach,
                Quantity quantity = Quantity::stiffness) {
     const Curve curve = curve_of(quantity, scaled(response, factor));
-    return even_target(quantity, "a stored genome", 5, reach * curve.to,
-                       [&](double x) { return curve.at(x); });
+    return target_at(quantity, "a stored genome", PointPlacement{5}.up_to(reach * curve.to),
+                     [&](double x) { return curve.at(x); });
 }
 
 } // namespace

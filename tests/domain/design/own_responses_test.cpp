@@ -41,7 +41,7 @@ OwnResponse own_response(unsigned seed) {
     model = own.setup.model;
     auto& last = against_pressure(quantity) ? model.loading.to_pressure : model.loading.to_displacement;
     last = uniform(random, 0.2, 0.8) * curve_of(quantity, respond(surface, model)).to;
-    own.setup.targets = {target_like(surface, model, "its own", quantity, 10, last)};
+    own.setup.targets = {target_like(surface, model, "its own", quantity, {10, last})};
     own.words = line_of("surface ", seed, ", kernel ", int(model.body.kernel), ", quantity ", int(quantity),
                         ", ", model.loading.steps, " load steps");
     return own;

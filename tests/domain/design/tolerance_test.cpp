@@ -37,7 +37,7 @@ Case design_of(std::uint64_t seed, Index nodes = 65, double error = 0, std::size
          .targets = {target_like(profile, loaded, "itself",
                                  std::array{Quantity::stiffness, Quantity::interface_stiffness,
                                             Quantity::area_at_pressure}[seed / (quantities - 1) % quantities],
-                                 10, loaded.loading.to_pressure)}},
+                                 {10, loaded.loading.to_pressure})}},
         genome};
     one.genome.scale *= 1 + error;
     return one;
@@ -193,6 +193,30 @@ TEST_CASE("the tolerance of a surface is the same on twice the nodes") {
     for (const auto value : {&ToleranceLevel::noise_rms, &ToleranceLevel::tilt, &ToleranceLevel::scale})
         for (const std::size_t level : {1u, 2u})
             CHECK(a.levels[level].*value == Approx(b.levels[level].*value).epsilon(0.05));
+}
+
+TEST_CASE("the tolerance of a map from a coarser grid holds on its own grid") {
+    Case one = design_of(6, 32, 0, 2, 32);
+    const Grid& grid = one.setup.model.grid;
+    one.setup.errors.noise_length = 0.3;
+    const Tolerance found = tolerance_of(one.setup, one.genome, {.draws = 300});
+    CHECK(found.nodes < grid.nodes);
+    for (const ToleranceLevel& level : found.levels) {
+        INFO(level.similarity);
+        REQUIRE(level.noise_rms > 0);
+        int kept = 0;
+        for (std::uint64_t draw = 0; draw < 200; ++draw)
+            kept += similarity_with(one, level.noise_rms * height_noise(grid, 0.3, ga::fold(3, draw))) >=
+                    level.similarity;
+        CHECK((kept >= 180 &&
+               kept <= 199)); // 190 are expected, with a standard deviation of 3 and as much of 300
+    }
+    // A price below that of all draws makes them fewer, and a grid that does not resolve the noise is not
+    // used.
+    const Tolerance cheap = tolerance_of(one.setup, one.genome, {.price = 100});
+    CHECK((cheap.draws > 5 && cheap.draws < 300));
+    one.setup.errors.noise_length = 1.5 * grid.spacing();
+    CHECK(tolerance_of(one.setup, one.genome, {.draws = 20}).nodes == grid.nodes);
 }
 
 TEST_CASE("a design below a similarity has tolerance 0 there") {

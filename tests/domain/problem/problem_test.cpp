@@ -165,7 +165,7 @@ TEST_CASE("the amplitude that fits the curve of a genome is the genome's") {
     for (int draw = 0; draw < 24; ++draw) {
         Genome genome = fitted_genome(random, setup);
         setup.targets = {
-            target_like(sample(genome, setup.model.grid), setup.model, "itself", Quantity::stiffness, 10)};
+            target_like(sample(genome, setup.model.grid), setup.model, "itself", Quantity::stiffness, {10})};
         genome.scale = 3;
         CHECK(with_fitting_amplitude(setup, genome).series[0].A == Approx(genome.series[0].A).epsilon(1e-6));
         if (draw >= 4)
@@ -216,9 +216,10 @@ TEST_CASE("a genome reduced to a target keeps at least one chromosome") {
     for (int scene = 0; scene < 5; ++scene) {
         const Genome genome = testing::random_genome(random, 1, 1, 0.84942, setup.limits.shortest_wave);
         const std::size_t count = waves(genome).size();
-        CHECK(waves(reduced_to_target(setup, genome, 0, -1.5)).size() == count);
-        CHECK(waves(reduced_to_target(setup, genome, 0, 1)).size() == 1);
-        CHECK(waves(reduced_to_target(setup, genome, 0)).size() >= 1);
+        ga::Work work;
+        CHECK(waves(reduced_to_target(setup, genome, 0, work, -1.5)).size() == count);
+        CHECK(waves(reduced_to_target(setup, genome, 0, work, 1)).size() == 1);
+        CHECK(waves(reduced_to_target(setup, genome, 0, work)).size() >= 1);
         CHECK(phases_of_waves(genome, 0.1, HUGE_VAL).size() + phases_of_waves(genome, 0, 0.1).size() ==
               count);
     }

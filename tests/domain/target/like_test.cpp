@@ -23,15 +23,18 @@ TEST_CASE("a target like a profile is the profile's curve at even points") {
     const Profile profile = waves();
     const Model model = model_of(profile);
     const Curve curve = secant_stiffness(respond(profile, model));
-    const Target target = target_like(profile, model, "waves", Quantity::stiffness, 5);
+    const Target target = target_like(profile, model, "waves", Quantity::stiffness, {5});
     CHECK(similarity(target, curve) == 1);
     CHECK(target.points() == 5);
     CHECK(target.x[0] == Approx(curve.to / 5));
     CHECK(target.last() == curve.to);
-    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 0.25 * curve.to).last() ==
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, {5, 0.25 * curve.to}).last() ==
           0.25 * curve.to);
-    CHECK(target_like(profile, model, "waves", Quantity::stiffness, 5, 2 * curve.to).last() == curve.to);
-    const Target band = target_like(profile, model, "waves", Quantity::stiffness, 5, {}, Resolution::on);
+    CHECK(target_like(profile, model, "waves", Quantity::stiffness, {5, 2 * curve.to}).last() == curve.to);
+    const Target band = target_like(profile, model, "waves", Quantity::stiffness, {5}, Resolution::on);
+    const Eigen::VectorXd x = PointPlacement{.count = 4, .first = 1e-3, .logarithmic = true}.up_to(1);
+    CHECK(x.isApprox(Eigen::Vector4d(1e-3, 1e-2, 0.1, 1), 1e-14));
+    CHECK_THROWS_WITH((PointPlacement{.first = 2}.up_to(1)), Catch::Contains("not between 0 and the last"));
     CHECK((band.upper - band.lower).cwiseQuotient(band.y).maxCoeff() < 0.02);
 }
 
@@ -47,7 +50,7 @@ TEST_CASE("a profile meets its response as a target, in few load steps as well")
         model.loading.steps = 2 + seed % 3;
         for (const Quantity quantity : {Quantity::stiffness, Quantity::interface_stiffness}) {
             CAPTURE(seed, name_of(quantity));
-            const Target target = target_like(profile, model, "waves", quantity, 20);
+            const Target target = target_like(profile, model, "waves", quantity);
             CHECK_NOTHROW(validate(target));
             CHECK(similarity(target, curve_of(quantity, respond(profile, model))) == 1);
         }

@@ -63,8 +63,8 @@ Profile scene(const Model& model, int kind, std::mt19937_64& random) {
 
 /// A curve's values as a target at even points.
 Target read_off(const Curve& curve, Quantity quantity, Index points) {
-    return even_target(quantity, "the profile's response", points, curve.to,
-                       [&](double x) { return curve.at(x); });
+    return target_at(quantity, "the profile's response", PointPlacement{points}.up_to(curve.to),
+                     [&](double x) { return curve.at(x); });
 }
 
 } // namespace

@@ -31,18 +31,29 @@ TEST_CASE("the columns of a target file determine its quantity") {
     const Target swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
     CHECK(swapped.x == Eigen::Vector2d(1, 3));
     CHECK(swapped.y == Eigen::Vector2d(2, 4));
-    const TargetTable table{{}, {"pressure_MPa", "conductance"}, {}};
-    CHECK((table.place_of("conductance") == 1 && table.place_of("lower") == -1));
 }
 
 TEST_CASE("a conductance is read as the interface stiffness with that conductance") {
-    // C = 2 K_i/(E* rho): K_i = C E* rho/2
-    const Target target =
-        read_text("pressure_MPa,conductance,lower,upper\n1,10,8,12\n", {.conductance_to_stiffness = 0.25});
-    CHECK(target.quantity == Quantity::interface_stiffness);
-    CHECK(target.y[0] == 2.5);
-    CHECK((target.lower[0] == 2 && target.upper[0] == 3));
-    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n"), Catch::Contains("give a resistivity"));
+    // C = 2 K_i/(E* rho) in SI units: K_i (N/m^3) = C E* rho/2, and 1 MPa/mm is 1e9 N/m^3.
+    const TargetScales scales{
+        .effective_modulus = 78554, .resistivity = 0.01, .thermal_resistivity = 2.0 / 167};
+    for (const auto& [column, per_unit] : {std::pair("conductance_S_per_m2", 78554e6 * 0.01 / 2 / 1e9),
+                                           {"conductance_W_per_m2K", 78554e6 * (2.0 / 167) / 2 / 1e9}}) {
+        const std::string text = std::string("pressure_bar,") + column + ",lower,upper\n1,897.6,800,900\n";
+        const Target target = read_text(text, scales);
+        CHECK(target.quantity == Quantity::interface_stiffness);
+        CHECK(target.x[0] == Approx(0.1));
+        CHECK(target.y[0] == Approx(897.6 * per_unit));
+        CHECK(target.lower[0] == Approx(800 * per_unit));
+        CHECK(target.upper[0] == Approx(900 * per_unit));
+        const Target again = read_text(to_csv(target), scales); // written as it was read
+        CHECK(columns_of(again).y == column);
+        CHECK(again.y[0] == Approx(target.y[0]).epsilon(1e-15));
+        CHECK_THROWS_WITH(read_text(text), Catch::Contains("of both bodies; give a "));
+    }
+    CHECK_THROWS_WITH(read_text("pressure_MPa,conductance\n1,10\n", scales),
+                      Catch::Contains("give it a unit"));
+    CHECK_THROWS_WITH(conductance_columns(scales), Catch::Contains("give either"));
 }
 
 TEST_CASE("a target in other units equals the target in the usual units") {
@@ -57,6 +68,7 @@ TEST_CASE("a target in other units equals the target in the usual units") {
         CHECK((!a.has_band() || (a.lower.isApprox(b.lower, 1e-15) && a.upper.isApprox(b.upper, 1e-15))));
     };
     same("displacement_um,load_N\n1,8\n2,20\n", "displacement_mm,pressure_MPa\n1e-3,2\n2e-3,5\n");
+    same("pressure_psi,contact_percent\n1,20\n", "pressure_MPa,contact_fraction\n6.894757293168361e-3,0.2\n");
     same("load_mN,area_um2,lower,upper\n8,4e5,3e5,5e5\n",
          "pressure_MPa,contact_fraction,lower,upper\n2e-3,0.1,0.075,0.125\n");
     same("pressure_kPa,stiffness_GPa_per_m\n3,5\n", "pressure_MPa,stiffness_MPa_per_mm\n3e-3,5\n");
