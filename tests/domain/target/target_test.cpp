@@ -31,8 +31,6 @@ TEST_CASE("the columns of a target file determine its quantity") {
     const Target swapped = read_text("stiffness_MPa_per_mm , pressure_MPa\n2,1\n4,3\n");
     CHECK(swapped.x == Eigen::Vector2d(1, 3));
     CHECK(swapped.y == Eigen::Vector2d(2, 4));
-    const TargetTable table{{}, {"pressure_MPa", "conductance"}, {}};
-    CHECK((table.place_of("conductance") == 1 && table.place_of("lower") == -1));
 }
 
 TEST_CASE("a conductance is read as the interface stiffness with that conductance") {
