@@ -429,15 +429,4 @@ Genome GenomeStore::genome(std::uint64_t index) const {
     return drawn(setup_.law, index);
 }
 
-Response GenomeStore::response(std::uint64_t index) const {
-    const Model& model = setup_.model;
-    const Span span = batch_of(index);
-    Response response = responses(span)[index - span.first];
-    const auto displacements = load_displacements(response.range, model.loading, model.body.kernel);
-    response.displacement = Eigen::VectorXd::Map(displacements.data(), model.loading.steps);
-    response.full_stiffness =
-        full_contact_stiffness({Eigen::VectorXd::Zero(model.grid.nodes), model.grid.spacing()}, model.body);
-    return response;
-}
-
 } // namespace rough

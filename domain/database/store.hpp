@@ -114,7 +114,6 @@ class GenomeStore {
     StoredCurves curves(bool with_fractions = false) const;
     /// A stored genome. Throws InputError if it is not stored, or differs from its distribution.
     Genome genome(std::uint64_t index) const;
-    Response response(std::uint64_t index) const; ///< without solver and certificates; throws as genome()
 
   private:
     explicit GenomeStore(std::unique_ptr<SQLite::Database> sqlite);

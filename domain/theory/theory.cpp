@@ -4,11 +4,9 @@
 #include "domain/numerics/fourier.hpp"
 #include "ga/base/random.hpp"
 
-#include <boost/math/interpolators/cubic_hermite.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
-#include <boost/math/special_functions/expint.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <numbers>
@@ -52,13 +50,12 @@ struct State {
     double pressure, fraction, stiffness;
 };
 
-/// The curve of states at the separations d >= 0, on whose pressure `unit` is the scale of the fall. Mean
-/// planes are d + `mean` apart.
+/// The curve of states at the separations d >= 0, on whose pressure `unit` is the scale of the fall.
 template <class StateAt>
-TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean, StateAt at) {
+TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, StateAt at) {
     const Eigen::VectorXd none =
         Eigen::VectorXd::Constant(pressures.size(), std::numeric_limits<double>::quiet_NaN());
-    TheoryCurve curve{pressures, none, none, none};
+    TheoryCurve curve{pressures, none, none};
     const double largest = at(0).pressure;
     for (Index j = 0; j < pressures.size(); ++j) {
         const double wanted = pressures[j];
@@ -74,7 +71,6 @@ TheoryCurve curve_of(const Eigen::VectorXd& pressures, double unit, double mean,
         const State state = at((low + high) / 2);
         curve.contact_fraction[j] = state.fraction;
         curve.stiffness[j] = state.stiffness;
-        curve.separation[j] = (low + high) / 2 + mean;
     }
     return curve;
 }
@@ -165,29 +161,6 @@ Exceedances exceedances(double t) {
 
 constexpr double correction = 0.45; ///< gamma of Persson's theory
 
-/// int_s^inf erf^2(t) exp(-t^2)/t dt, by cubic interpolation of tabulated values and slopes.
-double reached_part(double s) {
-    constexpr double last = 6; // beyond it the integral is below 1e-17
-    static const auto table = [] {
-        constexpr std::size_t intervals = 256;
-        constexpr double step = last / intervals;
-        const auto integrand = [](double t) {
-            const double error = std::erf(t);
-            return t > 0 ? error * error * std::exp(-t * t) / t : 0;
-        };
-        std::vector<double> sums(intervals + 1), slopes(intervals + 1);
-        for (std::size_t i = intervals; i-- > 0;) {
-            const double from = static_cast<double>(i) * step;
-            slopes[i] = -integrand(from);
-            sums[i] = sums[i + 1] +
-                      boost::math::quadrature::gauss<double, 7>::integrate(integrand, from, from + step);
-        }
-        return boost::math::interpolators::cardinal_cubic_hermite(std::move(sums), std::move(slopes), 0.,
-                                                                  step);
-    }();
-    return s < last ? table(s) : 0;
-}
-
 /// 1/sqrt(2 pi) int f(h'(q)) q/h'(q) dm0, in which q^2 dm0 = 2 h' dh'.
 template <class Function>
 double over_waves(const Spectrum& spectrum, Function f) {
@@ -277,14 +250,14 @@ Summits summits(const SpectralMoments& m) {
     expect_gaussian(m);
     const double alpha = m.bandwidth();
     return {m.m4 / m.m2 / (6 * pi * std::sqrt(3)), 3 * std::sqrt(pi / m.m4) / 8,
-            std::sqrt((1 - 0.8968 / alpha) * m.m0), 4 * std::sqrt(m.m0 / (pi * alpha))};
+            std::sqrt((1 - 0.8968 / alpha) * m.m0)};
 }
 
 TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
                                  const Eigen::VectorXd& pressures) {
     const Summits s = summits(moments);
     const double load = s.density * effective_modulus * std::sqrt(s.radius) * std::pow(s.deviation, 1.5);
-    return curve_of(pressures, s.deviation, s.mean, [&](double d) {
+    return curve_of(pressures, s.deviation, [&](double d) {
         const Exceedances over = exceedances(d / s.deviation);
         return State{4.0 / 3 * load * over.three_halves, pi * s.density * s.radius * s.deviation * over.one,
                      2 * load / s.deviation * over.half};
@@ -299,7 +272,7 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
         std::sqrt(m.m0 * (1 - 1.5 / m.bandwidth())); // that of heights at one mean curvature
     const double area = sharp / (2 * m.m2) * deviation,
                  load = effective_modulus * std::pow(sharp * deviation, 1.5) / (2 * pi * m.m2);
-    return curve_of(pressures, std::sqrt(m.m0), 0, [&](double d) {
+    return curve_of(pressures, std::sqrt(m.m0), [&](double d) {
         State state{0, 0, 0};
         for (const Sharpness& s : sharpnesses()) {
             const Exceedances over = exceedances((d - m.m2 / sharp * s.x) / deviation);
@@ -313,8 +286,7 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
 
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus,
                     const Eigen::VectorXd& pressures) {
-    TheoryCurve curve{pressures, Eigen::VectorXd(pressures.size()), Eigen::VectorXd(pressures.size()),
-                      Eigen::VectorXd(pressures.size())};
+    TheoryCurve curve{pressures, Eigen::VectorXd(pressures.size()), Eigen::VectorXd(pressures.size())};
     const double slope = rms_slope(surface);
     for (Index j = 0; j < pressures.size(); ++j) {
         const double load = std::numbers::sqrt2 * pressures[j] / effective_modulus;
@@ -324,12 +296,6 @@ TheoryCurve persson(const RandomSurface& surface, double effective_modulus,
                 const double s = load / h, error = std::erf(s);
                 return (correction + 3 * (1 - correction) * error * error) * std::exp(-s * s);
             });
-        curve.separation[j] = over_waves(surface.spectrum, [&](double h) { // 1/K integrated from P on
-            const double s = load / h;
-            return s > 26 ? 0
-                          : correction / 2 * boost::math::expint(1, s * s) +
-                                3 * (1 - correction) * reached_part(s);
-        });
     }
     return curve;
 }

@@ -67,7 +67,6 @@ struct TheoryCurve {
     Eigen::VectorXd pressure;         ///< mean pressure P, MPa
     Eigen::VectorXd contact_fraction; ///< real over nominal contact area, A/A0
     Eigen::VectorXd stiffness;        ///< K = -dP/du, MPa/mm; the surface repeats, so K = K_i
-    Eigen::VectorXd separation;       ///< distance u of the mean planes of surface and body, mm
 };
 
 /// Whether a theory applies to maps (`is_2d`) or profiles. All apply to maps, only Persson's to profiles.
@@ -86,7 +85,6 @@ struct Summits {
     double density;   ///< number of summits per area eta = (m4/m2)/(6 pi sqrt 3), 1/mm^2
     double radius;    ///< radius R = 3 sqrt(pi)/(8 sqrt m4), mm
     double deviation; ///< standard deviation sigma_s of the heights, mm: sigma_s^2 = (1 - 0.8968/alpha) m0
-    double mean;      ///< mean height above the mean plane, mm: 4 sqrt(m0/(pi alpha))
 };
 /// The summits of a surface with these moments. Throws InputError if a moment is not above 0, or if alpha is
 /// below 1.5, the lowest value of an isotropic Gaussian surface (Nayak 1971).
@@ -102,7 +100,7 @@ TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effectiv
 /// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit is an elliptic paraboloid, a Hertz contact that
 /// does not influence another. Curvatures and heights have the joint distribution of the summits of an
 /// isotropic Gaussian surface (Longuet-Higgins 1957, Nayak 1971). At light load A/A0 -> sqrt(2 pi) P/(E* h').
-/// Holds at light load; NaN if the separation u is below 0.
+/// Holds at light load; NaN if the separation u of the mean planes is below 0.
 TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
                                const Eigen::VectorXd& pressures);
 

@@ -36,7 +36,7 @@ rough::TheoryCurve solved_curve(const Profile& surface, const VectorXd& pressure
     rough::Body body;
     body.kernel = rough::Kernel::periodic;
     const VectorXd none = VectorXd::Constant(pressures.size(), std::nan(""));
-    rough::TheoryCurve answer{pressures, none, none, none};
+    rough::TheoryCurve answer{pressures, none, none};
     std::vector<double> loads(pressures.begin(), pressures.end());
     rough::ContactCurve curve;
     for (; !loads.empty() && curve.steps.empty(); loads.pop_back()) // the heaviest may be beyond full contact

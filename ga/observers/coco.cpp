@@ -1,5 +1,7 @@
 #include "ga/observers/coco.hpp"
 
+#include "ga/base/number.hpp"
+
 #include <fstream>
 
 namespace ga {

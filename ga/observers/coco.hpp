@@ -1,9 +1,8 @@
 #pragma once
 
-#include "ga/base/number.hpp"
-#include "ga/run/context.hpp"
-
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace ga {
 
@@ -20,21 +19,6 @@ struct CocoFunction {
     std::size_t dimension = 1; ///< number of genes
     std::vector<CocoRun> runs; ///< one run for each instance
 };
-
-/// An observer that adds every improvement to a run. `optimum` is f_opt, `run` must outlive it.
-template <class G>
-Observer<G> coco_observer(CocoRun& run, double optimum) {
-    return [&run, optimum](const Event<G>& event) {
-        run.evaluations = event.counters.evaluations;
-        for (const auto& individual : event.population) {
-            if (event.derived || !individual.fitness.has_value())
-                continue;
-            const double precision = std::abs(individual.value() - optimum);
-            if (run.found.empty() || precision < run.found.back().second)
-                run.found.emplace_back(run.evaluations, precision);
-        }
-    };
-}
 
 /// Writes the runs of one algorithm in the format of COCO (Hansen et al. 2021, COCO: a platform for comparing
 /// continuous optimizers in a black-box setting), which cocopp and IOHanalyzer read. There is

@@ -71,46 +71,6 @@ TEST_CASE("a chart without time left has the coarsest grid of every scene, and s
     CHECK_THAT(words.back(), Catch::StartsWith(std::to_string(data.runs.size()) + " of "));
 }
 
-TEST_CASE("a method that was too slow on a grid is not tried on finer ones, and this is reported") {
-    ChartExtent impatient = small_extent;
-    impatient.limit = 0;
-    const ChartData data = charted({chart_scenes().front()}, impatient, 1000);
-    for (const ChartRun& run : data.runs) {
-        CHECK(run.outcome == Outcome::not_converged);
-        CHECK(run.late);
-        ChartSetting coarser = run.setting;
-        coarser.nodes = 32;
-        CHECK((run.setting == coarser || run.setting.steps == 5)); // the first grid with other steps
-        CHECK(run.setting.nodes <= 64);
-    }
-    CHECK_FALSE(data.left_out.empty());
-    for (const LeftOut& each : data.left_out)
-        CHECK(each.why == "one curve takes more than 0 s");
-}
-
-TEST_CASE("a chart's facts name the fastest method, and the best runs err less as they take longer") {
-    ChartData data;
-    const ChartScene scene = chart_scenes().front();
-    data.scenes.push_back(scene);
-    const ChartTruth truth = truth_of(scene, 0);
-    for (const Index nodes : {64, 512})
-        for (const auto method : {Solver::nested, Solver::nnls})
-            data.runs.push_back(run_chart(scene, truth, usual_setting(0, method, nodes), 10));
-    const Findings found = findings_of(data);
-    const nlohmann::json& facts = found.result;
-    CHECK(facts["fastest_by_grid"]["rows"].size() == 1);
-    CHECK(facts["fastest_by_grid"]["rows"][0]["cells"][0]["method"] != "");
-    CHECK(facts["failures"].empty());
-    CHECK(chart_table(data).rows().size() == data.runs.size());
-    double error = HUGE_VAL;
-    for (const nlohmann::json& point : found.tables.at("points.csv").rows())
-        if (point["kind"] == "pressure" && point["best"] == 2) {
-            CHECK(point["error"] < error);
-            error = point["error"];
-        }
-    CHECK(error < HUGE_VAL);
-}
-
 TEST_CASE("rugosa chart ends in time, and its line and page report the settings that were left out") {
     const app::testing::Folder folder;
     const auto ended = app::testing::rugosa("chart --quick --minutes 1e-9 --out r", folder.path());
@@ -146,10 +106,6 @@ TEST_CASE("errors of theories and lines have the expected size on each scene") {
     CHECK(found.tables.at("models.csv").rows().size() == 12 * runs.size());
     Eigen::Vector3d errors(3, NAN, -4);
     CHECK(root_mean_square(errors) == Approx(std::sqrt(12.5)));
-    int looked_at = 0;
-    ChartData stopped;
-    chart_models(stopped, 64, [&] { return ++looked_at > 0; });
-    CHECK(stopped.model_runs.empty());
 }
 
 TEST_CASE("chart.csv has the measurements so far when the program is killed") {

@@ -46,14 +46,6 @@ TEST_CASE("a comparison writes medians, runtimes, shares and tests, the same on 
                 before = one["share"][i];
             }
         }
-    const json& first = sphere["variants"]["ga"]["runs"][0];
-    const json& spent = first["evaluations_to_targets"];
-    const auto missed = static_cast<std::size_t>(std::ranges::count(spent, json()));
-    for (const auto& row : app::csv_rows(rough::read_whole(folder / "t1/runs.csv")))
-        if (row[0] == "bbob5-1" && row[1] == "ga" && row[2] == "1") {
-            CHECK(row[3] == first["evaluations"].dump());
-            CHECK(row[5] == std::to_string(spent.size() - missed));
-        }
     CHECK_THAT(rough::read_whole(folder / "t1/report.html"), Catch::Contains("<svg"));
 }
 

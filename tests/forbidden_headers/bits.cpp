@@ -1,6 +1,5 @@
 // Compiled where Eigen's and NLopt's headers are errors.
 #include "ga/checkpoint/checkpoint.hpp"
-#include "ga/observers/front.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
 #include "ga/pipeline/ask_tell.hpp"

@@ -263,9 +263,8 @@ TEST_CASE("a forged database is refused or harmless") {
         const rough::DesignSetup setup{.model = store.setup().model, .targets = {target}};
         rough::stored_answers(store, setup, 1, 1);
         rough::build(store, {.genomes = 9, .batch = 3, .threads = 1});
-        for (const std::uint64_t index : store.curves(true).index) {
-            store.genome(index);
-            store.response(index);
-        }
+        store.curves(true);
+        for (const rough::Span& span : store.batches())
+            store.responses(span);
     });
 }

@@ -112,14 +112,6 @@ TEST_CASE("nested islands run on a bounded number of threads, with the same bits
     }
 }
 
-TEST_CASE("remarks of islands have the island's path") {
-    CHECK(run("score | islands 2 rounds=1 migrants=0 { score | above 50 at_least=2 }", given(),
-              individuals({1, 2, 3, 4, 5, 6}))
-              .notes ==
-          std::vector<std::string>{"pipeline/islands.1/island1/above.1: 0 of 3 above 50; took the 2 best",
-                                   "pipeline/islands.1/island2/above.1: 0 of 3 above 50; took the 2 best"});
-}
-
 TEST_CASE("restarts join the answers of different runs") {
     const auto result = run("restarts 4 { sample 5 | score | best 1 }", Reals{});
     REQUIRE(result.population.size() == 4);

@@ -141,39 +141,6 @@ TEST_CASE("a finished run is read from its checkpoint") {
     CHECK(done.notes.empty());
 }
 
-TEST_CASE("a resumed run keeps its notes") {
-    const tests::Folder folder;
-    const std::string pipeline = "sample 8 | score | above 1 at_least=3 | repeat 6 { mutate 1 | score }";
-    Checkpoints<Reals> kept(folder / "run", "", false), resume(folder / "run", "", true);
-    const auto part = run(pipeline, Reals{}, {}, {.budget = {.evaluations = 20}}, {}, &kept);
-    REQUIRE_FALSE(part.stopped.empty());
-    const auto result = run(pipeline, Reals{}, {}, {}, {}, &resume);
-    CHECK(result.notes == std::vector<std::string>{"pipeline/above.1: 0 of 8 above 1; took the 3 best"});
-    const std::string many = "sample 8 | repeat 150 { mutate 1 | score | above 9 at_least=8 }";
-    CHECK(bits_of(in_pieces(many, Reals{}, 200)) == bits_of(run(many, Reals{})));
-}
-
-TEST_CASE("individuals of every kind are written and read without loss") {
-    Population<Vector> start = population<Vector>({{0.1, -0.0, 1e-310}, {1.0 / 3}});
-    start[0].fitness = Fitness(Name("a"), 0.1 + 0.2, true).constrained({0.3, 1}).relaxed({0.1, 0.5});
-    start.push_back(start[1]);
-    start[2].fitness = Fitness(Name(std::string("pareto a b")), Point{1, -0.5}).constrained({0.25});
-    start[0].parents = Parents(4, 7);
-    start[0].origin = std::make_shared<const Vector>(3, 1e300);
-    start[1].fitness = Fitness::failed(Name(std::string("a")), std::make_shared<const std::string>("no"));
-    start[1].parents = Parents(9);
-    const auto back = json::from_cbor(json::to_cbor(json(start))).get<Population<Vector>>();
-    CHECK((back[0].genome == start[0].genome && std::signbit(back[0].genome[1])));
-    CHECK(back[0].value() == start[0].value());
-    CHECK(back[0].fitness.minimises());
-    CHECK(back[0].fitness.violation() == start[0].fitness.violation());
-    CHECK(back[0].fitness.violations() == start[0].fitness.violations());
-    CHECK((back[0].parents == start[0].parents && *back[0].origin == *start[0].origin));
-    CHECK((back[1].fitness.reason() == "no" && back[1].parents == start[1].parents));
-    CHECK(back[2].fitness.values() == Point{1, -0.5});
-    CHECK(back[2].fitness.violation() == 0.25);
-}
-
 TEST_CASE("a checkpoint of another run is refused") {
     const tests::Folder folder;
     const fs::path file = folder / "run";
@@ -297,38 +264,6 @@ TEST_CASE("a checkpoint with a genome, fitness, outcome or count that no run wri
                       Catch::Contains("has other parts than a run writes"));
 }
 
-TEST_CASE("a forged state of an operator that learns is refused or harmless") {
-    const tests::Folder folder;
-    const Reals problem = minimum(3, functions::sphere);
-    for (const std::string pipeline : {"sample 1 | score | repeat 30 { cma-es | score }",
-                                       "sample 10 | score | repeat 30 { l-shade | score | duel }"}) {
-        const json good = stopped(folder / "run", pipeline, problem, 40), flat = good.flatten();
-        std::set<std::string> places; // the state and all its parts: /snapshot/0/FRAME/4/OPERATOR/...
-        for (const auto& [leaf, value] : flat.items())
-            if (const std::size_t name = leaf.find("~1"); name != std::string::npos)
-                for (std::size_t end = leaf.size(); end > name && end != std::string::npos;
-                     end = leaf.rfind('/', end - 1))
-                    places.insert(leaf.substr(0, end));
-        int refused = 0;
-        for (const std::string& place : places)
-            for (const json& other : {json("text"), json(Vector{1, 2}), json(Vector(10, 1.0)),
-                                      json(std::vector<bool>(50)), json(-1)}) {
-                CAPTURE(place, other);
-                json altered = good;
-                altered[json::json_pointer(place)] = other;
-                try { // CHECK would catch what it throws
-                    const auto result = forged(folder / "run", altered, pipeline, problem);
-                    CHECK(result.best);
-                } catch (const UsageError& error) {
-                    CHECK(std::string(error.what()) ==
-                          "the checkpoint does not fit its pipeline; use one that this pipeline has written");
-                    ++refused;
-                }
-            }
-        CHECK(refused > 20);
-    }
-}
-
 TEST_CASE("a checkpoint does not follow links, and a failed write does not stop the run") {
     const tests::Folder folder;
     write(folder / "victim", "precious");
@@ -341,15 +276,4 @@ TEST_CASE("a checkpoint does not follow links, and a failed write does not stop 
     CHECK(result.population.size() == 3);
     REQUIRE(result.notes.size() == 1);
     CHECK(result.notes[0].find("cannot be written") != std::string::npos);
-}
-
-TEST_CASE("a checkpoint is written when the program has no standard input") {
-    const tests::Folder folder;
-    const int input = ::dup(0);
-    ::close(0); // the next file takes its number
-    const std::string trouble = seal(folder / "run", "all");
-    ::dup2(input, 0);
-    ::close(input);
-    CHECK(trouble.empty());
-    CHECK(opened(folder / "run") == "all");
 }

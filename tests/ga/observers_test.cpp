@@ -1,4 +1,3 @@
-#include "ga/observers/coco.hpp"
 #include "ga/observers/hall_of_fame.hpp"
 #include "ga/observers/log.hpp"
 #include "tests/catch.hpp"
@@ -40,9 +39,8 @@ TEST_CASE("a log has one row per stage with the population's fitness") {
     for (std::string line; std::getline(lines, line);)
         rows.push_back(line);
     REQUIRE(rows.size() == 1 + 2 + 10 * 5 + 1);
-    CHECK(
-        rows[0] ==
-        "path,generation,individuals,best,median,diversity,requested,evaluations,gradients,failures,price,seconds");
+    CHECK(rows[0] == "path,generation,individuals,best,median,diversity,requested,evaluations,gradients,"
+                     "failures,price,seconds");
     CHECK(rows[1].starts_with("v/sample.1,,20,,,1,0,0,0,0,"));
     CHECK(rows[2].starts_with("v/score.1,,20,-"));
     CHECK(rows[52].starts_with("v/repeat.1/elite.1,9,20," + number(result.best->value())));
@@ -115,56 +113,4 @@ TEST_CASE("a hall of fame keeps the best different genomes, best first") {
         {hall.observer()});
     CHECK(values_of(hall.members) == Vector{5, 4, 3});
     CHECK(hall.members[0].identity == 1);
-}
-
-TEST_CASE("the status names place, generation, best and evaluations") {
-    std::vector<std::string> lines;
-    const Reals problem;
-    run(logged, problem, {}, {.variant = "v"},
-        {progress<Vector>([&](const std::string& line) { lines.push_back(line); }, 0)});
-    CHECK(lines[0] == "v/sample.1, 0 evaluations");
-    CHECK(lines[7].starts_with("v/repeat.1/tournament.1 generation 2: best -0."));
-    CHECK(lines.back().ends_with(" evaluations"));
-}
-
-TEST_CASE("a summary has count, best, median and share of different individuals") {
-    const Reals problem = given();
-    const auto of = [&](const std::vector<double>& values) {
-        return summary(problem, run("score", problem, individuals(values)).population);
-    };
-    const Summary odd = of({7, 1, 2, 1, 9}), even = of({10, 4, 1, 2});
-    CHECK(odd.individuals == 5);
-    CHECK(odd.best == 9.0);
-    CHECK(odd.median == 2.0);
-    CHECK(odd.diversity == 0.8);
-    CHECK(even.median == 3.0);
-    const Summary unscored = summary(problem, individuals({1, 2})), none = summary(problem, {});
-    CHECK(unscored.individuals == 2);
-    CHECK((!unscored.best && !unscored.median));
-    CHECK((unscored.diversity == 1 && none.diversity == 0));
-}
-
-TEST_CASE("COCO's files have every improvement of a run and its evaluations") {
-    const tests::Folder folder;
-    CocoFunction sphere{3, 6, {{1, {}}, {2, {}}}};
-    for (CocoRun& one : sphere.runs) {
-        const auto result =
-            run("sample 4 | score | repeat 20 { tournament 2 | mutate 0.3 gaussian | score | plus }",
-                maximum(6, [](const Vector& x) { return 7 - functions::sphere(x); }), {},
-                {.seed = std::uint64_t(one.instance)}, {coco_observer<Vector>(one, 7)});
-        CHECK(one.evaluations == result.counters.evaluations);
-        CHECK(one.found.back().second == 7 - result.best->value());
-        for (auto now = one.found.begin(), next = now + 1; next != one.found.end(); now = next++)
-            CHECK((next->first >= now->first && next->second < now->second));
-    }
-    sphere.runs.push_back({3, {}}); // a run without evaluations
-    write_coco(folder / "coco", "ga", {sphere});
-    const auto [first, second] = std::pair(sphere.runs[0], sphere.runs[1]);
-    CHECK_THAT(contents(folder / "coco/bbobexp_f3.info"),
-               Catch::Contains("DIM = 6") &&
-                   Catch::Contains(", 2:" + std::to_string(second.evaluations) + "|" +
-                                   number(second.found.back().second) + ", 3:0|"));
-    for (const auto& [evaluations, precision] : first.found)
-        CHECK_THAT(contents(folder / "coco/data_f3/bbobexp_f3_DIM6.dat"),
-                   Catch::Contains("\n" + std::to_string(evaluations) + " " + number(precision) + " "));
 }

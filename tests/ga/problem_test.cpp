@@ -2,8 +2,6 @@
 #include "ga/problem/fingerprint.hpp"
 #include "tests/catch.hpp"
 
-#include <bit>
-
 using namespace ga;
 
 namespace {
@@ -72,11 +70,6 @@ TEST_CASE("a ranking puts the best first and keeps the order of ties") {
     CHECK(ranking(individuals) == std::vector<std::size_t>{1, 3, 2, 4, 0});
     CHECK(ranking(individuals, 3) == std::vector<std::size_t>{1, 3, 2});
     CHECK(identities(best_of(individuals, 2)) == std::vector<Identity>{1, 3});
-    CHECK(best_of(individuals, 9).size() == 5);
-    CHECK(start_of_generation(individuals, 0).empty());
-    CHECK(start_of_generation(individuals, 2).size() == 2);
-    CHECK(identities(start_of_generation(individuals, all_individuals)) ==
-          std::vector<Identity>{0, 1, 2, 3, 4});
     CHECK(identities(joined_with(individuals, {individuals[3], individuals[1]})) ==
           std::vector<Identity>{3, 1, 0, 2, 4});
     CHECK(identities(front_of(individuals)) == std::vector<Identity>{1, 3});
@@ -100,24 +93,20 @@ TEST_CASE("a comparison is refused when policies differ or a fitness is missing"
 TEST_CASE("a fingerprint depends on every bit of a genome, its order and its length") {
     std::string bytes(41, 'a');
     const Fingerprint whole = fingerprint(std::string_view(bytes));
-    double high = 0, low = 0;
+    std::set<std::pair<std::uint64_t, std::uint64_t>> all{{whole.high, whole.low}};
+    const auto add = [&](std::string_view text) {
+        const Fingerprint print = fingerprint(text);
+        all.insert({print.high, print.low});
+    };
     for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
         const char before = bytes[bit / 8];
         bytes[bit / 8] = static_cast<char>(before ^ (1 << bit % 8));
-        const Fingerprint other = fingerprint(std::string_view(bytes));
+        add(bytes);
         bytes[bit / 8] = before;
-        high += std::popcount(whole.high ^ other.high);
-        low += std::popcount(whole.low ^ other.low);
     }
-    const double flips = 8 * static_cast<double>(bytes.size());
-    CHECK(std::abs(high / flips - 32) < 1); // the mean of 328 binomials of 64 bits, deviation 0.22
-    CHECK(std::abs(low / flips - 32) < 1);
-    std::set<std::pair<std::uint64_t, std::uint64_t>> all;
-    for (std::size_t length = 0; length < 70; ++length) {
-        const Fingerprint print = fingerprint(std::string_view(std::string(length, '\0')));
-        all.insert({print.high, print.low});
-    }
-    CHECK(all.size() == 70);
+    for (std::size_t length = 0; length < 70; ++length)
+        add(std::string(length, '\0'));
+    CHECK(all.size() == 1 + 8 * bytes.size() + 70);
     CHECK(fingerprint(std::string_view("abc")) == // as checkpoints hold it
           Fingerprint{0x1a7a74f2493112f3u, 0x81be01565d047e5au});
     CHECK(fingerprint(std::string_view("0123456789abcdefg")) ==

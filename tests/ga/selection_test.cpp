@@ -49,10 +49,6 @@ TEST_CASE("roulette and universal sampling choose in proportion to the fitness a
         CHECK(spun[i] == Approx(expected).margin(5 * std::sqrt(std::max(expected, 0.01) / 4000)));
         CHECK(sampled[i] == Approx(expected).margin(5 * std::sqrt(0.25 / 4000)));
     }
-    auto failed = individuals({1, 2}); // any is as good
-    for (auto& each : failed)
-        each.fitness = Fitness::failed(Name("value"), reason("out of order"));
-    CHECK(ByFitness().of(failed, given()) == Vector{1, 1});
 }
 
 TEST_CASE("universal sampling differs from the expected count by less than one") {

@@ -67,24 +67,6 @@ TEST_CASE("a population has converged when all are feasible and their objectives
     CHECK_FALSE(holds({Fitness(Name("both"), Point{1, 2}), Fitness(Name("both"), Point{1, 2.75})}));
 }
 
-TEST_CASE("only a fully scored, better population counts as an improvement, without its failed ones") {
-    Numbers memory, other;
-    const auto start = run("sample 3 | score", Reals{}).population;
-    auto with_failed = start;
-    with_failed.push_back(start[1]);
-    with_failed.back().fitness = Fitness::failed(start[1].fitness.objective_name(), reason("no"));
-    CHECK(improves(BlockProgress<Vector>{0, 0, 0, start}, memory));
-    CHECK(improves(BlockProgress<Vector>{0, 0, 0, with_failed}, other));
-    CHECK(memory == other);
-    auto better = run("score", Reals{}, population<Vector>({Vector(6, 0)})).population;
-    better.push_back({Vector(6, 0), 1, {}, {}, {}});
-    CHECK_FALSE(improves(BlockProgress<Vector>{1, 0, 0, better}, memory));
-    better.pop_back();
-    CHECK(improves(BlockProgress<Vector>{2, 0, 0, better}, memory));
-    CHECK_FALSE(improves(BlockProgress<Vector>{3, 0, 0, better}, memory));
-    CHECK(memory[2] == 2);
-}
-
 TEST_CASE("a front that grows from one individual is not stagnation") {
     Reals problem;
     problem.n = 2, problem.lower = 0;
@@ -100,16 +82,5 @@ TEST_CASE("a front that grows from one individual is not stagnation") {
         for (const auto& each : result.population)
             widest = std::max(widest, each.genome[0]);
         CHECK(widest > 0.9); // the front reaches to 1
-    }
-}
-
-TEST_CASE("whether a population is an improvement does not depend on its order") {
-    Numbers memory, other;
-    for (std::size_t generation = 0; generation < 20; ++generation) {
-        auto now = run("sample 5 | score", Reals{}, {}, {.seed = generation}).population;
-        const bool better = improves(BlockProgress<Vector>{generation, 0, 0, now}, memory);
-        std::ranges::reverse(now);
-        CHECK(improves(BlockProgress<Vector>{generation, 0, 0, now}, other) == better);
-        CHECK(memory == other);
     }
 }

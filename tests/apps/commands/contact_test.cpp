@@ -21,27 +21,6 @@ TEST_CASE("layers of the body's modulus leave the curve, a thin one on a rigid b
         CHECK(listed[j] == same[j]);
         CHECK(thin[j][1] > 2 * plain[j][1]);
     }
-    for (const char* wrong :
-         {"--layer 0.1", "--kernel periodic --layer 0.1:7", "--kernel periodic --layer -1",
-          "--kernel periodic --layer 0.1:7:0.7", "--kernel periodic --base rigid"}) {
-        CAPTURE(wrong);
-        check_refused(rugosa(std::string("contact --genome g.json --out w.csv ") + wrong, folder.path()),
-                      "--");
-    }
-}
-
-TEST_CASE("the load ends at a given pressure or has given steps") {
-    const Folder folder;
-    folder.write("g.json", one_wave);
-    done(folder, "contact --genome g.json --to-pressure 0.01 --steps 5 --out to.csv");
-    const auto to = rows_of(folder / "to.csv");
-    REQUIRE(to.size() == 5);
-    CHECK(to[4][1] == Approx(0.01).epsilon(1e-10));
-    done(folder, "contact --genome g.json --pressures 0.001,0.004,0.01 --out at.csv");
-    const auto at = rows_of(folder / "at.csv");
-    REQUIRE(at.size() == 3);
-    CHECK(at[1][1] == Approx(0.004).epsilon(1e-10));
-    CHECK(at[2][0] == Approx(to[4][0]).epsilon(1e-10));
 }
 
 TEST_CASE("a hardness caps pressures and is reported, and friction adds a table of partial slip") {
@@ -173,7 +152,6 @@ TEST_CASE("contact, profile and design warn of contact spots that are not resolv
     write_scan(250); // resolved except under the lightest loads
     CHECK(contact("--pressures 1e-8,2e-8,0.002"));
     CHECK_FALSE(contact("--pressures 1e-8,0.002,0.003"));
-    CHECK_FALSE(contact("--steps 400"));
     CHECK_FALSE(warns("profile --profile " + scan, "c/report.html"));
     write_scan(3);
     CHECK(warns("profile --profile " + scan, "c/report.html"));

@@ -110,15 +110,6 @@ TEST_CASE("the result depends on the seed but not on the number of children") {
     CHECK(one["best"] != desk.found(words + "--threads 1 --seed 2", "other")["best"]);
 }
 
-TEST_CASE("each counted evaluation reaches a child once") {
-    const Desk desk;
-    desk.write("counted.sh", "tee sent | ./child sphere\n");
-    const json result =
-        desk.found("--genes real:2:-5:5 --evaluate 'sh counted.sh' --threads 1 --evaluations 200");
-    const std::string sent = rough::read_whole(desk / "sent");
-    CHECK(std::count(sent.begin(), sent.end(), '\n') == result["evaluations"]);
-}
-
 TEST_CASE("a run out of evaluations resumes to the result of an uninterrupted one") {
     const Desk desk;
     const std::string words = "--genes bits:60 --evaluate './child ones' ";
@@ -181,15 +172,6 @@ TEST_CASE("a run of failures ends at --max-failures, and keeps the best") {
                "while read -r line; do n=${line#*:}; echo '{\"id\":'${n%%,*}',\"failed\":\"no\"}'; done\n");
     check_refused(desk.optimise(words + "0.9 --out none"),
                   "every one of 200 evaluations failed; the first: no");
-}
-
-TEST_CASE("a run that cannot continue reports what it has evaluated") {
-    const Desk desk;
-    const json result = desk.found("--genes real:5:-5:5 --evaluate './child sphere' --minimise --pipeline "
-                                   "'sample 50 | score | repeat 3 { mutate 1 | score } | below -1'");
-    CHECK(result["evaluations"] == 200);
-    CHECK(result["best"]["objectives"][0] > 0);
-    CHECK(result["stopped"] == "pipeline/below.1: 0 of 50 below -1; change the bound, or give at_least=K");
 }
 
 TEST_CASE("a child that dies is started again, and a hundred deaths in a row end the run") {

@@ -46,11 +46,8 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
         CHECK(rough::read_target(folder / (std::string(quantity) + ".csv")).recorded.at("kernel") ==
               "periodic");
     }
-    std::string scan = "x [um]\tz [nm]\n";
-    for (int i = 0; i < 100; ++i)
-        scan += std::to_string(i) + "\t" + std::to_string(100 * std::sin(0.3 * i) + 30 * std::cos(1.1 * i)) +
-                "\n";
-    folder.write("scan.txt", scan);
+    const auto height = [](int i) { return 100 * std::sin(0.3 * i) + 30 * std::cos(1.1 * i); };
+    folder.write("scan.txt", profile_text("x [um];z [nm]", 100, 1, height));
     done(folder, "target --like scan.txt --out s.csv");
     const rough::Target measured = rough::read_target(folder / "s.csv");
     CHECK(measured.points() == 20);

@@ -225,24 +225,6 @@ class Engine(WithFolder):
         self.assertRaisesRegex(rugosa.InputError, "evaluate returned: no array of numbers", rugosa.optimise,
                                lambda x: "3.5", **options)
 
-    def test_a_missing_gradient_is_noted(self):
-        class Bowl:
-            def __init__(self, gradient):
-                self.gradient = gradient
-
-            def evaluate(self, x):
-                return sphere(x)
-
-        def raises(_):
-            raise RuntimeError("no gradient")
-
-        for gradient, note in ((lambda x: [1.0], "1 derivatives for 2 genes"), (raises, "RuntimeError: no gradient"),
-                               (lambda x: [math.nan] * 2, "a derivative is not finite"),
-                               (lambda x: "none", "gradient returned: no array of numbers; give real numbers, in rows of one length")):
-            found = rugosa.optimise(Bowl(gradient), lower=[-5] * 2, upper=[5] * 2, minimise=True,
-                                    pipeline="sample 3 | score | refine nlopt LD_MMA 50 | best 1")
-            self.assertEqual(found.notes, ["pipeline/refine.1: a derivative is missing: " + note])
-
     def test_mistakes(self):
         def broken(_):
             raise KeyError("mine")

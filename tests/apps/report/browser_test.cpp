@@ -1,6 +1,4 @@
-#include "tests/apps/program.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tests/apps/results.hpp"
 
 #include <cmath>
 
@@ -56,39 +54,33 @@ struct PageCase {
 
 const std::string experiments = RUGOSA_SOURCE "/experiments/";
 
-/// A rough scan of 3,000 points in micrometres: three waves and a step of noise.
+/// A rough scan of 3,000 points in micrometres: three waves and noise.
 std::string scan_text() {
-    std::string text = "x [um];z [um]\n";
-    unsigned noise = 1;
-    for (int i = 0; i < 3000; ++i) {
-        noise = noise * 1664525u + 1013904223u;
+    return profile_text("x [um];z [um]", 3000, 0.3, [](int i) {
         const double x = 0.3 * i;
-        text += std::to_string(x) + ";" +
-                std::to_string(2 * std::cos(x / 120) + 0.8 * std::cos(x / 31 + 1) + 0.3 * std::cos(x / 9) +
-                               0.01 * (noise >> 24) / 256) +
-                "\n";
-    }
-    return text;
+        return 2 * std::cos(x / 120) + 0.8 * std::cos(x / 31 + 1) + 0.3 * std::cos(x / 9) +
+               0.005 * std::sin(37. * i * i);
+    });
 }
 
 } // namespace
 
 TEST_CASE("every page is readable on a phone and a desktop, light and dark, and fetches nothing", "[long]") {
-    const PageCase made = GENERATE(
-        PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
-        PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
-        PageCase{"run '" + experiments + "paper/paper.ini' --out r", "r/report.html", 11, 30},
-        PageCase{"run '" + experiments +
-                     "compare/variants.ini' --set compare.curves=60 --set compare.seeds=1 --out r",
-                 "r/report.html", 4, 4},
-        PageCase{"design --target '" + experiments +
-                     "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
-                     "--out r",
-                 "r/report.html", 2, 3},
-        PageCase{"design --like scan.txt --pipeline 'sample 20 | score | best 3' --out r", "r/report.html", 2,
-                 4},
-        PageCase{"chart --quick --out r", "r/chart.html", 1, 12},
-        PageCase{"stability --scene spike --out r", "r/stability.html", 0, 0});
+    const PageCase made =
+        GENERATE(PageCase{"profile --profile scan.txt --lambda-c 0.08 --out r", "r/report.html", 2, 3},
+                 PageCase{"contact --profile scan.txt --out c.csv --report c.html", "c.html", 3, 6},
+                 PageCase{"run '" + experiments + "paper/paper.ini' --out r", "r/report.html", 11, 30},
+                 PageCase{"run '" + experiments +
+                              "compare/variants.ini' --set compare.curves=60 --set compare.seeds=1 --out r",
+                          "r/report.html", 4, 4},
+                 PageCase{"design --target '" + experiments +
+                              "targets/drawn.csv' --max-pressure 1.6e-4 --reach-similarity 0.9 "
+                              "--out r",
+                          "r/report.html", 2, 3},
+                 PageCase{"design --like scan.txt --pipeline 'sample 20 | score | best 3' --out r",
+                          "r/report.html", 2, 4},
+                 PageCase{"chart --quick --out r", "r/chart.html", 1, 12},
+                 PageCase{"stability --scene spike --out r", "r/stability.html", 0, 0});
     const Folder folder;
     folder.write("scan.txt", scan_text());
     INFO("rugosa " << made.command);

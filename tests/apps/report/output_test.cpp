@@ -1,6 +1,5 @@
 #include "apps/report/output.hpp"
 #include "tests/apps/results.hpp"
-#include "tests/sanitized.hpp"
 
 using namespace app::testing;
 
@@ -25,11 +24,12 @@ struct Desk : Folder {
 TEST_CASE("a command overwrites no existing file in its folder") {
     const std::string experiment = RUGOSA_SOURCE "/experiments/";
     const Desk desk;
-    for (const std::string& words : {std::string("profile genome.json --nodes 64 --out "), quick_design,
-                                     "run '" + experiment +
-                                         "paper/paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
-                                         "paper.sweep-points=0 --out ",
-                                     std::string("stability --scene spike --out ")}) {
+    for (const std::string& words :
+         {std::string("profile genome.json --nodes 64 --out "), quick_design,
+          "run '" + experiment +
+              "paper/paper.ini' --pictures off --nodes 64 --set database.pairs=6 --set "
+              "paper.sweep-points=0 --out ",
+          std::string("stability --scene spike --out ")}) {
         answered(rugosa(words + "first", desk.path()));
         for (const auto& entry : fs::directory_iterator(desk / "first")) {
             const std::string name = entry.path().filename().string();
@@ -149,12 +149,4 @@ TEST_CASE("a failed write to standard output ends with exit code 2") {
     // A closed pipe does not stop the run.
     rugosa(quick_design + "o", desk.path(), R"(sh -c '"$0" "$@" | true')");
     CHECK(fs::exists(desk / "o/report.html"));
-}
-
-TEST_CASE("a lack of memory ends in one line and exit code 2") {
-    if (tests::sanitized)
-        return; // their shadow memory needs all addresses
-    const Desk desk;
-    check_refused(rugosa("profile genome.json --nodes 1e7 --out p", desk.path(), "ulimit -v 300000; "),
-                  "out of memory");
 }

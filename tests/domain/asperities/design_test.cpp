@@ -120,7 +120,6 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
     setup.targets = {
         target_of(setup, 0.1, 0.2, [](double force) { return 1.2 * std::pow(force / 0.2, 1.35); })};
     const std::string relaxed = "sample 200 | score | best 8 | refine lm 60 | best 1";
-    double gained = 0; // after two gradients
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const auto similarity = [&](const std::string& pipeline) {
             return search(setup, {.pipeline = pipeline, .seed = seed, .threads = 1}).best.similarity;
@@ -129,9 +128,7 @@ TEST_CASE("round keeps a steep law better than the nearest steps do") {
         CAPTURE(seed, nearest, rounded);
         CHECK(rounded > nearest);
         CHECK(similarity(relaxed + " | round 200 | score | round 200 | score") == rounded); // at rest
-        gained += rounded - similarity(relaxed + " | round 2 | score");
     }
-    CHECK(gained > 0);
 }
 
 TEST_CASE("corrected targets give interacting caps the law that independent caps miss") {
@@ -213,49 +210,4 @@ TEST_CASE("larger errors of a law allow larger errors of heights, which 95 % of 
         }
         CHECK(std::abs(kept - 380) <= 26); // both shares are off by sqrt(0.95 0.05/400); four times both
     }
-}
-
-TEST_CASE("ranges of caps without sense are refused") {
-    CapSetup good = made_of_pdms(2);
-    good.targets = {hidden_law(good, 1)};
-    for (const GeneRange& range :
-         {GeneRange{0.1, 0, 0}, GeneRange{0, 0.1, 0.2}, GeneRange{NAN, 1, 0}, GeneRange{0, INFINITY, 0}}) {
-        CapSetup setup = good;
-        setup.heights = range;
-        CHECK_THROWS_AS(CapProblem(setup), InputError);
-    }
-    good.radii = {0, 1, 0};
-    CHECK_THROWS_AS(CapProblem(good), InputError);
-}
-
-TEST_CASE("drawn radii are all the largest or even over their range, and heights differ") {
-    CapSetup setup = made_of_pdms(20);
-    setup.radii = {0.1, 0.5, 0};
-    int alike = 0;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        const CapGenome genome = random_genome(setup, seed);
-        const Eigen::Map<const Eigen::VectorXd> heights(genome.data(), 400), radii(&genome[400], 400);
-        CHECK(heights.maxCoeff() > heights.minCoeff());
-        const bool largest = radii.minCoeff() == 0.5;
-        CHECK((largest || std::abs(radii.mean() - 0.3) < 0.024)); // four standard errors
-        alike += largest;
-    }
-    CHECK((alike > 7 && alike < 33)); // half of them
-}
-
-TEST_CASE("a mutation of caps keeps steps and ranges, and reports each change") {
-    CapSetup setup = made_of_pdms(3);
-    setup.targets = {hidden_law(setup, 2)};
-    const CapProblem problem(setup);
-    ga::Stream random(11);
-    int unchanged = 0;
-    for (int i = 0; i < 200; ++i) {
-        CapGenome genome = problem.sample(random);
-        const CapGenome before = genome;
-        const bool changed = problem.mutate(genome, 0.05, random);
-        CHECK(changed == (genome != before));
-        CHECK(is_on_steps(setup, genome));
-        unchanged += !changed;
-    }
-    CHECK((unchanged > 50 && unchanged < 190)); // 0.95^9 of 200 are 126
 }

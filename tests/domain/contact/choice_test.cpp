@@ -83,29 +83,6 @@ TEST_CASE("nested and active-set agree on a prime number of nodes, up to near fu
         }
 }
 
-TEST_CASE("a factor is refused only if the nodes that will touch do not fit", "[contact]") {
-    ContactOptions options;
-    const auto expected_to_fit = [&](double displacement) {
-        expect_factor_to_fit(make_problem(parabola(4096), Body{}, steps_to(displacement)), options);
-    };
-    options.memory_limit = 1e-2 * GrowingFactor::bytes(4096);
-    CHECK_NOTHROW(expected_to_fit(few_touch));
-    CHECK_THROWS_AS(expected_to_fit(most_nodes_touch), InputError);
-    options.memory_limit = GrowingFactor::bytes(4096);
-    CHECK_NOTHROW(expected_to_fit(most_nodes_touch));
-}
-
-TEST_CASE("auto predicts the contact correctly when a single node is raised", "[contact]") {
-    for (const Index at : {5000, 5008}) {
-        const Profile profile = raised(16384, {at}, 1e-3);
-        const ContactCurve curve = solve_contact(profile, periodic, scenes::load_steps(profile, 4, 0.95));
-        INFO(curve.choice);
-        CHECK(curve.steps.back().contact_nodes > 4000);
-        CHECK(curve.solver == Solver::active_set);
-        CHECK_THAT(curve.choice, !Catch::Contains("handed over"));
-    }
-}
-
 TEST_CASE("the curve stays the same when a factor hands over for work or memory", "[contact]") {
     // Every eighth node is a pit: the sample that predicts the contact sees hardly anything else.
     Profile profile = raised(4096, {}, 0, 1e-6);

@@ -1,4 +1,3 @@
-#include "domain/contact/solvers/set_solver.hpp"
 #include "domain/errors.hpp"
 #include "domain/response/response.hpp"
 #include "tests/domain/contact/scenes.hpp"
@@ -125,25 +124,6 @@ TEST_CASE("a wave of amplitude e shifts the curve by at most 2 e in displacement
     }
 }
 
-TEST_CASE("the contact set settles within nine rounds per step", "[contact]") {
-    for (const Scene& scene : random_scenes(90))
-        CHECK(solved(scene).iterations <= 9 * static_cast<long>(scene.displacements.size()));
-}
-
-TEST_CASE("iterations on a fixed set do not grow with the grid", "[contact]") {
-    for (const Index nodes : {1024, 4096, 16384}) {
-        const Profile profile = sampled({nodes, 1}, [](double x) { return -(2 * x - 1) * (2 * x - 1); });
-        const ContactProblem problem = make_problem(profile, {Kernel::free, 1, 1, 0}, {0.1});
-        ContactSet set(nodes);
-        set.assign([&](Index i) { return i >= nodes / 3 && i < nodes / 2; });
-        SetSolver solver(problem);
-        SurfaceState w(nodes);
-        CHECK(solver.improve(
-            set, [](Index) { return 1.0; }, w, Enough{1e-8}, 100));
-        CHECK(solver.applies() <= 22);
-    }
-}
-
 TEST_CASE("another datum d2 adds (2 P L/(pi E*)) ln(d2/d) to the displacement of every load step",
           "[contact]") {
     for (Scene scene : random_scenes(60)) {
@@ -176,13 +156,6 @@ TEST_CASE("datum and strip width default to those of the profile's length, to th
         CHECK(respond(profile, model).pressure == left.pressure);
         CHECK(completed(model).grid.periodic == periodic);
     }
-}
-
-TEST_CASE("the displacement at a pressure does not depend on how the datum was given", "[contact]") {
-    // It is found from every fourth node, which span a shorter length.
-    const Profile fine = sampled({1025, 4.096}, [](double x) { return std::cos(3.25 * x); });
-    const Body stated{.datum = 0.004 * 1024};
-    CHECK(displacement_at_pressure(fine, {}, 0.01) == displacement_at_pressure(fine, stated, 0.01));
 }
 
 TEST_CASE("a datum is refused up to (L + spacing)/4, and a modulus that is not positive", "[contact]") {

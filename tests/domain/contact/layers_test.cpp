@@ -151,13 +151,6 @@ TEST_CASE("stiffness under layers has the derivatives of its differences") {
     }
 }
 
-TEST_CASE("contact sets need not nest under nearly incompressible layers") {
-    const Grid grid{256, 1, true};
-    CHECK(contact_sets_nest(Body{Kernel::periodic}, grid));
-    CHECK(contact_sets_nest(layered(0.1, 3, 0.3, false), grid)); // the half-space itself
-    CHECK_FALSE(contact_sets_nest(layered(0.1, 7, 0.5, true), grid));
-}
-
 TEST_CASE("impossible layers are refused") {
     const Profile profile = waves({32, 1}, 1);
     const auto refused = [&](const Body& body, const std::string& message) {

@@ -26,16 +26,6 @@ TEST_CASE("pressure and gap exclude each other, and the pressures add up to the 
     }
 }
 
-TEST_CASE("a spot across the ends of a periodic body is one spot") {
-    const Profile profile =
-        sampled({200, 2, true}, [](double x) { return 0.01 * std::cos(2 * 3.14159265358979 * x); });
-    const Body body{.kernel = Kernel::periodic};
-    const auto curve = solve_contact(profile, body, {0.004}, {.states = true});
-    const Interface at = interface_at(profile, body, curve.steps[0], curve.states[0]);
-    CHECK(at.spots == 2); // one of them about x = 0
-    CHECK(2 * at.widest == Approx(0.01 * double(curve.steps[0].contact_nodes)));
-}
-
 TEST_CASE("pressure and gap of a map exclude each other", "[areas]") {
     const Profile map = maps::self_affine(40, 0.8, 2, 0.1);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {

@@ -26,14 +26,15 @@ TEST_CASE("screening by Eq. 11 ranks genomes by similarity, on any number of thr
     const DatabaseSetup setup = small_setup();
     const GenomeStore store = built(folder / "genomes.db", {.genomes = 200});
     const double max_pressure = 1.6e-4;
-    const auto factor = [&](std::uint64_t g) { return max_pressure / store.response(g).pressure[7]; };
-    std::vector<Target> targets{goal_of(store.response(123), factor(123), 0.9),
-                                goal_of(store.response(123), factor(123), 0.9, Quantity::area_at_pressure)};
+    const auto factor = [&](std::uint64_t g) { return max_pressure / response_for(setup, g).pressure[7]; };
+    std::vector<Target> targets{
+        goal_of(response_for(setup, 123), factor(123), 0.9),
+        goal_of(response_for(setup, 123), factor(123), 0.9, Quantity::area_at_pressure)};
     targets[1].weight = 0.5;
     targets[0].lower = 0.98 * targets[0].y, targets[0].upper = 1.01 * targets[0].y;
     std::vector<std::pair<double, std::uint64_t>> expected;
     for (std::uint64_t g = 0; g < 200; ++g) {
-        const Response response = scaled(store.response(g), factor(g));
+        const Response response = scaled(response_for(setup, g), factor(g));
         double worst = 1;
         for (const Target& target : targets)
             worst = std::min(worst, similarity(target, curve_of(target.quantity, response)));
@@ -69,14 +70,14 @@ TEST_CASE("screening with free amplitude finds a stored genome and its amplitude
         for (const double reach : {0.95, 0.4, 0.2}) {
             if (quantity == Quantity::area_at_displacement && reach < 0.9)
                 continue; // many genomes have the same few touching nodes
-            const Target target = goal_of(store.response(77), 0.037, reach, quantity);
+            const Target target = goal_of(response_for(setup, 77), 0.037, reach, quantity);
             const auto matches = screen(curves, setup.model, {target}, {.best = 3});
             INFO(int(quantity) << " " << reach);
             CHECK(matches[0].index == 77);
             CHECK(matches[0].scale == Approx(0.037).epsilon(1e-3));
             CHECK(matches[0].similarity > 0.999);
             for (const Match& match : matches) {
-                const Response response = scaled(store.response(match.index), match.scale);
+                const Response response = scaled(response_for(setup, match.index), match.scale);
                 CHECK(match.similarity ==
                       Approx(similarity(target, curve_of(quantity, response))).epsilon(1e-9));
             }
@@ -87,10 +88,10 @@ TEST_CASE("a genome without a response, or whose curve ends too early, is not ma
     const Folder folder;
     const DatabaseSetup setup = small_setup();
     const GenomeStore store = built(folder / "genomes.db", {.genomes = 20});
-    const double max_pressure = store.response(7).pressure[7];
+    const double max_pressure = response_for(setup, 7).pressure[7];
     for (const Quantity quantity :
          {Quantity::stiffness, Quantity::area_at_pressure, Quantity::area_at_displacement}) {
-        const Target target = goal_of(store.response(7), 1, 0.9, quantity);
+        const Target target = goal_of(response_for(setup, 7), 1, 0.9, quantity);
         for (const ScreenOptions& options : {ScreenOptions{}, ScreenOptions{.max_pressure = max_pressure}}) {
             StoredCurves curves = store.curves(true);
             CHECK(screen(curves, setup.model, {target}, options)[0].index == 7);
@@ -105,11 +106,11 @@ TEST_CASE("a genome without a response, or whose curve ends too early, is not ma
                 CHECK((match.index != 7 && match.index != 12 && match.similarity < 1));
         }
     }
-    Target none = goal_of(store.response(7), 1, 0.9);
+    Target none = goal_of(response_for(setup, 7), 1, 0.9);
     none.y[2] = 0;
     CHECK_THROWS_AS(screen(store.curves(), setup.model, {none}, {}), InputError);
     // Eq. 11 fixes the amplitude, so no genome reaches this displacement.
-    Target far = goal_of(store.response(7), 1, 0.9, Quantity::load_at_displacement);
+    Target far = goal_of(response_for(setup, 7), 1, 0.9, Quantity::load_at_displacement);
     far.x *= 1e6;
     CHECK(screen(store.curves(), setup.model, {far}, {.max_pressure = max_pressure}).empty());
 }
@@ -135,8 +136,8 @@ TEST_CASE("stored starts meet targets at every length and modulus, and another m
         }
         const Response stretched = respond(genome, design.model);
         for (Index j = 0; j < 8; ++j) {
-            CHECK(stretched.pressure[j] == Approx(scale * store.response(7).pressure[j]).epsilon(1e-9));
-            CHECK(stretched.contact_fraction[j] == store.response(7).contact_fraction[j]);
+            CHECK(stretched.pressure[j] == Approx(scale * response_for(setup, 7).pressure[j]).epsilon(1e-9));
+            CHECK(stretched.contact_fraction[j] == response_for(setup, 7).contact_fraction[j]);
         }
         design.targets = {goal_of(stretched, 0.02, 0.9),
                           goal_of(stretched, 0.02, 0.9, Quantity::area_at_pressure)};

@@ -25,10 +25,9 @@ inline GenomeStore built(const std::filesystem::path& file, const BuildOptions& 
 /// Reads everything from a database.
 inline void read_all(const std::filesystem::path& file) {
     const GenomeStore store = GenomeStore::open(file);
-    for (const std::uint64_t index : store.curves(true).index) {
-        store.genome(index);
-        store.response(index);
-    }
+    store.curves(true);
+    for (const Span& span : store.batches())
+        store.responses(span);
 }
 
 } // namespace rough::testing

@@ -123,32 +123,3 @@ TEST_CASE("a body that cannot work is refused in every block before anything is 
         refused("score | " + block + " { score } | best 1");
     }
 }
-
-TEST_CASE("waves longer and shorter than a part of the length are all waves, each once") {
-    const DesignSetup setup = drawn(64);
-    const auto registry = design_registry(setup);
-    std::mt19937_64 random(3);
-    for (int trial = 0; trial < 5; ++trial) {
-        const Genome genome = testing::random_genome(random, 2, 2, setup.model.grid.length, 0.01);
-        const auto moving = [&](const std::string& name) {
-            for (const auto& [choice, meaning] : registry.variables())
-                if (choice.name == name) {
-                    std::vector<std::size_t> genes;
-                    ga::Work work;
-                    for (const ga::Variable& variable : choice.of(genome, work))
-                        genes.push_back(variable.gene);
-                    return genes;
-                }
-            throw std::invalid_argument(name);
-        };
-        const auto all = moving("phases");
-        for (const std::string part : {"1", "2", "4", "8", "16", "32", "64"}) {
-            auto both = moving("longer-" + part);
-            std::ranges::copy(moving("shorter-" + part), std::back_inserter(both));
-            std::ranges::sort(both);
-            CHECK(both == all);
-        }
-        CHECK(moving("macro") == moving("longer-8"));
-        CHECK(moving("micro") == moving("shorter-8"));
-    }
-}

@@ -143,15 +143,6 @@ TEST_CASE("height noise of one seed is one field on every grid") {
     }
 }
 
-TEST_CASE("a unit tilt of a map rises by 1 along one side and is level along the other") {
-    const std::vector<Eigen::VectorXd> tilts = unit_tilts({5, 2, false, 0, 4, 3});
-    REQUIRE(tilts.size() == 2);
-    for (Index i = 0; i < 20; ++i) {
-        CHECK(tilts[0][i] == Approx(static_cast<double>(i % 5) / 5)); // over five cells
-        CHECK(tilts[1][i] == Approx(std::floor(static_cast<double>(i) / 5) / 4));
-    }
-}
-
 TEST_CASE("the similarity of a map when made is the lowest under rising and falling tilts along both sides") {
     for (const std::uint64_t seed : {3, 6, 9}) {
         Case one = design_of(seed, 17, 0, 2, 16);

@@ -70,17 +70,6 @@ TEST_CASE("each check is the similarity under the change that it names") {
     CHECK(of_map.kernels[0].name == name_of(Kernel::periodic));
 }
 
-TEST_CASE("the datum moves at the genome's amplitude when Eq. 11 applies") {
-    const Genome genome = two_waves();
-    DesignSetup setup = like_itself(genome);
-    setup.max_pressure = setup.targets[0].last();
-    const Trust trust = trust_in(setup, genome, without_draws());
-    CHECK(trust.checks[0].similarity > 0.98);
-    CHECK(answer(trust.checks, "4 times the datum, the target moved with it") > 0.98);
-    CHECK(answer(trust.kernels, name_of(Kernel::periodic)) ==
-          similarity(setup, respond(setup, genome, with_kernel(setup.model, Kernel::periodic))));
-}
-
 TEST_CASE("targets moved with their datum are what a solve with that datum gives") {
     Model model;
     model.grid = {129, two_mm};

@@ -62,14 +62,6 @@ TEST_CASE("a profile is the sum of the cosines of all ridges") {
         }
 }
 
-TEST_CASE("the last chromosome of an exact power is kept") {
-    CHECK(last_chromosome(1.4 * 1.4, 1.4, 1) == 3);
-    CHECK(last_chromosome(std::pow(1.5, 5), 1.5, 1) == 6);
-    CHECK(last_chromosome(0.84942, 1.4, 0.84942 / 511) == 19);
-    CHECK_THROWS_AS(last_chromosome(1, 1.5, 0), InputError); // without a last one
-    CHECK(last_chromosome(1, 2, 2) == 0);
-}
-
 TEST_CASE("derivatives of linear functionals of heights agree with differences in every gene") {
     std::mt19937_64 random(2);
     const Grid grid{128, 0.84942, false};
@@ -216,10 +208,6 @@ TEST_CASE("a genome with a number that is not finite is refused by its name") {
     using Place = double& (*)(Genome&);
     const std::vector<std::pair<std::string, Place>> places{
         {"scale", [](Genome& g) -> double& { return g.scale; }},
-        {"A", [](Genome& g) -> double& { return g.series[1].A; }},
-        {"H", [](Genome& g) -> double& { return g.series[1].H; }},
-        {"gamma", [](Genome& g) -> double& { return g.series[1].gamma; }},
-        {"lambda", [](Genome& g) -> double& { return g.series[1].lambda; }},
         {"a phase", [](Genome& g) -> double& { return g.series[1].chromosomes[0].phases[0]; }}};
     std::mt19937_64 random(5);
     for (const auto& [name, place] : places)

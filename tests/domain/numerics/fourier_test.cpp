@@ -66,18 +66,3 @@ TEST_CASE("every method of applying the influence matrix gives its direct sums",
         }
     }
 }
-
-TEST_CASE("a fast length is the next even number without prime factors above five") {
-    const auto fast = [](Index number) {
-        for (const Index factor : {2, 3, 5})
-            while (number % factor == 0)
-                number /= factor;
-        return number == 1;
-    };
-    for (Index length = 1; length <= 1100; ++length) {
-        Index next = length + length % 2;
-        while (!fast(next))
-            next += 2;
-        CHECK(fast_fourier_length(length) == next);
-    }
-}

@@ -17,18 +17,11 @@ TEST_CASE("quantiles interpolate between ordered values and ignore NaN") {
     CHECK(std::isnan(mean({nan})));
 }
 
-TEST_CASE("the slope of a line is exact, and NaN for fewer than two points") {
-    CHECK(slope(Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(5, 3, 1)) == Approx(-2));
-    CHECK(slope(Eigen::Vector3d(0, 1, 2), Eigen::Vector3d(0, 3, 0)) == Approx(0).margin(1e-15));
-    CHECK(std::isnan(slope(Eigen::VectorXd(1), Eigen::VectorXd(1))));
-}
-
 TEST_CASE("linear series correlate fully, and a constant has no correlation") {
     CHECK(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6)) == Approx(1));
     CHECK(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(3, 2, 1)) == Approx(-1));
     CHECK(std::isnan(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7, 7))));
     CHECK(std::isnan(pearson(Eigen::Array3d(1, 2, 3), Eigen::Array3d(7, 7 + 1e-15, 7))));
-    CHECK(std::isnan(pearson(1e6 * Eigen::Array3d(1, 2, 3), Eigen::Array3d(7e6, 7e6 + 1e-9, 7e6))));
     for (const double size : {1e-12, 1e12}) // whatever their units
         CHECK(pearson(size * Eigen::Array3d(1, 2, 3), Eigen::Array3d(2, 4, 6) / size) == Approx(1));
 }

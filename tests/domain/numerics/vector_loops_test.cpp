@@ -102,27 +102,6 @@ TEST_CASE("products agree with Eigen for any kind of vectors", "[vectors]") {
     }
 }
 
-TEST_CASE("the deepest node is found at any place, and NaN is noticed", "[vectors]") {
-    for (const VectorLoops* loops : kinds())
-        for (const Index n : {Index{1}, Index{7}, Index{8}, Index{21}}) {
-            INFO(loops->vectors << ", " << n << " nodes");
-            VectorXd gap = VectorXd::Constant(n, 0.5), u = VectorXd::Constant(n, 0.25);
-            bool finite = false;
-            for (Index i = 0; i < n; ++i) {
-                u[i] = -0.25;
-                CHECK(loops->deepest(gap.data(), u.data(), n, 1, finite) == 0.75);
-                CHECK(finite);
-                for (const double wrong :
-                     {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-                    u[i] = wrong;
-                    loops->deepest(gap.data(), u.data(), n, 1, finite);
-                    CHECK_FALSE(finite);
-                }
-                u[i] = 0.25;
-            }
-        }
-}
-
 TEST_CASE("a team that the system cannot start is the caller's thread alone", "[vectors]") {
     pthread_attr_t usual, vast; // stacks larger than the memory that a process can address
     pthread_getattr_default_np(&usual), pthread_attr_init(&vast);

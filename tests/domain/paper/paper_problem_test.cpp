@@ -97,20 +97,6 @@ TEST_CASE("the coarsest chromosome of a smooth genome is dominant, and a single 
     const Genome smooth{1, {{1, 3.0, 1.8, 0.84942, {{1, {2.0}}, {2, {1.0}}, {3, {0.5}}, {4, {0.1}}}}}};
     CHECK(rule(smooth).at(0, 0));
     CHECK(reduced(smooth, rule(smooth)).series.size() == 1);
-    const auto on_map = [&](Index n) {
-        return DominanceRule({{n, 1, true, 0, n, 1}, {Kernel::periodic}, {4, 0.5}})(smooth).correlation[0];
-    };
-    CHECK(on_map(128) == on_map(64)); // a large map counts by every second node
-}
-
-TEST_CASE("a wave that is flat at the nodes is not dominant") {
-    const Model model = paper_model(64);
-    // The wave of n = 7 is as long as the node spacing.
-    const Genome genome{1, {{1, 0.8, 2, 64 * model.grid.spacing(), {{1, {2.0}}, {7, {0.4}}}}}};
-    const Dominance dominance = DominanceRule(model)(genome);
-    CHECK(std::isnan(dominance.correlation[1]));
-    CHECK_FALSE(dominance.at(0, 1));
-    CHECK(dominance.at(0, 0));
 }
 
 TEST_CASE("equal wavenumbers of two series are one length scale") {

@@ -29,23 +29,6 @@ ga::Result<Genome> run_on(const Coarse& coarse, const std::string& variant, int 
 
 } // namespace
 
-TEST_CASE("refinement keeps the candidates' identities and never makes one worse") {
-    const Coarse coarse;
-    for (const char* algorithm : {"sog", "gco"}) {
-        Stages stages;
-        run_on(coarse, algorithm, 2, stages);
-        const auto& before = stages.at("test/best.1");
-        for (const char* path : {"test/refine.1", "test/refine.2"}) {
-            const auto& after = stages.at(path);
-            REQUIRE(after.size() == 3);
-            for (std::size_t i = 0; i < 3; ++i) {
-                CHECK(after[i].identity == before[i].identity);
-                CHECK(after[i].value() >= before[i].value());
-            }
-        }
-    }
-}
-
 TEST_CASE("dominant phases are refined first, then all other phases, by at most 10 %") {
     const Coarse coarse;
     Stages stages;
@@ -105,26 +88,6 @@ TEST_CASE("CCO's parents are reduced to their dominant chromosomes and keep thei
         CHECK(part[i].genome.scale == whole[i].genome.scale);
         CHECK(shape_key(part[i].genome) ==
               shape_key(reduced(whole[i].genome, (*coarse.words.rule)(whole[i].genome))));
-    }
-}
-
-TEST_CASE("the paper's algorithms give the same bits on any threads") {
-    const Coarse coarse;
-    for (const auto& [name, text] : paper_variants()) {
-        Stages alone, shared;
-        const auto one = run_on(coarse, name, 1, alone), five = run_on(coarse, name, 5, shared);
-        CHECK(one.population[0].value() == five.population[0].value());
-        CHECK(one.counters.evaluations == five.counters.evaluations);
-        const auto keys = [](const Stages& stages) {
-            std::vector<std::string> all;
-            for (const auto& [path, population] : stages) {
-                all.push_back(path);
-                for (const auto& individual : population)
-                    all.push_back(shape_key(individual.genome));
-            }
-            return all;
-        };
-        CHECK(keys(alone) == keys(shared));
     }
 }
 

@@ -151,22 +151,6 @@ TEST_CASE("rows of limits on a map's shape agree with differences", "[areas]") {
     check_jacobian(setup, genome, "similarity");
 }
 
-TEST_CASE("levels cost what their grids and steps do, and a coarser problem less in the same unit") {
-    for (const bool is_map : {false, true}) {
-        DesignSetup setup = is_map ? area_setup(Kernel::free, 40, 36) : rough::testing::drawn_setup(128);
-        const DesignProblem problem(setup);
-        const auto& prices = problem.levels();
-        REQUIRE(prices.size() == 3);
-        CHECK(prices[0].evaluation == 1);
-        CHECK(prices[1].evaluation > 8);  // more steps, and a finer grid
-        CHECK(prices[2].evaluation == 1); // no errors
-        DesignSetup coarse = setup;
-        coarse.model.grid.nodes /= 2;
-        CHECK(problem.with(coarse).levels()[0].evaluation < 0.9);
-        CHECK(DesignProblem(coarse).levels()[0].evaluation == 1);
-    }
-}
-
 TEST_CASE("a map's verdict is at most its similarity on a grid and in load steps four times finer still",
           "[areas][long]") {
     for (const char* target : {"drawn", "heldout"})

@@ -51,19 +51,6 @@ TEST_CASE("the objective verified agrees with the verification, its residuals wi
           Approx(verified.both).epsilon(1e-9));
 }
 
-TEST_CASE("a problem on a coarser grid keeps the verification and the prices of the whole search") {
-    const DesignProblem problem(nested_setup());
-    DesignSetup coarse = problem.setup();
-    coarse.model.grid.nodes /= 2;
-    const DesignProblem derived = problem.with(coarse);
-    CHECK(rough::testing::fitness(derived, three_waves(), "verified") ==
-          rough::testing::fitness(problem, three_waves(), "verified"));
-    CHECK(derived.levels()[1].evaluation == problem.levels()[1].evaluation);
-    CHECK(derived.levels()[0].evaluation < problem.levels()[0].evaluation);
-    CHECK(rough::testing::fitness(derived, three_waves(), "similarity") !=
-          rough::testing::fitness(problem, three_waves(), "similarity"));
-}
-
 TEST_CASE("a search with given starts returns an answer at least as good as the first") {
     const DesignSetup setup = nested_setup();
     SearchOptions options;

@@ -96,13 +96,6 @@ TEST_CASE("interface stiffness is K on a periodic half-plane and infinite at ful
         CHECK(interface_secants(full).y[2] > 1e5);
     }
     CHECK_THROWS(interface_stiffness(response_of(std::vector<LoadStep>(2), Solver::nested, 1)));
-    Response springs = response_of(std::vector<LoadStep>(3), Solver::nested, 1, 4); // 1/K = 1/K_i + 1/4
-    springs.tangent_stiffness << 0, 1, 2;
-    CHECK(interface_stiffness(springs) == Eigen::Vector3d(0, 4.0 / 3, 4));
-    springs.contact_fraction.setOnes(), springs.held_nodes = 1; // full contact at the hardness is not rigid
-    CHECK(interface_stiffness(springs) == Eigen::Vector3d(0, 4.0 / 3, 4));
-    const Eigen::Vector3d x(1, 2, 3), one(1, 1, 1), slopes(16.0 / 9, 4, 0); // no derivative at full contact
-    CHECK(interface_jacobian({x, one}, {x, Eigen::Vector3d(1, 2, 4), 0, 3}, 4).y == slopes);
 }
 
 TEST_CASE("the interface's secants follow central differences in every gene") {

@@ -77,15 +77,11 @@ TEST_CASE("a unit is refused only if it contradicts the header") {
 }
 
 TEST_CASE("an unknown unit is refused by its name unless a unit is given") {
-    for (const std::string header : {"x [ft] z [ft]", "x [ft]\tz [ft]", "x (ft);z (ft)", "x [yd],z [a.u.]"}) {
-        INFO(header);
+    for (const std::string header : {"x [ft]\tz [ft]", "x (ft);z (ft)"}) {
         CHECK_THAT(refusal(header + "\n0 1\n1 2\n2 1\n"),
-                   Catch::Contains("a column in '" + std::string(header[3] == 'y' ? "yd" : "ft") + "'") &&
-                       Catch::Contains("or give one"));
+                   Catch::Contains("a column in 'ft'") && Catch::Contains("or give one"));
         CHECK_NOTHROW(read(header + "\n0 1\n1 2\n2 1\n", {.unit = "in"}));
     }
-    for (const std::string unit : {"a.u.", "zoll"})
-        CHECK_THAT(refusal("x [mm];z [" + unit + "]\n0;1\n1;2\n2;1\n"), Catch::Contains("'" + unit + "'"));
     for (const std::string header : {"x (raw);z (filtered)", "[X];[Z]", "x [0];z [1]"})
         CHECK_NOTHROW(read(header + "\n0;1\n1;2\n2;1\n"));
 }
@@ -111,18 +107,6 @@ TEST_CASE("a missing value is refused with its line, or filled linearly on reque
     REQUIRE(scan.measured.nodes() == 4);
     CHECK(scan.measured.heights[1] == Approx(4));
     CHECK_THAT(scan.account, Catch::Contains("2 incomplete points left out"));
-}
-
-TEST_CASE("a resampled node is missing if a missing point decides its height") {
-    ScanOptions options{.detrend = Detrend::none, .fill = true, .nodes = 9};
-    const Scan even = read("0 1\n1 3\n2 nan\n3 5\n4 2\n", options);
-    CHECK(even.missing.nodes == std::vector<Index>{3, 4, 5}); // at 1.5, 2 and 2.5
-    CHECK(even.missing.share == Approx(0.2));
-    options.nodes = 0;
-    CHECK(read("0 1\n1 3\n2 nan\n3 5\n4 2\n", options).missing.nodes == std::vector<Index>{2});
-    // Evenly spaced nodes at 0, 1, 2, 3 and 4 of uneven points.
-    const Scan uneven = read("0 1\n0.5 3\n1.5 nan\n3 5\n4 2\n", options);
-    CHECK(uneven.missing.nodes == std::vector<Index>{1, 2});
 }
 
 TEST_CASE("unevenly spaced points are resampled on the straight lines between them") {
@@ -289,48 +273,12 @@ TEST_CASE("a count of points may precede them, up to 1e9") {
                Catch::Contains("up to 1e9"));
 }
 
-TEST_CASE("a scan is readable with empty quotes, half a UTF-16 pair, or a tiny exponent") {
-    for (const std::string head : {"x z\n\"\"\n", "\"\" height\n", "\"\"\n\"\" \"\"\n"})
-        CHECK(read(head + four_rows).measured.nodes() == 4);
-    CHECK(read("0.0e-2147483647 2\n" + four_rows).measured.nodes() == 5);
-    std::string wide("\xFF\xFE#\0\x00\xD8x\0\n\0", 10);
-    for (const char c : four_rows)
-        wide += {c, '\0'};
-    CHECK(read(wide).measured.nodes() == 4);
-    std::string level = "0,5\n1,5\n0,25\n"; // whole numbers at the end do not hide decimal commas
-    for (int i = 0; i < 40; ++i)
-        level += "2\n";
-    CHECK(read(level, {.spacing = 1, .detrend = Detrend::none}).measured.heights[2] == 0.25);
-}
-
 TEST_CASE("points on a diagonal are refused as a map") {
     std::string places; // a grid through them has 4e10 nodes
     for (int i = 0; i < 200'000; ++i)
         places += std::to_string(i) + " " + std::to_string(i) + ".5 1\n";
     const tests::Folder folder;
     CHECK_THROWS_WITH(read_map(folder.write("grid.txt", places), {}), Catch::Contains("give a whole grid"));
-}
-
-TEST_CASE("a scan has a grid, and its points on it") {
-    const Scan points = read("1\n3\n0.5\n2\n1\n", {.spacing = 0.1, .detrend = Detrend::none});
-    CHECK((points.grid().nodes == 5 && points.grid().length == 4 * 0.1));
-    CHECK(points.grid(true).length == 5 * 0.1);
-    CHECK(points.on(points.grid()).spacing == 0.1);
-    CHECK(points.on(points.grid()).heights == (Eigen::VectorXd(5) << 1, 3, 0.5, 2, 1).finished());
-
-    Grid longer = points.grid();
-    longer.length = 0.8;
-    CHECK(points.on(longer).spacing == longer.spacing());
-    longer.nodes = 6;
-    CHECK_THROWS_WITH(points.on(longer), Catch::Contains("grid of 6 nodes") && Catch::Contains("scan's 5"));
-}
-
-TEST_CASE("a column of heights keeps the given spacing to the bit") {
-    std::string heights;
-    for (int i = 0; i < 301; ++i)
-        heights += std::to_string(i % 7) + "\n";
-    for (const double spacing : {0.004, 0.1, 1.0 / 3, 7e-5})
-        CHECK(read(heights, {.spacing = spacing}).measured.spacing == spacing);
 }
 
 TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]") {
@@ -340,9 +288,8 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
         options.detrend = Detrend::none;
         return read_map(folder.write("map.txt", text), options);
     };
-    for (const std::string head :
-         {"# Value units: um", "# Unit: um", "# unit = um", "# z [um]", "# Data unit: um",
-          "# Height units: um", "# Z Unit: um", "\"Unit\",\"um\""}) {
+    for (const std::string head : {"# Value units: um", "# Unit: um", "# unit = um", "# z [um]",
+                                   "# Data unit: um", "\"Unit\",\"um\""}) {
         INFO(head);
         const Map read = map(head + "\n" + matrix, {.spacing = 0.5});
         CHECK(read.heights.heights[5] == Approx(6e-3));
@@ -355,16 +302,12 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
     CHECK(map(sides + matrix, {.unit = "mm,nm"}).heights.row_spacing == Approx(2e-3));
     CHECK(map(sides + matrix, {.unit = "mm,nm"}).heights.heights[0] == Approx(1e-6));
     CHECK_THROWS_WITH(map(sides + matrix, {.spacing = 1}), Catch::Contains("spacing along x of 0.0005 mm"));
-    CHECK_THROWS_WITH(map("x-pixels = 5\ny-pixels = 3\n" + matrix, {.spacing = 1}),
-                      Catch::Contains("3 rows of 5"));
     const Map wyko = map("Pixel_size\t7\t4\t0.0005\n" + matrix);
     CHECK((wyko.heights.spacing == 0.0005 && wyko.heights.row_spacing == 0.0005));
 
     const Map points = map("x [um] y [um] z [nm]\n" + list, {.spacing = 0.002});
     CHECK((points.heights.shape() == Extent{2, 2} && points.heights.spacing == Approx(2e-3)));
     CHECK(points.heights.heights[3] == Approx(5e-6));
-    CHECK(map("0 1 2\n4 5 7\n8 9 9\n", {.spacing = 1}).heights.shape() == Extent{3, 3}); // no grid
-    CHECK_THROWS_WITH(map("x [px] y [px] z [V]\n" + list), Catch::Contains("'px'"));
     CHECK_THROWS_WITH(map("x [um] y [um] z [V]\n" + list), Catch::Contains("'V'"));
     CHECK_THROWS_WITH(map(list + "2 2 1\n"), Catch::Contains("line 5") && Catch::Contains("second height"));
     CHECK(map("1;2;3;\n4;5;6;7\n;;;\n", {.spacing = 1, .fill = true, .max_filled = 0.5}).missing.nodes ==
@@ -419,11 +362,4 @@ TEST_CASE("spikes at the ends are outliers, the steps of levelled digital height
     CHECK(outliers(digital).empty());
     digital[200] += 1;
     CHECK(outliers(digital) == std::vector<Index>{200});
-}
-
-TEST_CASE("x is uneven if one point is written with more digits") {
-    std::string text;
-    for (const char* x : {"0", "1", "2", "3", "4", "4.5", "5", "6", "7", "8", "9", "10"})
-        text += std::string(x) + " " + std::to_string(std::sin(3. * std::atof(x))) + "\n";
-    CHECK_THAT(read(text).account, Catch::Contains("spacing uneven (0.5 to 1 mm)"));
 }

@@ -15,27 +15,6 @@ TEST_CASE("a word that is not a finite number is refused with its place") {
                           Catch::StartsWith("there: \"" + std::string(word) + "\" is not a finite number"));
 }
 
-TEST_CASE("the last digit of a number has the power of ten that is written") {
-    for (const auto& [cell, place] :
-         {std::pair("12", 0), {"1.25", -2}, {"3e4", 4}, {"1.25E-3", -5}, {"7e+2", 2}})
-        CHECK(number(cell, Dialect{})->last_place == place);
-}
-
-TEST_CASE("a comma before a blank separates columns, a decimal comma does not") {
-    using Cells = std::vector<std::string_view>;
-    const auto cells = [](std::string_view line) { return split(line, Dialect::Separator::comma_and_blank); };
-    CHECK(cells("1,5, 2,25") == Cells{"1,5", "2,25"});
-    CHECK(cells("1,, 2") == Cells{"1,", "2"});
-    CHECK(cells("1,") == Cells{"1"});
-}
-
-TEST_CASE("UTF-16 and Latin-1 are read as UTF-8, and an unpaired surrogate as a replacement") {
-    std::string clef("\xFE\xFF\xD8\x34\xDD\x1E\x00!", 8), half("\xFF\xFE\x34\xD8!\x00", 6), latin("\xB5\xE9");
-    CHECK(text_lines(clef, "clef")[0] == "\xF0\x9D\x84\x9E!");
-    CHECK(text_lines(half, "half")[0] == "\xEF\xBF\xBD!");
-    CHECK(text_lines(latin, "latin")[0] == "µé");
-}
-
 TEST_CASE("bytes outside UTF-8 become replacement characters in JSON, other text stays") {
     const nlohmann::json value{{"caf\xE9", "\xFF"}, {"µm", {1.5, "Å"}}};
     const auto read = nlohmann::json::parse(rough::json_text(value));
