@@ -11,7 +11,7 @@
 #include "ga/pipeline/transform.hpp"
 #include "ga/replacement/replacement.hpp"
 #include "ga/selection/selection.hpp"
-#include "ga/variation/mutate.hpp"
+#include "ga/variation/sample.hpp"
 
 /// The engine of genetic algorithms: a population passes through stages. It does not depend on a domain.
 namespace ga {}
