@@ -6,6 +6,7 @@
 #include "ga/blocks/islands.hpp"
 #include "ga/blocks/pair.hpp"
 #include "ga/blocks/repeat.hpp"
+#include "ga/pareto/many_objectives.hpp"
 #include "ga/pipeline/run.hpp"
 #include "ga/pipeline/score.hpp"
 #include "ga/pipeline/transform.hpp"

@@ -12,7 +12,7 @@ Registry<P> vocabulary() {
     Registry<P> registry;
     registry.template add<Score, Average, Best, Threshold<true>, Threshold<false>, Tournament,
                           Proportional<Roulette>, Proportional<Universal>, Proportional<ByRank>, Random,
-                          Distinct, Pareto, Front>();
+                          Distinct, Pareto, Front, HypervolumeSelection, ReferenceDirections>();
     registry.template add<Cross<OnePoint>, Cross<Points>, Cross<Uniform>, Cross<Blend>,
                           Cross<SimulatedBinary>, Cross<Order>, Cross<PartiallyMapped>,
                           Cross<EdgeRecombination>, Mutate<Natural>, Mutate<Gaussian>, Mutate<UniformStep>,

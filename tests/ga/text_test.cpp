@@ -116,7 +116,9 @@ TEST_CASE("an operator's text is read as the same operator") {
     each_line(
         "score\nscore low\nbest 3\nabove 0.95\nbelow -1.5e-07 at_least=2\ntournament 3\ntournament 2 "
         "size=5\ntournament 2 draw=each\n"
-        "roulette\nsus\nrank 1.25\nrandom\nrandom 4\npareto low high\nfront\ncross one_point\n"
+        "roulette\nsus\nrank 1.25\nrandom\nrandom 4\npareto low high\nfront\nhypervolume 9\nhypervolume 9 "
+        "beyond=0.5\ndirections 9\n"
+        "directions 9 divisions=3 inner=2\ncross one_point\n"
         "cross n_points 4 rate=0.5\ncross uniform\ncross blend 0.25\ncross sbx 2\nmutate 0.1\n"
         "mutate 0.1 gaussian 0.2\nmutate 0.1 uniform 0.3\nmutate 0.1 polynomial 30\nmutate 0.1 reset\n"
         "mutate 0.1 swap\nmutate 0.1 reverse\nmutate 0.1 insertion\nmutate 0.1 or_opt\nrefine mma 3 "
