@@ -8,6 +8,10 @@
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 
+#include <boost/algorithm/string.hpp>
+
+#include <fstream>
+
 namespace app {
 
 namespace {
@@ -57,8 +61,10 @@ void search_by_children(SearchByChildren& search, Children& children) {
     run.seed = search.seed;
     run.budget = {search.evaluations, search.seconds, search.stop, search.max_failures};
     const auto tries = static_cast<std::size_t>(std::min(search.evaluations, 200L));
-    const auto first =
-        ga::run_by(evaluator, ga::sample(tries) | ga::score(), P(search.genes, {false}), {}, run);
+    const P unknown(search.genes, {false});
+    const auto [given, probe] = begun<G>(
+        search, unknown, ga::Pipeline<P>(ga::sample(search.start.empty() ? tries : 1) | ga::score()));
+    const auto first = ga::run_by(evaluator, probe, unknown, given, run);
     const auto book = [&](const auto& result, long extra) {
         search.spent = result.counters.evaluations + extra;
         search.failures = result.counters.failures;
@@ -71,11 +77,15 @@ void search_by_children(SearchByChildren& search, Children& children) {
     if (objectives == 0)
         return;
     const P problem(search.genes, children.record.minimise = minimised(search.minimise, objectives));
-    const auto stage = stage_of<P>(search, objectives);
-    search.searched = stage.text();
+    const auto whole = stage_of<P>(search, objectives);
+    search.searched = whole.text();
+    const auto [start, stage] = begun<G>(search, problem, whole);
 
-    const long drawn_again =
-        search.searched.starts_with("sample ") ? std::stol(search.searched.substr(7)) : 0;
+    const bool draws_alike =
+        search.searched.find_first_not_of("0123456789", 7) == search.searched.find(" |"); // no `sobol`
+    const auto drawn_again = static_cast<long>(!search.start.empty() ? search.start.size()
+                                               : draws_alike         ? leading_sample(search.searched)
+                                                                     : 0);
     const long extra = std::max(0L, search.spent - drawn_again); // evaluations that the run does not count
     run.variant = search.variant = variant_of(search, objectives);
     run.budget = {search.evaluations - extra, search.seconds - clock.seconds(), search.stop,
@@ -83,7 +93,7 @@ void search_by_children(SearchByChildren& search, Children& children) {
     ga::Checkpoints<P> keeper(search.checkpoint, search.description + " " + std::to_string(objectives),
                               search.resume, checkpoint_interval());
     keeper.keep("record", children.record);
-    book(ga::run_by(evaluator, stage, problem, {}, run, {ga::progress<G>(search.show)}, &keeper), extra);
+    book(ga::run_by(evaluator, stage, problem, start, run, {ga::progress<G>(search.show)}, &keeper), extra);
 }
 
 using nlohmann::json;
@@ -94,9 +104,11 @@ std::vector<Setting> optimise_settings() {
     minimise.alone = "all";
     return joined(
         {{{"genes", "",
-           "genome: real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., with commas "
-           "between, or bits:COUNT, or permutation:COUNT (of 0, 1, ...)"},
+           "genome: real:COUNT:LOWER:UPPER (:log or :STEP may follow), int:COUNT:FROM:TO and "
+           "choice:COUNT:WORD:WORD:..., with commas between, or bits:COUNT, or permutation:COUNT (of 0, 1, "
+           "...)"},
           {"evaluate", "", "program that evaluates, with its arguments; quotes as in a shell, but no shell"},
+          {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
           minimise,
           positive("timeout", "60", "maximum seconds for one evaluation"),
           ga::whole("threads", "0", 0,
@@ -137,6 +149,29 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
     return result;
 }
 
+/// The genomes in a file: one per line, with commas or spaces between the genes. Lines that begin with # do
+/// not count.
+std::vector<std::vector<double>> start_from(const Genes& genes, const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (!file)
+        rough::refuse("--start: ", path.string(), " cannot be read; give a file of genomes");
+    std::vector<std::vector<double>> start;
+    std::size_t row = 0;
+    for (std::string line; std::getline(file, line);) {
+        ++row;
+        std::vector<std::string> values;
+        boost::trim_if(line, boost::is_any_of(", \t\r[]"));
+        if (line.empty() || line[0] == '#')
+            continue;
+        boost::split(values, line, boost::is_any_of(", \t\""), boost::token_compress_on);
+        std::erase(values, "");
+        start.push_back(numbers_from(genes, values, path.string() + ", line " + std::to_string(row)));
+    }
+    if (start.empty())
+        rough::refuse("--start: ", path.string(), " has no genome; give one per line");
+    return start;
+}
+
 /// The search that the settings describe. Their mistakes are found before any file is written.
 SearchByChildren search_from(const Settings& settings) {
     for (const char* needed : {"genes", "evaluate"})
@@ -146,6 +181,8 @@ SearchByChildren search_from(const Settings& settings) {
     SearchByChildren search;
     take_search(settings, search);
     search.genes = genes_from(settings.text("genes"));
+    if (settings.has("start"))
+        search.start = start_from(search.genes, settings.path("start"));
     search.minimise = settings.text("minimise");
     if (search.minimise != "all") // the number of objectives is not known yet
         minimised(search.minimise, 1000);

@@ -45,13 +45,14 @@ Bindings bindings_of(OutsideSearch& search) {
 }
 
 constexpr const char* kinds_of_genes =
-    "real:COUNT:LOWER:UPPER, int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., "
+    "real:COUNT:LOWER:UPPER (and :log or :STEP), int:COUNT:FROM:TO and choice:COUNT:WORD:WORD:..., "
     "separated by commas, or only bits:COUNT or permutation:COUNT";
 
 Genes::Part part_from(const std::string& text) {
     const auto words = parts_of(text);
     const bool real = words[0] == "real", whole = words[0] == "int", choice = words[0] == "choice";
-    if ((!choice || words.size() < 4) && (!(real || whole) || words.size() != 4))
+    if ((!choice || words.size() < 4) &&
+        (!(real || whole) || words.size() < 4 || words.size() > (real ? 5 : 4)))
         rough::refuse("--genes: \"", text, "\" is malformed; give ", kinds_of_genes);
     Genes::Part part;
     part.count = count_from(words[1], "--genes", 1, max_genes);
@@ -65,9 +66,21 @@ Genes::Part part_from(const std::string& text) {
     }
     part.lower = rough::number_from(words[2], "--genes");
     part.upper = rough::number_from(words[3], "--genes");
-    if (!(part.lower < part.upper) || !std::isfinite(part.upper - part.lower))
-        rough::refuse("--genes: \"", text,
-                      "\" is out of order; give a lower bound below the upper one, at a finite distance");
+    if (!(part.lower <= part.upper) || !std::isfinite(part.upper - part.lower))
+        rough::refuse(
+            "--genes: \"", text,
+            "\" is out of order; give a lower bound that is not above the upper one, at a finite distance");
+    if (words.size() == 5 && words[4] == "log") {
+        part.is_log = true;
+        if (!(part.lower > 0))
+            rough::refuse("--genes: \"", text, "\" has no logarithm; give a lower bound above 0");
+    } else if (words.size() == 5) {
+        part.step = rough::number_from(words[4], "--genes");
+        const double steps = (part.upper - part.lower) / part.step;
+        if (!(part.step > 0) || !(steps < 0x1p53) || std::abs(steps - std::round(steps)) > 1e-6)
+            rough::refuse("--genes: \"", text,
+                          "\" has a wrong step; give log, or a step above 0 that divides the range");
+    }
     if (whole && (part.lower != std::round(part.lower) || part.upper != std::round(part.upper) ||
                   std::max(-part.lower, part.upper) > 1e15))
         rough::refuse("--genes: \"", text, "\" is out of range; give whole bounds up to 1e15");
@@ -92,23 +105,76 @@ void take_search(const Settings& settings, OutsideSearch& search) {
 }
 
 std::vector<ga::Variable> range_of(const Genes& genes) {
+    constexpr double max_choices = 8; // maximum number of integers
     std::vector<ga::Variable> range;
     for (const Genes::Part& part : genes.parts)
-        for (std::size_t i = 0; i < part.count; ++i)
-            range.push_back({range.size(), part.lower - (part.is_whole ? 0.5 : 0),
-                             part.upper + (part.is_whole ? 0.5 : 0)});
+        for (std::size_t i = 0; i < part.count; ++i) {
+            const double half = part.upper > part.lower ? (part.is_whole ? 0.5 : part.step / 2) : 0;
+            ga::Variable gene{range.size(), part.lower - half, part.upper + half};
+            if (part.is_log)
+                gene.lower = std::log(part.lower), gene.upper = std::log(part.upper);
+            gene.is_choice = part.is_whole && (!part.words.empty() || part.upper - part.lower < max_choices);
+            range.push_back(gene);
+        }
     return range;
 }
 
 std::vector<double> rounded(const Genes& genes, std::vector<double> numbers) {
     std::size_t g = 0;
     for (const Genes::Part& part : genes.parts)
-        for (std::size_t i = 0; i < part.count && g < numbers.size(); ++i, ++g)
-            if (part.is_whole)
-                numbers[g] = numbers[g] >= part.lower                                 // also if it is NaN
-                                 ? std::min(std::round(numbers[g]), part.upper) + 0.0 // no -0
-                                 : part.lower;
+        for (std::size_t i = 0; i < part.count && g < numbers.size(); ++i, ++g) {
+            double& number = numbers[g];
+            if (part.is_log)
+                number = std::clamp(std::exp(number), part.lower, part.upper);
+            if (const double step = part.is_whole ? 1 : part.step; step > 0)
+                number =
+                    number >= part.lower // also if it is NaN
+                        ? std::min(part.lower + step * std::round((number - part.lower) / step), part.upper) +
+                              0.0 // no -0
+                        : part.lower;
+        }
     return numbers;
+}
+
+std::vector<double> numbers_from(const Genes& genes, const std::vector<std::string>& values,
+                                 const std::string& where) {
+    if (values.size() != genes.count)
+        rough::refuse(where, ": ", values.size(), " genes; give ", genes.count);
+    const auto range = range_of(genes);
+    std::vector<double> numbers;
+    std::vector<char> seen(genes.count, 0);
+    const auto number_at = [&](std::size_t g, double lower, double upper, bool whole) {
+        const std::string place = where + ", gene " + std::to_string(g + 1);
+        const double value = rough::number_from(values[g], place);
+        if (!(value >= lower && value <= upper) || (whole && value != std::round(value)))
+            rough::refuse(place, ": ", values[g], " is out of range (", whole ? "whole, " : "",
+                          ga::number(lower), " to ", ga::number(upper), ")");
+        return value;
+    };
+    for (const Genes::Part& part : genes.parts)
+        for (std::size_t i = 0; i < part.count; ++i) {
+            const std::size_t g = numbers.size();
+            const auto word = std::ranges::find(part.words, values[g]);
+            if (!part.words.empty() && word == part.words.end())
+                rough::refuse(where, ", gene ", g + 1, ": \"", values[g], "\" is unknown; give ",
+                              boost::join(part.words, ", "));
+            const double value = part.words.empty() ? number_at(g, part.lower, part.upper, part.is_whole)
+                                                    : static_cast<double>(word - part.words.begin());
+            numbers.push_back(part.is_log ? std::clamp(std::log(value), range[g].lower, range[g].upper)
+                                          : value);
+        }
+    while (numbers.size() < genes.count) {
+        const bool bits = genes.kind == Genes::Kind::bits;
+        const std::size_t g = numbers.size();
+        numbers.push_back(number_at(g, 0, bits ? 1 : static_cast<double>(genes.count) - 1, true));
+        if (const auto k = static_cast<std::size_t>(numbers.back()); !bits && std::exchange(seen[k], char{1}))
+            rough::refuse(where, ", gene ", g + 1, ": ", values[g], " stands twice; give each number once");
+    }
+    return numbers;
+}
+
+std::size_t leading_sample(const std::string& pipeline) {
+    return pipeline.starts_with("sample ") ? std::stoul(pipeline.substr(7)) : 0;
 }
 
 std::string genes_text(const Genes& genes, const std::vector<double>& numbers) {
@@ -160,16 +226,23 @@ std::vector<bool> minimised(const std::string& text, std::size_t objectives) {
 }
 
 ga::Variants outside_variants(const Genes& genes, std::size_t objectives) {
-    const std::string rate = ga::number(1 / static_cast<double>(genes.count)); // one gene per child
-    const auto [cross, mutation] = genes.kind == Genes::Kind::numbers ? std::pair("sbx", " polynomial")
-                                   : genes.kind == Genes::Kind::bits  ? std::pair("uniform", "")
-                                                                      : std::pair("order", " reverse");
+    const auto mutate = [&](double share, const char* method) { // `share` genes per child
+        return " | mutate " + ga::number(share / static_cast<double>(genes.count)) + method;
+    };
+    const bool tours = genes.kind == Genes::Kind::permutation, bits = genes.kind == Genes::Kind::bits;
+    const std::string varied = tours
+                                   ? "cross edge rate=0.5" + mutate(0.5, " reverse") + mutate(0.5, " or_opt")
+                               : bits ? "cross uniform rate=0.9" + mutate(1, "")
+                                      : "cross sbx rate=0.9" + mutate(1, " polynomial");
     const std::string pareto = "pareto " + boost::join(objective_names(objectives), " ");
-    const std::string begin = std::string("repeat 1000000000 { tournament 2 | cross ") + cross +
-                              " rate=0.9 | mutate " + rate + mutation;
-    ga::Variants variants{
-        {"ga", "sample 40 | score | " + begin + " | score | elite 2 } | best 1"},
-        {"nsga2", "sample 100 | " + pareto + " | " + begin + " | " + pareto + " | plus 100 } | front"}};
+    const std::string begin = "repeat 1000000000 { tournament 2";
+    const std::string front =
+        "sample 100 | " + pareto + " | " + begin + " draw=each | " + varied + " | " + pareto + " | ";
+    ga::Variants variants{{"ga", "sample 40 | score | " + begin + " | " + varied + " | score | " +
+                                     (tours ? "plus copies=none" : "elite 2") + " } | best 1"},
+                          {"nsga2", front + "plus 100 } | front"},
+                          {"nsga3", front + "parents | directions 100 } | front"},
+                          {"sms-emoa", front + "parents | hypervolume 100 } | front"}};
     if (genes.kind == Genes::Kind::numbers) {
         const std::size_t individuals =
             std::clamp<std::size_t>(18 * genes.count, 20, 2000); // Tanabe and Fukunaga

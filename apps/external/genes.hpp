@@ -6,14 +6,18 @@
 namespace app {
 
 /// The genes of a genome, as in --genes: bits:40, permutation:20, or parts of numbers and words, as in
-/// real:5:-5:5,int:3:0:120,choice:2:a:b:c.
+/// real:5:-5:5,real:2:1e-6:1:log,real:2:0:1:0.25,int:3:0:120,choice:2:a:b:c.
 struct Genes {
     enum class Kind { numbers, bits, permutation };
-    /// Genes of one range. Integers and words are real genes that are rounded for the evaluation.
+    /// Genes of one range. Integers, words and stepped numbers are real genes that are rounded for the
+    /// evaluation. On a logarithmic scale the search sees the natural logarithm. If both bounds are equal,
+    /// the genes are fixed.
     struct Part {
         std::size_t count = 1;
         double lower = 0, upper = 1;         ///< bounds of each gene; for words, of their index
         bool is_whole = false;               ///< whether the genes are integers or words
+        bool is_log = false;                 ///< whether the scale is logarithmic
+        double step = 0;                     ///< distance of allowed numbers from `lower` on; 0 for any
         std::vector<std::string> words = {}; ///< words to choose from
     };
     Kind kind = Kind::numbers;
@@ -25,6 +29,9 @@ struct Genes {
 struct OutsideSearch {
     Genes genes = {};
     std::string variant = {}, pipeline = {}; ///< one of them; by default ga, or nsga2 for several objectives
+    /// Genomes to begin with (numbers_from). A leading `sample n` of the pipeline draws only the missing
+    /// ones.
+    std::vector<std::vector<double>> start = {};
     std::uint64_t seed = 1;
     long evaluations = std::numeric_limits<long>::max();      ///< maximum number
     double seconds = std::numeric_limits<double>::infinity(); ///< maximum time of the whole search
@@ -43,10 +50,18 @@ std::vector<Setting> outside_settings();
 /// Reads them. If only `seconds` is given, evaluations are unlimited. Throws rough::InputError.
 void take_search(const Settings& settings, OutsideSearch& search);
 
-/// The bounds of each number, extended by 0.5 on both sides for integers and words. Empty for other kinds.
+/// The bounds of each number in the search, extended by half a step on both sides for numbers that are
+/// rounded. Words and integers of up to eight values are choices. Empty for other kinds.
 std::vector<ga::Variable> range_of(const Genes& genes);
-/// The numbers to evaluate: integers and words are rounded and within their bounds.
+/// The numbers to evaluate: rounded, within their bounds, and on the scale of the user.
 std::vector<double> rounded(const Genes& genes, std::vector<double> numbers);
+/// The genes in the search for the values that a user writes, the inverse of `rounded`. Bits are 0 or 1,
+/// words may be in quotes. Throws rough::InputError, which begins with `where`, on a wrong number of values
+/// and on a value of a wrong kind or out of bounds.
+std::vector<double> numbers_from(const Genes& genes, const std::vector<std::string>& values,
+                                 const std::string& where);
+/// The number of individuals that a pipeline's leading `sample n` draws; 0 without one.
+std::size_t leading_sample(const std::string& pipeline);
 /// The genes as a JSON array, "[0.5,3,\"a\"]", with as many digits as are needed to read the same numbers.
 std::string genes_text(const Genes& genes, const std::vector<double>& numbers);
 
@@ -60,8 +75,8 @@ std::vector<std::string> objective_names(std::size_t count);
 /// Throws rough::InputError.
 std::vector<bool> minimised(const std::string& text, std::size_t objectives);
 
-/// The named pipelines: ga (one objective), nsga2 (several), and for real genes bipop-cma-es, ipop-cma-es and
-/// lshade. They end with the run's budget.
+/// The named pipelines: ga (one objective), nsga2, nsga3 and sms-emoa (several), and for real genes
+/// bipop-cma-es, ipop-cma-es and lshade. They end with the run's budget.
 ga::Variants outside_variants(const Genes& genes, std::size_t objectives);
 
 } // namespace app

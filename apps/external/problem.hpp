@@ -124,6 +124,31 @@ ga::Pipeline<P> stage_of(const OutsideSearch& search, std::size_t objectives,
                                    : parser.parse(search.pipeline);
 }
 
+/// The population that a search begins with, and the pipeline that runs on it. With given genomes, a leading
+/// `sample` is left out, and the population has as many individuals as it would draw.
+template <class G>
+std::pair<ga::Population<G>, ga::Pipeline<OutsideProblem<G>>>
+begun(const OutsideSearch& search, const OutsideProblem<G>& problem, ga::Pipeline<OutsideProblem<G>> stage,
+      ga::Registry<OutsideProblem<G>> registry = ga::whole_vocabulary<OutsideProblem<G>>()) {
+    std::vector<G> genomes;
+    for (const std::vector<double>& given : search.start) {
+        G genome;
+        for (const double gene : given)
+            ga::places(genome).push_back(
+                static_cast<std::ranges::range_value_t<std::decay_t<decltype(ga::places(genome))>>>(gene));
+        genomes.push_back(std::move(genome));
+    }
+    if (const std::string text = stage.text(); !genomes.empty() && leading_sample(text) > 0) {
+        for (std::size_t i = genomes.size(); i < leading_sample(text); ++i) {
+            ga::Stream stream(ga::fold(ga::fold(search.seed, "start"), i));
+            genomes.push_back(problem.sample(stream));
+        }
+        stage = ga::Parser<OutsideProblem<G>>(std::move(registry))
+                    .parse(text.substr(std::min(text.find('|'), text.size() - 1) + 1));
+    }
+    return {ga::population(std::move(genomes)), std::move(stage)};
+}
+
 } // namespace app
 
 GA_PIPELINES_ELSEWHERE(app::OutsideProblem<std::vector<double>>)

@@ -107,6 +107,13 @@ std::vector<Benchmark> fixed_benchmarks() {
                                 [=](int number) { return knapsack_instance(things, seed(number)); }));
     all.push_back(benchmark("tsp14", "tsp", "tours", precisions(1e1, 1e-4),
                             [=](int number) { return scattered_instance(14, seed(number)); }));
+    const auto relative = precisions(1, 1e-4);
+    all.push_back(
+        benchmark("berlin52", "instances", "tours", relative, [](int) { return berlin_instance(); }));
+    for (const std::size_t side : {10u, 16u})
+        all.push_back(benchmark("grid" + std::to_string(side * side), "instances", "tours", relative,
+                                [=](int) { return grid_instance(side); }));
+    all.push_back(benchmark("ft10", "instances", "tours", relative, [](int) { return job_shop_instance(); }));
     all.push_back(benchmark("tsp-circle30", "tsp", "tours", precisions(1e1, 1e-4),
                             [=](int number) { return circle_instance(30, seed(number)); }));
     return all;
@@ -167,7 +174,7 @@ std::vector<Benchmark> benchmarks(const std::vector<std::string>& names,
                 known.insert(known.end(), {each.name, each.group});
             rough::refuse("\"", name,
                           "\" is not a problem; give bbobN, bbobN-F (N of 2 to 40, F of 1 to 24), "
-                          "zdt, dtlz, knapsack, tsp, a problem of theirs or roughness",
+                          "zdt, dtlz, knapsack, tsp, instances, a problem of theirs or roughness",
                           ga::suggestion(name, known));
         }
     }

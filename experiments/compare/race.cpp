@@ -80,6 +80,7 @@ class Tallied : public ga::Evaluator<OutsideProblem<G>> {
 
 template <class G>
 ga::Pipeline<OutsideProblem<G>> stage_of(const Instance<G>& instance, std::string text) {
+    boost::replace_all(text, "0.5/n", ga::number(0.5 / static_cast<double>(instance.genes)));
     boost::replace_all(text, "1/n", ga::number(1 / static_cast<double>(instance.genes)));
     boost::replace_all(text, "18n", std::to_string(18 * instance.genes));
     boost::replace_all(text, "objectives", boost::join(objective_names(instance.objectives), " "));

@@ -160,9 +160,12 @@ struct CmaEs : Operator {
         const auto& best = population[order.front()];
         Stream random = context.stream(all_individuals);
         const bool begins = state.moving.empty();
-        if (begins)
-            begin(genes_of(context.problem(), best.genome), variables_of(context.problem(), best.genome),
-                  state);
+        if (begins) {
+            const std::vector<Variable> moving = variables_of(context.problem(), best.genome);
+            if (std::ranges::any_of(moving, &Variable::is_choice))
+                context.note("some genes are choices, which have no order; cross and mutate fit them better");
+            begin(genes_of(context.problem(), best.genome), moving, state);
+        }
         const CmaConstants constants(state.first.size(), state.run.lambda);
         if (!begins && !state.ended)
             learn(scored_children(population, order, context.problem(), state), constants, state);

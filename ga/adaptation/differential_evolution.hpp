@@ -87,6 +87,8 @@ struct DifferentialEvolution : Operator {
     }
     void check(CheckState& known) const {
         known.need_score(text_of(*this));
+        known.need_individuals(text_of(*this), 4);
+        known.trials = text_of(*this);
         known.scored.reset();
     }
 

@@ -99,6 +99,8 @@ struct LShade : Operator {
     void check(CheckState& known) const {
         known.need_repetition(text_of(*this));
         known.need_one_objective(text_of(*this));
+        known.need_individuals(text_of(*this), 4);
+        known.trials = text_of(*this);
         known.scored.reset();
     }
 

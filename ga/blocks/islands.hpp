@@ -41,7 +41,10 @@ struct Islands : Operator {
         const auto stages = std::make_shared<const Pipeline<P>>(body);
         const std::string name = text_of(*this);
         return {name + " { " + stages->text() + " }",
-                [stages, name, migration = migration](CheckState& known) {
+                [stages, name, n = n, migration = migration](CheckState& known) {
+                    known.need_individuals(name, n);
+                    const std::size_t at_most = known.at_most;
+                    known.at_most = at_most == all_individuals ? at_most : (at_most + n - 1) / n;
                     const bool on_islands = std::exchange(known.on_islands, true);
                     check_generation(*stages, name, known, [&](const CheckState& inside) {
                         if (migration.migrants > 0)

@@ -1,46 +1,9 @@
 #pragma once
 
 #include "ga/selection/selection.hpp"
-#include "ga/variation/mutate.hpp"
+#include "ga/variation/distance.hpp"
 
 namespace ga {
-
-/// A problem whose genomes have a distance. Either the problem defines it, or genomes consist of real genes,
-/// bits or whole numbers.
-template <class P>
-concept HasDistance = Measured<P> || HasGenes<P> || Discrete<typename P::Genome>;
-
-/// The problem's `distance`, if it has one. For real genes it is the root mean square of the differences,
-/// each divided by the distance between the first genome's bounds. For discrete genes it is the share of the
-/// genes that differ. A gene that only one genome has counts as a difference of 1.
-template <HasDistance P>
-double distance(const P& problem, const typename P::Genome& a, const typename P::Genome& b) {
-    if constexpr (Measured<P>) {
-        return problem.distance(a, b);
-    } else if constexpr (HasGenes<P>) {
-        const std::vector<double> first = genes_of(problem, a), second = genes_of(problem, b);
-        double sum = 0;
-        std::size_t count = std::max(first.size(), second.size()) - std::min(first.size(), second.size());
-        sum += static_cast<double>(count);
-        for (const Variable& v : variables_of(problem, a)) {
-            if (v.gene >= std::min(first.size(), second.size()) || !(width(v) > 0))
-                continue;
-            const double step = (first[v.gene] - second[v.gene]) / width(v);
-            sum += step * step;
-            ++count;
-        }
-        return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
-    } else {
-        const std::size_t shorter = std::min(a.size(), b.size()), longer = std::max(a.size(), b.size());
-        std::size_t differ = longer - shorter;
-        for (std::size_t i = 0; i < shorter; ++i)
-            differ += a[i] != b[i] ? 1 : 0;
-        return longer > 0 ? static_cast<double>(differ) / static_cast<double>(longer) : 0;
-    }
-}
-
-/// The members that a problem without a distance lacks, in words, for the listing.
-constexpr const char* no_distance = "real genes, discrete genes, or a distance";
 
 /// Clearing (Petrowski 1996). Individuals are visited from the best to the worst. An individual is removed if
 /// `capacity` better individuals that stay are within the distance `radius`. The result is sorted, best

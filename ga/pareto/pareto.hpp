@@ -5,9 +5,10 @@
 namespace ga {
 
 /// The volume above the point `reference` that the points dominate (Zitzler and Thiele 1998). Higher is
-/// better in every objective. Only points above `reference` in all objectives count. The volume is sliced
-/// along one objective after the other (While et al. 2006). This takes a time of order n log n for n points
-/// and two objectives, and n times as long for each further objective.
+/// better in every objective. Only points above `reference` in all objectives count. The volume is the sum of
+/// what each point adds to those that are better in the last objective (WFG: While, Bradstreet and Barone
+/// 2012). This takes a time of order n log n for n points and two objectives. For each further objective it
+/// is at most n times as long, and mostly far less.
 double hypervolume(std::vector<Point> points, const Point& reference);
 
 /// The share of a fixed sample of 4096 points that the points dominate. It estimates the hypervolume for many
@@ -24,6 +25,7 @@ double dominated_share(const std::vector<Point>& points, const Point& reference,
 ///         plus()) | front()
 struct Pareto : Operator {
     std::vector<std::string> objectives; ///< names of at least two different objectives
+    static constexpr bool keeps_size = true;
     /// Throws UsageError on fewer than two objectives, or if one is named twice.
     void validate() const;
     static Words words() {

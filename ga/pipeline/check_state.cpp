@@ -15,6 +15,17 @@ void CheckState::need_one_objective(const std::string& stage) const {
                          "'; put score before it");
 }
 
+void CheckState::need_several_objectives(const std::string& stage) const {
+    if (!several_objectives())
+        throw UsageError("stage '" + stage + "' needs a population ranked by pareto; put pareto before it");
+}
+
+void CheckState::need_individuals(const std::string& stage, std::size_t n) const {
+    if (at_most < n)
+        throw UsageError("stage '" + stage + "' has " + std::to_string(at_most) + " individuals; give " +
+                         std::to_string(n) + " or more");
+}
+
 void CheckState::need_generation(const std::string& stage, const std::string& does) const {
     if (!in_generation)
         throw UsageError("stage '" + stage + "' " + does + "; put it inside repeat or until");

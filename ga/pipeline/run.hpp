@@ -48,6 +48,8 @@ template <Problem P>
     known.nobody = population.empty();
     if (known.nobody && !pipeline.begins())
         throw UsageError("the population is empty; give at least one individual, or begin with sample");
+    if (!known.nobody)
+        known.at_most = population.size();
     if (!known.nobody && comparable(population))
         known.scored = population.front().fitness.objective();
     pipeline.check(known);

@@ -14,8 +14,10 @@ struct CheckState {
     bool in_generation = false;              ///< whether the point is inside a `repeat` or `until`
     std::optional<std::string> start_scored; ///< policy under which the generation's start is scored
     bool nobody = false;                     ///< whether the population is still empty
-    bool on_islands = false;                 ///< whether the point is inside `islands`
-    bool has_gradient = false;               ///< whether the problem has derivatives of its fitness
+    std::size_t at_most = all_individuals;   ///< upper bound on the number of individuals, if one is known
+    std::string trials = {}; ///< stage of the generation whose children need a comparison with their parents
+    bool on_islands = false; ///< whether the point is inside `islands`
+    bool has_gradient = false; ///< whether the problem has derivatives of its fitness
     /// Whether the population is scored under several objectives.
     bool several_objectives() const { return scored && scored->find(' ') != std::string::npos; }
 
@@ -23,11 +25,15 @@ struct CheckState {
     void need_score(const std::string& stage) const;
     /// Throws UsageError, with the stage's name, if the fitness has several objectives.
     void need_one_objective(const std::string& stage) const;
+    /// Throws UsageError, with the stage's name, unless individuals were scored by `pareto`.
+    void need_several_objectives(const std::string& stage) const;
     /// Throws UsageError, with the stage's name and purpose, if the stage is not in a block of generations.
     void need_generation(const std::string& stage,
                          const std::string& does = "reads the start of a generation") const;
     /// Throws UsageError if a stage that learns is not in a block of generations.
     void need_repetition(const std::string& stage) const;
+    /// Throws UsageError, with the stage's name, if there are surely fewer than n individuals.
+    void need_individuals(const std::string& stage, std::size_t n) const;
     /// Throws UsageError, with the stage's name, if the stage is not in a block of generations. Also throws
     /// it if the generation's start and the population are scored under different policies.
     void need_comparable_start(const std::string& stage) const;
@@ -49,7 +55,8 @@ struct Stage {
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< the operator's action
     /// Number of the best individuals of the generation's start that the operator reads.
     std::size_t reads_of_start = 0;
-    bool begins = false; ///< whether the operator works without a population
+    bool begins = false;     ///< whether the operator works without a population
+    bool keeps_size = false; ///< whether its check keeps CheckState::at_most
 };
 
 // clang-format off
@@ -69,6 +76,8 @@ struct Stage {
 ///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
 ///                                             the operator reads, or `all_individuals`
 ///     static constexpr bool begins = true;    if the operator works without a population
+///     static constexpr bool keeps_size = true;        if it adds no individual, or check sets
+///                                             CheckState::at_most
 /// @endcode
 /// A block is an operator that contains pipelines. Instead of check and operator() it has
 /// @code
@@ -139,6 +148,8 @@ class Pipeline {
                                      "' needs a population; give one at the start, or put sample before it");
                 placed.stage.check(known);
                 known.nobody = false;
+                if (!placed.stage.keeps_size)
+                    known.at_most = all_individuals;
             });
     }
     /// Throws UsageError if the pipeline leaves the population unscored.
@@ -254,6 +265,8 @@ class Pipeline {
                 stage.reads_of_start = op.reads_of_start();
             if constexpr (requires { Op::begins; })
                 stage.begins = Op::begins;
+            if constexpr (requires { Op::keeps_size; })
+                stage.keeps_size = Op::keeps_size;
             add(std::move(stage));
         }
     }
@@ -294,8 +307,12 @@ template <Problem P, class More>
     inside.start_scored = known.scored;
     if (const std::size_t reads = body.reads_of_start(); reads > 0 && reads != all_individuals)
         known.need_score(name); // its best are ranked
+    inside.trials.clear();
     body.check(inside);
     more(inside);
+    if (!inside.trials.empty() && body.reads_of_start() == 0)
+        throw UsageError("stage '" + inside.trials +
+                         "' replaces parents by children that may be worse; put duel after the score");
     if (inside.start_scored != inside.scored) { // otherwise the second check equals the first
         inside.start_scored = inside.scored;
         body.check(inside);

@@ -44,15 +44,20 @@ std::vector<double> crowded_merits(std::span<const Fitness* const> all);
 /// Deb's rules. Under several objectives the merits are crowded_merits(). Throws UsageError if policies
 /// differ or an individual is unscored.
 std::vector<double> merits(std::span<const Fitness* const> all);
-/// The merits of a population, followed by the merits of `others`.
+/// The fitnesses of a population, followed by those of `others`.
 template <class G>
-std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
+std::vector<const Fitness*> fitnesses_of(const Population<G>& population, const Population<G>& others = {}) {
     std::vector<const Fitness*> all(population.size() + others.size());
     auto at = all.begin();
     for (const auto* part : {&population, &others})
         for (const auto& individual : *part)
             *at++ = &individual.fitness;
-    return merits(std::span<const Fitness* const>(all));
+    return all;
+}
+/// The merits of a population, followed by the merits of `others`.
+template <class G>
+std::vector<double> merits(const Population<G>& population, const Population<G>& others = {}) {
+    return merits(std::span<const Fitness* const>(fitnesses_of(population, others)));
 }
 
 /// Positions of the n best merits, best first; ties in their order.

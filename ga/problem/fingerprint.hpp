@@ -2,6 +2,7 @@
 
 #include "ga/base/random.hpp"
 
+#include <compare>
 #include <concepts>
 #include <cstring>
 #include <ranges>
@@ -14,8 +15,8 @@ namespace ga {
 struct Fingerprint {
     std::uint64_t high = 0; ///< first lane
     std::uint64_t low = 0;  ///< second lane
-    /// Whether all bits are equal.
-    bool operator==(const Fingerprint&) const = default;
+    /// Compares the lanes in order.
+    auto operator<=>(const Fingerprint&) const = default;
 };
 
 /// The fingerprint of some bytes: two independent lanes of folded 64 x 64 -> 128 bit products (the scheme of

@@ -211,6 +211,9 @@ struct Variable {
     std::size_t gene; ///< index of the gene
     double lower;     ///< lower bound, in the gene's unit
     double upper;     ///< upper bound, at least `lower`
+    /// Whether the gene is a choice: rounded, it is one of the whole numbers between the bounds, which have
+    /// no order. Mutation draws another of these, and cross-over exchanges them.
+    bool is_choice = false;
 };
 
 /// What a problem's function costs that computes more than its result shows, for example curves to compare.

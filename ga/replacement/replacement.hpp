@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ga/pipeline/stage.hpp"
+#include "ga/variation/distance.hpp"
 
 namespace ga {
 
@@ -39,14 +39,21 @@ struct Elite : Operator {
 
 /// (mu + lambda) replacement (Schwefel 1975). Returns the mu best individuals of the generation's start and
 /// of the population. Under several objectives the two populations are ranked as one. This is NSGA-II's
-/// replacement (Deb et al. 2002).
+/// replacement (Deb et al. 2002). With `copies=none`, individuals with equal genomes stay only if there are
+/// fewer than mu different genomes.
 struct Plus : Operator {
-    std::size_t mu = 0; ///< number of individuals that stay; 0 for the size of the generation's start
+    std::size_t mu = 0;         ///< number of individuals that stay; 0 for the size of the generation's start
+    std::string copies = "any"; ///< whether genomes may be equal: any or none
     static Words words() {
         return {"plus", "replacement", "the mu best of the generation's start and its children"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.mu, whole("mu", 0, "how many; 0 for as many as at the start").quiet());
+        visit(self.copies, word("copies", "any, or none: keeps different genomes").keyed().quiet());
+    }
+    void validate() const {
+        if (copies != "any" && copies != "none")
+            throw UsageError("stage 'plus': copies is '" + copies + "'; use any or none");
     }
     std::size_t reads_of_start() const { return all_individuals; }
     void check(CheckState& known) const { known.need_comparable_start(text_of(*this)); }
@@ -54,7 +61,51 @@ struct Plus : Operator {
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto& start = context.generation_start();
-        return best_of(joined_with(start, std::move(population)), mu > 0 ? mu : start.size());
+        const std::size_t n = mu > 0 ? mu : start.size();
+        population = joined_with(start, std::move(population));
+        if (copies == "any")
+            return best_of(population, n);
+        const auto left = take_copies(population, context.problem());
+        population = best_of(population, n);
+        for (const auto& each : best_of(left, n - population.size()))
+            population.push_back(each);
+        return population;
+    }
+};
+
+/// Removes individuals whose genome equals that of an earlier individual. With a distance, removes
+/// individuals within this distance of an earlier one that stays. Put `best n` before this stage to keep the
+/// better ones.
+struct Distinct : Operator {
+    double distance = 0; ///< distance, 0 or more; see ga::distance
+    static Words words() {
+        return {"distinct", "selection", "removes individuals that equal an earlier one"};
+    }
+    static void describe(auto& self, auto visit) {
+        visit(self.distance,
+              number("distance", 0, no_limit,
+                     "removes those this near, too: rms of genes in widths, or share that differs")
+                  .quiet());
+    }
+    void check(CheckState&) const {}
+
+    template <Problem P>
+    PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
+        take_copies(population, context.problem());
+        if (distance == 0)
+            return population;
+        if constexpr (HasDistance<P>) {
+            PopulationOf<P> left;
+            for (auto& each : population)
+                if (std::ranges::none_of(left, [&](const auto& other) {
+                        return ga::distance(context.problem(), other.genome, each.genome) <= distance;
+                    }))
+                    left.push_back(std::move(each));
+            return left;
+        } else {
+            throw UsageError("stage '" + text_of(*this) + "' needs a distance; use a problem that has " +
+                             no_distance);
+        }
     }
 };
 
@@ -103,7 +154,10 @@ struct Steady : Operator {
 
 ///@{ The operators as stages.
 inline Elite elite(std::size_t k) { return checked(Elite{{}, k}); }
-inline Plus plus(std::size_t mu = 0) { return {{}, mu}; }
+inline Plus plus(std::size_t mu = 0, std::string copies = "any") {
+    return checked(Plus{{}, mu, std::move(copies)});
+}
+inline Distinct distinct(double distance = 0) { return checked(Distinct{{}, distance}); }
 inline JoinParents parents() { return {}; }
 inline Steady steady() { return {}; }
 ///@}

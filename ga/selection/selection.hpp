@@ -7,9 +7,13 @@ namespace ga {
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
     std::size_t n = 1; ///< number of individuals that stay, >= 1
+    static constexpr bool keeps_size = true;
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
-    void check(CheckState& known) const { known.need_score(text_of(*this)); }
+    void check(CheckState& known) const {
+        known.need_score(text_of(*this));
+        known.at_most = std::min(known.at_most, n);
+    }
 
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>&) const {
@@ -40,15 +44,24 @@ struct Random : Operator {
 /// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
 /// is a tie, the individual that was drawn first is chosen. If a large population has as many places as
 /// individuals, the best individual gets about k places.
+///
+/// With `draw=each`, individuals are drawn from a shuffled list of all, and the list is shuffled again when
+/// it is empty. So each competes k times, as in NSGA-II (Deb et al. 2002).
 struct Tournament : Operator {
-    std::size_t k = 2;    ///< number of individuals drawn for each place, >= 1
-    std::size_t size = 0; ///< number of places; 0 for the population's size
+    std::size_t k = 2;        ///< number of individuals drawn for each place, >= 1
+    std::size_t size = 0;     ///< number of places; 0 for the population's size
+    std::string draw = "any"; ///< whether `any` may be drawn, or `each` equally often
     static Words words() {
         return {"tournament", "selection", "each place goes to the best of k drawn at random"};
     }
     static void describe(auto& self, auto visit) {
         visit(self.k, whole("k", 1, "how many are drawn"));
         visit(self.size, whole("size", 0, "places; 0 for as many as there are").keyed().quiet());
+        visit(self.draw, word("draw", "any, or each: all compete equally often").keyed().quiet());
+    }
+    void validate() const {
+        if (draw != "any" && draw != "each")
+            throw UsageError("stage 'tournament': draw is '" + draw + "'; use any or each");
     }
     void check(CheckState& known) const { known.need_score(text_of(*this)); }
 
@@ -59,13 +72,24 @@ struct Tournament : Operator {
         context.need_room(size, population);
         const std::vector<double> worth = merits(population);
         const Below any(population.size());
+        const bool each = draw == "each";
+        Permutation list; // with `each`, the individuals that still have to compete
+        const auto drawn = [&](Stream& stream) -> std::size_t {
+            if (!each)
+                return any(stream);
+            if (list.order.empty())
+                list = Permutation::random(population.size(), stream);
+            const std::size_t last = list.order.back();
+            list.order.pop_back();
+            return last;
+        };
         std::vector<std::size_t> winners(size > 0 ? size : population.size());
         Stream next = context.stream(0); // computed early, while the present one is used
         for (std::size_t i = 0; i < winners.size(); ++i) {
             Stream stream = std::exchange(next, context.stream(i + 1));
-            std::size_t winner = any(stream);
-            for (std::size_t draw = 1; draw < k; ++draw)
-                if (const std::size_t rival = any(stream); worth[rival] > worth[winner])
+            std::size_t winner = drawn(stream);
+            for (std::size_t draws = 1; draws < k; ++draws)
+                if (const std::size_t rival = drawn(stream); worth[rival] > worth[winner])
                     winner = rival;
             winners[i] = winner;
         }
@@ -272,7 +296,9 @@ struct Proportional : Operator {
 ///@{ The operators as stages, and the argument `at_least` of `above` and `below`.
 inline Best best(std::size_t n) { return checked(Best{{}, n}); }
 inline Random at_random(std::size_t n = 0) { return {{}, n}; }
-inline Tournament tournament(std::size_t k, std::size_t size = 0) { return checked(Tournament{{}, k, size}); }
+inline Tournament tournament(std::size_t k, std::size_t size = 0, std::string draw = "any") {
+    return checked(Tournament{{}, k, size, std::move(draw)});
+}
 inline AtLeast at_least(std::size_t count) { return {count}; }
 inline Threshold<true> above(double threshold, AtLeast least = {}) {
     return checked(Threshold<true>{{}, threshold, least});

@@ -94,9 +94,11 @@ decltype(auto) variables_of(const P& problem, const typename P::Genome& genome) 
 }
 
 /// Calls cross(x, y, variable) for the real genes that may move in both parents. The variable has the bounds
-/// that both parents allow, widened to include the parents' genes.
+/// that both parents allow, widened to include the parents' genes. Choices are exchanged with probability
+/// 1/2.
 template <HasGenes P, class Cross>
-void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Cross cross) {
+void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream,
+                 Cross cross) {
     const auto& of_first = variables_of(problem, a);
     const auto& of_second = variables_of(problem, b);
     edit_genes(problem, a, [&](std::span<double> first) {
@@ -109,6 +111,11 @@ void cross_genes(const P& problem, typename P::Genome& a, typename P::Genome& b,
                     other == of_second.size() || of_second[other].gene != variable.gene)
                     continue;
                 double &x = first[variable.gene], &y = second[variable.gene];
+                if (variable.is_choice) {
+                    if (stream.chance(0.5))
+                        std::swap(x, y);
+                    continue;
+                }
                 variable.lower = std::min({std::max(variable.lower, of_second[other].lower), x, y});
                 variable.upper = std::max({std::min(variable.upper, of_second[other].upper), x, y});
                 cross(x, y, variable);
@@ -197,12 +204,21 @@ struct Uniform : NoParameters {
     }
 };
 
-/// Order cross-over (Davis 1985). Each child keeps a piece of one parent at its position. The other numbers
-/// follow from the end of that piece, in the order of the other parent. Permutations of unequal length stay
-/// as they are.
-struct Order : NoParameters {
+/// Cross-over of permutations that keeps a piece of one parent at its position in each child.
+///
+/// Order cross-over (Davis 1985): the other numbers follow from the end of that piece, in the order of the
+/// other parent. Partially mapped cross-over (Goldberg and Lingle 1985): they stay at their positions in the
+/// other parent. A number that the piece contains is replaced by the one that the piece has displaced.
+///
+/// Permutations of unequal length stay as they are.
+template <bool mapped>
+struct KeepPiece : NoParameters {
     static constexpr const char* needs = "a permutation for a genome";
     static Words words() {
+        if (mapped)
+            return {
+                "pmx", "cross-over",
+                "keeps a piece of one permutation and the other's positions elsewhere (partially mapped)"};
         return {"order", "cross-over",
                 "keeps a piece of one permutation in place and the other's order elsewhere"};
     }
@@ -226,16 +242,99 @@ struct Order : NoParameters {
                              std::size_t to) {
         const std::size_t n = keeper.size();
         Permutation child = keeper;
-        std::vector<bool> taken(n);
+        std::vector<std::size_t> kept(n, n); // positions of the piece's numbers
         for (std::size_t i = from; i < to; ++i)
-            taken[keeper.order[i]] = true;
+            kept[keeper.order[i]] = i;
         std::size_t place = to % n;
         for (std::size_t i = 0; i < n; ++i) {
-            const std::uint32_t next = other.order[(to + i) % n];
-            if (taken[next])
+            std::uint32_t next = other.order[(to + i) % n];
+            if (mapped && i < n - (to - from)) {
+                while (kept[next] < n)
+                    next = other.order[kept[next]];
+            } else if (mapped || kept[next] < n) {
                 continue;
+            }
             child.order[place] = next;
             place = (place + 1) % n;
+        }
+        return child;
+    }
+};
+using Order = KeepPiece<false>;          ///< the method of `cross order`
+using PartiallyMapped = KeepPiece<true>; ///< the method of `cross pmx`
+
+/// Edge recombination (Whitley, Starkweather and Fuquay 1989) of permutations that are closed tours. A child
+/// continues with a neighbour that its last number has in a parent. It prefers a neighbour in both parents
+/// (Starkweather et al. 1991), then the one with the fewest neighbours left. If its last number has none, the
+/// child continues at its other end (Mathias and Whitley 1992), or with any number. Each child begins like
+/// one parent. Permutations of unequal length stay as they are.
+struct EdgeRecombination : NoParameters {
+    static constexpr const char* needs = Order::needs;
+    static Words words() {
+        return {"edge", "cross-over", "makes tours of edges of both tours (edge recombination)"};
+    }
+
+    template <Problem P>
+    requires std::same_as<typename P::Genome, Permutation>
+    void operator()(const P&, Permutation& a, Permutation& b, Stream& stream) const {
+        if (a.size() != b.size() || a.size() < 2)
+            return;
+        const Permutation first = child(a, b, stream);
+        b = child(b, a, stream);
+        a = first;
+    }
+
+  private:
+    static Permutation child(const Permutation& a, const Permutation& b, Stream& stream) {
+        const std::size_t n = a.size();
+        std::vector<std::array<std::uint32_t, 4>> neighbours(n); // in a, then in b
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
+            neighbours[a.order[i]][0] = a.order[before], neighbours[a.order[i]][1] = a.order[after];
+            neighbours[b.order[i]][2] = b.order[before], neighbours[b.order[i]][3] = b.order[after];
+        }
+        std::vector<std::uint32_t> left = a.order; // numbers that the child lacks
+        std::vector<std::size_t> places(n);        // positions there, n for a number that the child has
+        for (std::size_t i = 0; i < n; ++i)
+            places[left[i]] = i;
+        Permutation child;
+        child.order.reserve(n);
+        const auto append = [&](std::uint32_t number) {
+            left[places[number]] = left.back();
+            places[left.back()] = places[number];
+            left.pop_back();
+            places[number] = n;
+            child.order.push_back(number);
+        };
+        const auto next = [&]() -> std::optional<std::uint32_t> {
+            std::optional<std::uint32_t> chosen;
+            std::size_t fewest = 0, ties = 0;
+            for (const std::uint32_t each : neighbours[child.order.back()]) {
+                if (places[each] == n)
+                    continue;
+                std::size_t count = 0; // number of its neighbours that are left; 0 for one in both parents
+                if (std::ranges::count(neighbours[child.order.back()], each) == 1)
+                    count =
+                        1 + static_cast<std::size_t>(std::ranges::count_if(
+                                neighbours[each], [&](std::uint32_t other) { return places[other] < n; }));
+                if (!chosen || count < fewest)
+                    ties = 0;
+                if (!chosen || count <= fewest) {
+                    fewest = count;
+                    if (stream.below(++ties) == 0)
+                        chosen = each;
+                }
+            }
+            return chosen;
+        };
+        append(a.order[0]);
+        while (!left.empty()) {
+            std::optional<std::uint32_t> number = next();
+            if (!number) {
+                std::ranges::reverse(child.order);
+                number = next();
+            }
+            append(number ? *number : left[stream.below(left.size())]);
         }
         return child;
     }
@@ -256,7 +355,7 @@ struct Blend {
 
     template <HasGenes P>
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
-        cross_genes(problem, a, b, [&](double& x, double& y, const Variable& variable) {
+        cross_genes(problem, a, b, stream, [&](double& x, double& y, const Variable& variable) {
             const double low = std::min(x, y), high = std::max(x, y), reach = alpha * (high - low);
             for (double* child : {&x, &y})
                 *child =
@@ -281,7 +380,7 @@ struct SimulatedBinary {
 
     template <HasGenes P>
     void operator()(const P& problem, typename P::Genome& a, typename P::Genome& b, Stream& stream) const {
-        cross_genes(problem, a, b, [&](double& x, double& y, const Variable& variable) {
+        cross_genes(problem, a, b, stream, [&](double& x, double& y, const Variable& variable) {
             if (stream.chance(0.5))
                 cross(x, y, variable, stream);
         });
@@ -313,6 +412,8 @@ inline OnePoint one_point() { return {}; }
 inline Points n_points(std::size_t n) { return {n}; }
 inline Uniform uniform() { return {}; }
 inline Order order() { return {}; }
+inline PartiallyMapped pmx() { return {}; }
+inline EdgeRecombination edge() { return {}; }
 inline Blend blend(double alpha = 0.5) { return {alpha}; }
 inline SimulatedBinary sbx(double eta = 15) { return {eta}; }
 ///@}

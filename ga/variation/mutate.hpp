@@ -58,7 +58,17 @@ struct Mutate : Operator {
     }
 };
 
-/// Replaces the real genes that `chance` picks by change(gene, variable); true if one has changed.
+/// Another whole number between a choice's bounds, or the gene itself if it is the only one.
+inline double other_choice(double gene, const Variable& variable, Stream& stream) {
+    const double lower = std::ceil(variable.lower), upper = std::floor(variable.upper);
+    if (!(upper > lower && upper - lower < 0x1p53))
+        return gene;
+    const double drawn = lower + static_cast<double>(stream.below(static_cast<std::size_t>(upper - lower)));
+    return drawn + (drawn >= std::clamp(std::round(gene), lower, upper) ? 1 : 0);
+}
+
+/// Replaces the real genes that `chance` picks by change(gene, variable), and choices by another one; true if
+/// a gene has changed.
 template <HasGenes P, class Change>
 bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& chance, Stream& stream,
                   Change change) {
@@ -70,7 +80,8 @@ bool mutate_genes(const P& problem, typename P::Genome& genome, const Chance& ch
                 return;
             double& gene = genes[variables[i].gene];
             const double before = gene;
-            gene = change(before, variables[i]);
+            gene = variables[i].is_choice ? other_choice(before, variables[i], stream)
+                                          : change(before, variables[i]);
             changed |= gene != before;
         });
     });
@@ -215,14 +226,15 @@ auto& places(G& genome) {
 template <class G>
 concept Ordered = std::same_as<G, Permutation> || Discrete<G> || std::same_as<G, std::vector<double>>;
 
-/// Exchanges the gene with another gene, or reverses the piece from one gene to the other. For a tour a
-/// reversed piece exchanges two edges.
+/// Exchanges the gene with another gene, or reverses the piece from one gene to the other (inversion, Holland
+/// 1975). For a tour a reversed piece exchanges two edges, which is a 2-opt move (Croes 1958).
 template <bool piece>
 struct Exchange : NoParameters {
     static constexpr const char* needs = "genes that may change places";
     static Words words() {
         if (piece)
-            return {"reverse", "mutation", "reverses the piece between the gene and another"};
+            return {"reverse", "mutation",
+                    "reverses the piece between the gene and another (2-opt for tours)"};
         return {"swap", "mutation", "exchanges the gene with another of the genome"};
     }
 
@@ -247,6 +259,41 @@ struct Exchange : NoParameters {
 };
 using Swap = Exchange<false>;   ///< the method of `mutate RATE swap`
 using Reverse = Exchange<true>; ///< the method of `mutate RATE reverse`
+
+/// Moves the gene to another position (insertion, Fogel 1988), or one to three genes from it on, which may
+/// also be reversed (or-opt, Or 1976).
+template <bool piece>
+struct Move : NoParameters {
+    static constexpr const char* needs = Swap::needs;
+    static Words words() {
+        if (piece)
+            return {"or_opt", "mutation", "moves one to three genes to another place, perhaps reversed"};
+        return {"insertion", "mutation", "moves the gene to another place"};
+    }
+
+    template <Problem P>
+    requires Ordered<typename P::Genome>
+    bool operator()(const P&, typename P::Genome& genome, const Chance& chance, Stream& stream) const {
+        auto& genes = places(genome);
+        const std::size_t n = genes.size();
+        if (n < 2)
+            return false;
+        const auto at = [&](std::size_t k) { return genes.begin() + static_cast<std::ptrdiff_t>(k); };
+        bool changed = false;
+        chance.each(n, stream, [&](std::size_t i) {
+            const std::size_t length =
+                piece ? std::min(1 + stream.below(std::min<std::size_t>(3, n - 1)), n - i) : 1;
+            const std::size_t to = (i + 1 + stream.below(n - length)) % (n - length + 1);
+            std::rotate(at(std::min(i, to)), at(to < i ? i : i + length), at(std::max(i, to) + length));
+            if (piece && stream.chance(0.5))
+                std::reverse(at(to), at(to + length));
+            changed = true;
+        });
+        return changed;
+    }
+};
+using Insertion = Move<false>; ///< the method of `mutate RATE insertion`
+using OrOpt = Move<true>;      ///< the method of `mutate RATE or_opt`
 
 /// The mutation that `mutate RATE` uses: the problem's `mutate` if it has one. Otherwise it depends on the
 /// genome: `swap` for permutations, `gaussian 0.1` for real genes, `reset` for bits and whole numbers.
@@ -277,6 +324,8 @@ inline Polynomial polynomial(double eta = 20) { return {eta}; }
 inline Reset reset() { return {}; }
 inline Swap swap() { return {}; }
 inline Reverse reverse() { return {}; }
+inline Insertion insertion() { return {}; }
+inline OrOpt or_opt() { return {}; }
 ///@}
 
 /// The stage `mutate` with a method.
@@ -285,37 +334,5 @@ template <class Method = Natural>
 Mutate<Method> mutate(double rate, Method method = {}) {
     return checked(Mutate<Method>{{}, rate, std::move(method)});
 }
-
-/// Replaces the population by n new individuals, which the problem draws at random.
-struct Sample : Operator {
-    std::size_t n = 1; ///< number of individuals, >= 1
-    static constexpr bool begins = true;
-    static constexpr const char* needs = "a problem that samples genomes";
-    static Words words() {
-        return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
-    }
-    static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
-    void check(CheckState& known) const { known.scored.reset(); }
-
-    template <Sampled P>
-    PopulationOf<P> operator()(PopulationOf<P>, Context<P>& context) const {
-        PopulationOf<P> fresh;
-        std::vector<Work> work(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            Stream stream = context.stream(i);
-            fresh.push_back(
-                {sampled(context.problem(), stream, work[i]), context.new_identity(), {}, {}, {}});
-            if (i == 0) {
-                context.need_room(n, {}, &fresh.front().genome);
-                fresh.reserve(n);
-            }
-        }
-        context.charge(work);
-        return fresh;
-    }
-};
-
-/// The stage `sample n`.
-inline Sample sample(std::size_t n) { return checked(Sample{{}, n}); }
 
 } // namespace ga

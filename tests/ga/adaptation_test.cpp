@@ -416,6 +416,14 @@ TEST_CASE("a learning operator is refused when nothing repeats or scores it") {
         refused("sample 9 | repeat 2 { " + name + " | score }", "needs a scored population");
     for (const std::string name : {"cma-es", "l-shade"})
         refused("sample 9 | pareto squares first | repeat 2 { " + name + " | score }", "one objective's");
+    for (const std::string name : {"de", "l-shade"}) {
+        refused("sample 9 | score | repeat 2 { " + name + " | score }",
+                "replaces parents by children that may be worse; put duel after the score");
+        refused("sample 3 | score | repeat 2 { " + name + " | score | duel }",
+                " has 3 individuals; give 4 or more");
+    }
+    refused("sample 9 | score | best 5 | islands 8 { score }", " has 5 individuals; give 8 or more");
+    refused("sample 12 | score | islands 4 { repeat 2 { de | score | duel } }", " has 3 individuals; give 4");
     refused("sample 9 | score | repeat 2 { cma-es restarts=often | score }", "; use bipop, ipop or none");
     refused("sample 9 | score | repeat 2 { de worst | score }", "; use rand, best or current-to-best");
     refused("sample 9 | score | repeat 2 { de crossing=Exp | score }", "crossing is 'Exp'; use bin or exp");

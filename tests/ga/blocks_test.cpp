@@ -129,7 +129,7 @@ TEST_CASE("a stage with too few individuals ends the run and says how many") {
     Reals problem = minimum(2, functions::sphere);
     problem.features = {{"none", [](const Vector&) { return std::nan(""); }, -1, 1}};
     const auto ends = [&](const std::string& stage, const std::string& message) {
-        const auto result = run("sample 3 | score | " + stage + " | score", problem);
+        const auto result = run("sample 3 | score | above -1e9 | " + stage + " | score", problem);
         CHECK(result.stopped == "pipeline/" + message);
         CHECK(result.is_dead_end);
         CHECK(result.population.size() == 3);
@@ -138,7 +138,7 @@ TEST_CASE("a stage with too few individuals ends the run and says how many") {
     };
     ends("below -1", "below.1: 0 of 3 below -1; change the bound, or give at_least=K");
     ends("islands 4 { score }", "islands.1: 3 individuals for 4 islands; give at least one for each");
-    ends("repeat 2 { l-shade | score }", "repeat.1/l-shade.1: 3 individuals; give 4 or more");
+    ends("repeat 2 { l-shade | score | duel }", "repeat.1/l-shade.1: 3 individuals; give 4 or more");
     ends("de", "de.1: 3 individuals; give 4 or more");
     ends("pair(score | best 2, score, none)",
          "pair.1: 2 and 3 individuals gave no child by none; pair other individuals");

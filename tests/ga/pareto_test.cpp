@@ -1,3 +1,4 @@
+#include "ga/pareto/many_objectives.hpp"
 #include "tests/catch.hpp"
 #include "tests/ga/problems.hpp"
 
@@ -74,7 +75,7 @@ TEST_CASE("the hypervolume equals that of the union of boxes above the reference
     CHECK(hypervolume({{3, 1}, {1, 3}, {2, 2}, {0, 9}}, {0, 0}) == 6);
     CHECK(hypervolume({}, {0, 0}) == 0);
     Stream stream(3);
-    for (const std::size_t m : {2u, 3u, 4u})
+    for (const std::size_t m : {2u, 3u, 4u, 5u})
         for (int round = 0; round < 20; ++round) {
             std::vector<Point> points(3, Point(m));
             for (Point& point : points)
@@ -98,6 +99,88 @@ TEST_CASE("the hypervolume equals that of the union of boxes above the reference
             }
             CHECK(hypervolume(points, reference) == Approx(volume).margin(1e-12));
         }
+}
+
+TEST_CASE("hypervolume contributions are differences of volumes, and the smallest go first") {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const std::size_t m = 2 + seed % 4;
+        auto all = points(12, m, seed); // with ties and copies
+        const Point reference(m, 1);
+        const double volume = hypervolume(all, reference);
+        const auto without = [&](std::size_t i) {
+            auto others = all;
+            others.erase(others.begin() + static_cast<long>(i));
+            return hypervolume(others, reference);
+        };
+        const auto added = hypervolume_contributions(all, reference);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            CHECK(added[i] == Approx(volume - without(i)).margin(1e-9 * volume));
+    }
+    // Removing one after the other, each time the one that adds least, is the definition.
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const std::size_t m = 2 + seed % 4;
+        std::vector<Fitness> fitness;
+        std::vector<const Fitness*> pointers;
+        std::vector<Point> left;
+        Stream stream(seed);
+        for (std::size_t i = 0; i < 14; ++i) { // on a sphere: one front
+            Point point(m);
+            double norm = 0;
+            for (double& value : point)
+                value = stream.uniform(), norm += value * value;
+            for (double& value : point)
+                value /= std::sqrt(norm);
+            left.push_back(point);
+            fitness.emplace_back(Name("pareto a b"), point);
+        }
+        for (const Fitness& each : fitness)
+            pointers.push_back(&each);
+        Point low = left[0], high = left[0];
+        for (const Point& point : left)
+            for (std::size_t k = 0; k < m; ++k)
+                low[k] = std::min(low[k], point[k]), high[k] = std::max(high[k], point[k]);
+        Point reference(m);
+        for (std::size_t k = 0; k < m; ++k)
+            reference[k] = low[k] - (high[k] - low[k]);
+        while (left.size() > 6) {
+            const auto added = hypervolume_contributions(left, reference);
+            left.erase(left.begin() + (std::ranges::min_element(added) - added.begin()));
+        }
+        std::vector<Point> chosen;
+        for (const std::size_t i : chosen_by_hypervolume(pointers, 6, 1))
+            chosen.push_back(fitness[i].values());
+        std::ranges::sort(chosen);
+        std::ranges::sort(left);
+        CHECK(chosen == left);
+    }
+}
+
+TEST_CASE("reference directions have the counts of Das and Dennis and fill evenly") {
+    for (const auto& [m, divisions, inner, count] :
+         {std::array<std::size_t, 4>{3, 12, 0, 91}, {5, 6, 0, 210}, {8, 3, 2, 156}, {2, 99, 0, 100}}) {
+        const auto all = reference_directions(m, divisions, inner);
+        CHECK(all.size() == count);
+        CHECK(std::set<Point>(all.begin(), all.end()).size() == count);
+        for (const Point& w : all)
+            CHECK(std::accumulate(w.begin(), w.end(), 0.0) == Approx(1).epsilon(1e-12));
+    }
+    CHECK(directions(92).of(3).size() == 91);
+    CHECK(directions(100).of(5).size() == 85); // 70 and an inner layer of 15
+    // Each of the 15 directions gets one of the individuals on its line, and the other individuals stay out.
+    std::vector<Fitness> fitness;
+    std::vector<const Fitness*> pointers;
+    for (const Point& w : reference_directions(3, 12, 0))
+        fitness.emplace_back(Name("pareto a b c"), Point{-w[0], -w[1], -w[2]});
+    for (const Fitness& each : fitness)
+        pointers.push_back(&each);
+    const auto wanted = reference_directions(3, 4, 0);
+    Stream stream(1);
+    std::set<Point> chosen;
+    for (const std::size_t i : chosen_by_directions(pointers, 15, wanted, stream)) {
+        const Point& f = fitness[i].values();
+        chosen.insert({-f[0], -f[1], -f[2]});
+    }
+    CHECK(chosen == std::set<Point>(wanted.begin(), wanted.end()));
 }
 
 namespace {
@@ -153,6 +236,24 @@ TEST_CASE("plus, elite and best keep the front when there are several objectives
     CHECK(result.best->fitness.objective() == "f1");
     CHECK(run("sample 40 | pareto f1 f2 | repeat 40 " + children + "elite 10 }", schaffer()).front.size() >=
           10);
+}
+
+TEST_CASE("selection by hypervolume and by directions find a front, with the same bits on any threads") {
+    const std::string begin =
+        "sample 20 | pareto f1 f2 | repeat 30 { random | cross blend | mutate 0.5 gaussian 0.05 | "
+        "pareto f1 f2 | parents | ";
+    for (const std::string selection : {"hypervolume 20", "directions 20", "hypervolume 20 beyond=0.1"}) {
+        const auto result = run(begin + selection + " }", walled(), {}, {.seed = 3, .threads = 1});
+        CHECK(result.population.size() == 20);
+        CHECK(result.front.size() > 15);
+        CHECK(bits_of(result) ==
+              bits_of(run(begin + selection + " }", walled(), {}, {.seed = 3, .threads = 3})));
+        for (const auto& each : result.population)
+            CHECK(each.fitness.feasible());
+    }
+    const std::string refusal = "pipeline, column 20: stage 'hypervolume 5' needs a population ranked by "
+                                "pareto; put pareto before it";
+    CHECK_THROWS_WITH(run("sample 9 | score | hypervolume 5", walled()), refusal);
 }
 
 TEST_CASE("a run returns its population and front when it stops under several objectives") {

@@ -14,7 +14,7 @@ class RandomPipelines {
 
     /// A pipeline that works on no population.
     Pipeline<Reals> whole() {
-        Pipeline<Reals> pipeline = sample(1 + below(12)) | score();
+        Pipeline<Reals> pipeline = sample(4 + below(9)) | score();
         for (std::size_t parts = 1 + below(3); parts > 0; --parts)
             pipeline.append(part(2, false));
         return pipeline;
@@ -32,22 +32,22 @@ class RandomPipelines {
 
     Pipeline<Reals> selected() {
         const double threshold = -0.25 * static_cast<double>(below(8));
-        return one_of([&] { return best(1 + below(6)); }, [&] { return tournament(1 + below(9), below(9)); },
-                      [&] { return at_random(below(4)); }, [] { return roulette(); }, [] { return sus(); },
-                      [&] { return rank(1.25 + 0.25 * static_cast<double>(below(4))); },
-                      [&] { return above(threshold, at_least(below(4))); },
-                      [&] { return below_threshold(threshold); });
+        return one_of(
+            [&] { return best(1 + below(6)); }, [&] { return tournament(1 + below(9), below(9)); },
+            [&] { return at_random(below(4)); }, [] { return distinct(); }, [] { return roulette(); },
+            [] { return sus(); }, [&] { return rank(1.25 + 0.25 * static_cast<double>(below(4))); },
+            [&] { return above(threshold, at_least(below(4))); }, [&] { return below_threshold(threshold); });
     }
     static Pipeline<Reals> below_threshold(double threshold) { return ga::below(threshold, at_least(2)); }
     Pipeline<Reals> varied() {
         const double rate = 0.25 * static_cast<double>(below(5));
-        return then_score(
-            one_of([&] { return mutate(rate); }, [&] { return mutate(rate, polynomial(1)); },
-                   [&] { return mutate(rate, uniform_step(2)); }, [&] { return mutate(rate, reset()); },
-                   [&] { return mutate(rate, reverse()); }, [&] { return mutate(rate, ga::swap()); },
-                   [&] { return cross(uniform(), rate); }, [&] { return cross(sbx(1), rate); },
-                   [&] { return cross(blend(0.5)); }, [&] { return cross(n_points(1 + below(9))); },
-                   [] { return differential_evolution("best"); }));
+        return then_score(one_of(
+            [&] { return mutate(rate); }, [&] { return mutate(rate, polynomial(1)); },
+            [&] { return mutate(rate, uniform_step(2)); }, [&] { return mutate(rate, reset()); },
+            [&] { return mutate(rate, reverse()); }, [&] { return mutate(rate, ga::swap()); },
+            [&] { return mutate(rate, or_opt()); }, [&] { return cross(uniform(), rate); },
+            [&] { return cross(sbx(1), rate); }, [&] { return cross(blend(0.5)); },
+            [&] { return cross(n_points(1 + below(9))); }, [] { return differential_evolution("best"); }));
     }
     Pipeline<Reals> refined() {
         const int n = 1 + static_cast<int>(below(6));
@@ -57,8 +57,9 @@ class RandomPipelines {
                       [&] { return average(1 + below(3), "", below(7)); });
     }
     Pipeline<Reals> replaced() {
-        return one_of([&] { return elite(1 + below(9)); }, [&] { return plus(below(9)); },
-                      [] { return parents(); }, [] { return steady(); }, [] { return duel(); });
+        return one_of([&] { return elite(1 + below(9)); },
+                      [&] { return plus(below(9), below(2) > 0 ? "none" : "any"); }, [] { return parents(); },
+                      [] { return steady(); }, [] { return duel(); });
     }
     Pipeline<Reals> learnt() {
         return one_of([] { return then_score(differential_evolution()) | duel(); },

@@ -41,6 +41,17 @@ TEST_CASE("a tournament of k chooses the i-th worst with probability ((i+1)/n)^k
     }
 }
 
+TEST_CASE("a tournament that draws each lets everyone compete equally often") {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        std::array<int, 7> places{};
+        for (const auto& each : run("score | tournament 2 draw=each", given(),
+                                    individuals({0, 1, 2, 3, 4, 5, 6}), {.seed = seed})
+                                    .population)
+            ++places[each.identity];
+        CHECK((places[0] == 0 && places[6] == 2));
+    }
+}
+
 TEST_CASE("roulette and universal sampling choose in proportion to the fitness above the worst") {
     constexpr std::size_t n = 6;
     const auto spun = chosen("roulette", n, n), sampled = chosen("sus", n, n);
@@ -136,4 +147,19 @@ TEST_CASE("steady replaces the worst by the children, whatever their fitness") {
     const auto body = reals("best 1") | zero | reals("score | steady");
     const auto result = run(reals("score") | repeat(1, body), given(), individuals({3, 1, 2}));
     CHECK(values_of(result.population) == Vector{3, -7, 2});
+}
+
+TEST_CASE("distinct and plus with copies=none keep different genomes") {
+    CHECK(kept("distinct", {1, 1, 2, 2, 3}) == std::vector<Identity>{0, 2, 4});
+    CHECK(kept("distinct 0.5", {1, 1, 2, 2, 3}) == std::vector<Identity>{0, 4}); // half of the width is 1
+    const auto all = [](const std::string& plus) {
+        return values_of(
+            run("score | repeat 1 { score | " + plus + " }", given(), individuals({1, 3, 2, 3, 1}))
+                .population);
+    };
+    CHECK(all("plus 4") == Vector{3, 3, 2, 1});
+    CHECK(all("plus 3 copies=none") == Vector{3, 2, 1});
+    CHECK(all("plus 5 copies=none") == Vector{3, 2, 1, 3, 1}); // copies fill the other places
+    CHECK_THROWS_WITH(reals("plus copies=some"),
+                      "pipeline, column 1: stage 'plus': copies is 'some'; use any or none");
 }

@@ -114,13 +114,18 @@ TEST_CASE("an operator's text is read as the same operator") {
             check(line);
     };
     each_line(
-        "score\nscore low\nbest 3\nabove 0.95\nbelow -1.5e-07 at_least=2\ntournament 3\ntournament 2 size=5\n"
-        "roulette\nsus\nrank 1.25\nrandom\nrandom 4\npareto low high\nfront\ncross one_point\n"
+        "score\nscore low\nbest 3\nabove 0.95\nbelow -1.5e-07 at_least=2\ntournament 3\ntournament 2 "
+        "size=5\ntournament 2 draw=each\n"
+        "roulette\nsus\nrank 1.25\nrandom\nrandom 4\npareto low high\nfront\nhypervolume 9\nhypervolume 9 "
+        "beyond=0.5\ndirections 9\n"
+        "directions 9 divisions=3 inner=2\ncross one_point\n"
         "cross n_points 4 rate=0.5\ncross uniform\ncross blend 0.25\ncross sbx 2\nmutate 0.1\n"
         "mutate 0.1 gaussian 0.2\nmutate 0.1 uniform 0.3\nmutate 0.1 polynomial 30\nmutate 0.1 reset\n"
-        "mutate 0.1 swap\nmutate 0.1 reverse\nrefine mma 3 genes=all\nrefine minimax 3 genes=tenth\n"
+        "mutate 0.1 swap\nmutate 0.1 reverse\nmutate 0.1 insertion\nmutate 0.1 or_opt\nrefine mma 3 "
+        "genes=all\nrefine minimax 3 genes=tenth\n"
         "refine lm 30 genes=all\nrefine lm 9 sharpen=3 genes=all\nrefine nlopt LN_COBYLA 20 genes=all\n"
-        "elite 2\nplus\nplus 7\nparents\nsteady\nturn genes\nrepeat 3 { score | elite 1 }\n"
+        "elite 2\nplus\nplus 7\nplus copies=none\ndistinct\ndistinct 0.25\nparents\nsteady\nturn "
+        "genes\nrepeat 3 { score | elite 1 }\n"
         "until generations 3 evaluations 100 seconds 2.5 fitness 0.5 stagnation 4 { score }\n"
         "until stagnation 4 converged 1e-12 { score }\nrestarts 2 { score | best 1 }\n"
         "islands 3 rounds=4 migrants=2 { score }\npair(score, best 2, mean)",
@@ -128,7 +133,7 @@ TEST_CASE("an operator's text is read as the same operator") {
     each_line("average 3\ncma-es sigma=0.2 population=7 restarts=ipop\nde best F=0.7 CR=0.3\n"
               "de rand F=0.5 CR=0.9 crossing=exp\nl-shade evaluations=900 memory=4 archive=1.5 p=0.2\n"
               "self-adaptive 0.2 steps=one\nshare 0.3 alpha=2\nclear 0.3 capacity=2\nmap-elites a b cells=5\n"
-              "emit 4 a b sigma=0.2\nduel\ncrowding",
+              "emit 4 a b sigma=0.2\nduel\ncrowding\nsample 3\nsample 3 sobol\nsample 3 latin",
               [](const std::string& text) { CHECK(reals(text).text() == text); });
 }
 

@@ -70,7 +70,8 @@ TEST_CASE("variation keeps a population's size and bounds, and marks children") 
     for (const std::string variation :
          {"cross one_point", "cross n_points 3", "cross uniform", "cross blend", "cross sbx 5",
           "cross sbx 5 rate=0.5", "mutate 0.3", "mutate 0.3 gaussian 0.5", "mutate 0.3 uniform 0.5",
-          "mutate 0.3 polynomial 5", "mutate 0.3 reset", "mutate 0.3 swap", "mutate 0.3 reverse"})
+          "mutate 0.3 polynomial 5", "mutate 0.3 reset", "mutate 0.3 swap", "mutate 0.3 reverse",
+          "mutate 0.3 insertion", "mutate 0.3 or_opt"})
         for (std::uint64_t seed = 0; seed < 5; ++seed) {
             CAPTURE(variation, seed);
             const auto start = run("sample 31 | score", Reals{}, {}, {.seed = seed}).population;
@@ -242,21 +243,104 @@ TEST_CASE("permutations stay permutations") {
     check([](auto& genomes, Stream& stream) { reverse()(Orders(), genomes[0], Chance(0.1), stream); });
 }
 
-TEST_CASE("order cross-over keeps a piece and the other parent's order elsewhere") {
+TEST_CASE("order and partially mapped cross-over keep a piece and follow their definitions elsewhere") {
     const Permutation a{{0, 1, 2, 3, 4, 5, 6, 7}}, b{{3, 7, 0, 6, 2, 5, 1, 4}};
-    std::set<std::vector<std::uint32_t>> expected, found; // Davis's definition, for every piece
+    std::set<std::vector<std::uint32_t>> ordered, mapped, found, found_mapped;
     for (std::size_t from = 0; from < 8; ++from)
         for (std::size_t to = from + 1; to <= 8; ++to) {
-            std::vector<std::uint32_t> rest = b.order, child = a.order;
+            std::vector<std::uint32_t> rest = b.order, child = a.order; // Davis
             std::rotate(rest.begin(), rest.begin() + static_cast<long>(to % 8), rest.end());
             std::erase_if(rest, [&](std::uint32_t gene) { return gene >= from && gene < to; });
             for (std::size_t i = 0; i < rest.size(); ++i)
                 child[(to + i) % 8] = rest[i];
-            expected.insert(child);
+            ordered.insert(child);
+            child = b.order; // Goldberg and Lingle: exchanges in the other parent
+            for (std::size_t i = from; i < to; ++i)
+                std::swap(child[i], *std::ranges::find(child, a.order[i]));
+            mapped.insert(child);
         }
-    for (std::uint64_t seed = 0; seed < 400; ++seed)
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
         found.insert(crossed(order(), Orders(), {{a, b}}, seed)[0].order);
-    CHECK(found == expected);
+        found_mapped.insert(crossed(pmx(), Orders(), {{a, b}}, seed)[0].order);
+    }
+    CHECK(found == ordered);
+    CHECK(found_mapped == mapped);
+}
+
+namespace {
+
+/// The edges of a closed tour, each with the lower number first.
+std::set<std::pair<std::uint32_t, std::uint32_t>> edges(const Permutation& tour) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::size_t i = 0; i < tour.size(); ++i)
+        edges.insert(std::minmax(tour.order[i], tour.order[(i + 1) % tour.size()]));
+    return edges;
+}
+std::size_t foreign_edges(const Permutation& child, const Permutation& a, const Permutation& b) {
+    auto parental = edges(a);
+    parental.merge(edges(b));
+    std::size_t foreign = 0;
+    for (const auto& edge : edges(child))
+        foreign += parental.contains(edge) ? 0 : 1;
+    return foreign;
+}
+
+} // namespace
+
+TEST_CASE("samples by Sobol and Latin hypercube have one point in each interval of every gene") {
+    for (const std::string method : {"sobol", "latin"}) {
+        std::array<Vector, 2> firsts;
+        for (const std::uint64_t seed : {1u, 2u}) {
+            const auto result = run("sample 64 " + method + " | score", Reals{}, {}, {.seed = seed});
+            firsts[seed - 1] = result.population[0].genome;
+            for (std::size_t k = 0; k < 6; ++k) {
+                std::set<int> intervals;
+                for (const auto& each : result.population)
+                    intervals.insert(static_cast<int>(std::floor((each.genome[k] + 1) * 32)));
+                CHECK((intervals.size() == 64 && *intervals.begin() == 0 && *intervals.rbegin() == 63));
+            }
+        }
+        CHECK(firsts[0] != firsts[1]);
+        Reals half; // the second gene has no finite bounds, so the problem draws it
+        half.n = 2;
+        half.box = [](const Vector&) { return std::vector<Variable>{{0, 2, 3}, {1, 0, HUGE_VAL}}; };
+        for (const auto& each : run("sample 9 " + method + " | score", half).population)
+            CHECK((each.genome[0] >= 2 && each.genome[0] <= 3 && std::abs(each.genome[1]) <= 1));
+    }
+    Reals many;
+    many.n = 4000;
+    CHECK_THROWS_WITH(run("sample 2 sobol | score", many), "sample sobol: 4000 genes exceed 3667; use latin");
+}
+
+TEST_CASE("operators on permutations give permutations and few new edges") {
+    std::map<std::string, std::array<int, 2>> moves; // changed children, and those of one move
+    std::size_t made = 0, unrelated = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        Stream stream(seed);
+        const std::size_t n = 2 + seed % 30;
+        const Permutation a = Permutation::random(n, stream), b = Permutation::random(n, stream);
+        const auto check = [&](const auto& way, std::size_t changed_edges) {
+            const Permutation child = mutated(way, Orders(), a, 0.2 / static_cast<double>(n), seed);
+            REQUIRE(child.is_valid());
+            auto& [changed, once] = moves[way.words().name];
+            changed += child != a ? 1 : 0;
+            once += child != a && foreign_edges(child, a, a) <= changed_edges ? 1 : 0;
+        };
+        check(swap(), 4), check(reverse(), 2), check(insertion(), 3), check(or_opt(), 3);
+        for (const auto& child : crossed(edge(), Orders(), {{a, b}}, seed)) {
+            REQUIRE(child.is_valid());
+            made += n;
+            unrelated += foreign_edges(child, a, b);
+        }
+        CHECK(edges(crossed(edge(), Orders(), {{a, a}}, seed)[0]) == edges(a));
+    }
+    for (const auto& [name, count] : moves) {
+        CAPTURE(name);
+        CHECK(count[0] > 200);
+        CHECK(count[1] > 0.85 * count[0]); // more than one move is rare at this rate
+    }
+    CHECK(distance(Orders(), Permutation{{0, 1, 2, 3}}, Permutation{{1, 0, 2, 3}}) == 0.5);
+    CHECK(static_cast<double>(unrelated) < 0.06 * static_cast<double>(made));
 }
 
 TEST_CASE("a varied gene is finite when bounds are infinite or a parent is outside") {

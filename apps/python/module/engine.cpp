@@ -23,9 +23,9 @@ Genes genes_from(Keywords& keywords) {
     if (!real)
         return {bits > 0 ? Genes::Kind::bits : Genes::Kind::permutation, bits + permutation};
     if (!lower || !upper || lower->size() != upper->size() || lower->size() == 0 ||
-        !(lower->array() < upper->array()).all() || !(*upper - *lower).allFinite())
-        rough::refuse("optimise: lower and upper do not fit; give lists of one length, each lower "
-                      "bound below its upper bound and both finite");
+        !(lower->array() <= upper->array()).all() || !(*upper - *lower).allFinite())
+        rough::refuse("optimise: lower and upper do not fit; give lists of one length, no lower "
+                      "bound above its upper bound and both finite");
     Genes genes{Genes::Kind::numbers, static_cast<std::size_t>(lower->size())};
     for (Eigen::Index gene = 0; gene < lower->size(); ++gene)
         genes.parts.push_back({1, (*lower)[gene], (*upper)[gene]});
@@ -48,6 +48,14 @@ Optimisation requested(const py::object& problem, const py::kwargs& given) {
                       ", one per objective");
     search.record.minimise = search.minimise;
     take_search(keywords.settings(app::outside_settings()), search);
+    const auto start = keywords.take<std::vector<std::vector<double>>>("start", {});
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        std::vector<std::string> values;
+        for (const double value : start[i])
+            values.push_back(ga::number(value));
+        search.start.push_back(
+            app::numbers_from(search.genes, values, "optimise: start, row " + std::to_string(i + 1)));
+    }
     search.operators = keywords.take<std::vector<py::object>>("operators", {});
     search.observers = keywords.take<std::vector<py::object>>("observers", {});
     keywords.expect_none_left();
@@ -74,6 +82,7 @@ NaN are failures of that genome (an exception of evaluate_batch: of the batch). 
 exception is raised.
 genes: real ones between lower and upper, `bits` bits, or a `permutation` of 0 .. n-1.
 minimise: for all objectives, or one bool each.
+start: genomes to begin with, one per row. A leading `sample n` of the pipeline draws only the missing ones.
 operators: objects with a name, which is a stage of the pipeline. They are called with (genes, fitness,
 random) of the population, and return new genes, or the positions of the individuals to keep.
 observers: called with a dictionary after every stage.

@@ -223,24 +223,27 @@ struct Prepared {
     Optimisation& search;
     Callback callback;
     P problem;
+    ga::Population<G> start;
     ga::Pipeline<P> stage;
     ga::RunOptions run;
 
     Prepared(Optimisation& of, std::atomic<bool>& stop)
-        : search(of), callback(stop), problem(problem_of<G>(of, callback)), stage(parsed()) {
-        search.searched = stage.text();
+        : search(of), callback(stop), problem(problem_of<G>(of, callback)) {
+        const ga::Pipeline<P> whole = app::stage_of(search, search.minimise.size(), registry());
+        search.searched = whole.text();
+        std::tie(start, stage) = app::begun<G>(search, problem, whole, registry());
         run.variant = search.variant;
         run.seed = search.seed;
         run.budget = {search.evaluations, search.seconds, &stop, search.max_failures};
     }
 
-    ga::Pipeline<P> parsed() {
+    ga::Registry<P> registry() {
         auto registry = ga::whole_vocabulary<P>();
         for (const py::object& each : search.operators) {
             const auto name = each.attr("name").template cast<std::string>();
             registry.add(name, "yours", "written in Python", PythonOperator{{}, &each, name, &callback});
         }
-        return app::stage_of(search, search.minimise.size(), std::move(registry));
+        return registry;
     }
 
     std::vector<ga::Observer<G>> observers() {
@@ -288,7 +291,7 @@ void optimise(Optimisation& search) {
     Prepared<G> prepared(search, interrupt.stop());
     ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
     prepared.finish([&] {
-        return ga::run_by(evaluator, prepared.stage, prepared.problem, {}, prepared.run,
+        return ga::run_by(evaluator, prepared.stage, prepared.problem, prepared.start, prepared.run,
                           prepared.observers());
     });
     search.interrupted = interrupt.requested();
@@ -301,7 +304,8 @@ class AskTell : public Search {
   public:
     explicit AskTell(Optimisation search)
         : search_(std::move(search)), prepared_(search_, stop_),
-          engine_(prepared_.stage, prepared_.problem, {}, prepared_.run, prepared_.observers()) {}
+          engine_(prepared_.stage, prepared_.problem, prepared_.start, prepared_.run, prepared_.observers()) {
+    }
     ~AskTell() override {
         const py::gil_scoped_release unlocked; // its thread may call Python
         engine_.stop();

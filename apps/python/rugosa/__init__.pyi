@@ -155,9 +155,9 @@ def design(target_pressure: Optional[ArrayLike] = ..., target_stiffness: Optiona
 def optimise(problem: Any, *, lower: Optional[ArrayLike] = ..., upper: Optional[ArrayLike] = ..., bits: int = ...,
              permutation: int = ..., pipeline: str = ..., variant: str = ...,
              minimise: Union[bool, Sequence[bool]] = ..., objectives: int = ..., evaluations: int = ...,
-             seconds: float = ..., max_failures: float = ..., seed: int = ..., operators: Iterable[Any] = ...,
+             seconds: float = ..., max_failures: float = ..., seed: int = ..., start: ArrayLike = ..., operators: Iterable[Any] = ...,
              observers: Iterable[Callable[[dict], Any]] = ...) -> Optimisation: ...
 def search(*, lower: Optional[ArrayLike] = ..., upper: Optional[ArrayLike] = ..., bits: int = ..., permutation: int = ...,
            pipeline: str = ..., variant: str = ..., minimise: Union[bool, Sequence[bool]] = ..., objectives: int = ...,
            evaluations: int = ..., seconds: float = ..., max_failures: float = ..., seed: int = ...,
-           operators: Iterable[Any] = ..., observers: Iterable[Callable[[dict], Any]] = ...) -> Search: ...
+           start: ArrayLike = ..., operators: Iterable[Any] = ..., observers: Iterable[Callable[[dict], Any]] = ...) -> Search: ...

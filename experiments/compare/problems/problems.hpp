@@ -62,6 +62,14 @@ double shortest_tour(const std::vector<Town>& towns);
 TourInstance scattered_instance(std::size_t count, std::uint64_t seed);
 TourInstance circle_instance(std::size_t count, std::uint64_t seed);
 
+/// berlin52 of TSPLIB (Reinelt 1991). Distances are rounded; the optimum is 7542.
+TourInstance berlin_instance();
+/// A square grid of towns with an even side. The shortest tour has one unit for each town.
+TourInstance grid_instance(std::size_t side);
+/// The job shop ft10 (Fisher and Thompson 1963); the optimum is 930. A permutation of the 100 operations is a
+/// list of priorities. It gives an active schedule (Giffler and Thompson 1960).
+TourInstance job_shop_instance();
+
 /// Names of test problems with a known front, with the numbers of genes of their papers. Two objectives: zdt1
 /// to zdt4 and zdt6 (Zitzler, Deb and Thiele 2000). Three: dtlz1, dtlz2 and dtlz7 (Deb, Thiele, Laumanns and
 /// Zitzler 2005).

@@ -78,6 +78,47 @@ TEST_CASE("genomes of whole numbers, reals and words are evaluated once if round
     CHECK(few["evaluations"] <= 17); // 16 genomes, and the one that tells the objectives
 }
 
+TEST_CASE("fixed, stepped and logarithmic genes keep their values and bounds") {
+    const Desk desk;
+    desk.write("counted.sh", "tee sent | ./child sphere\n");
+    desk.found("--genes real:1:2:2,real:1:0:1:0.25,real:1:1e-4:100:log,int:1:3:3 --evaluate 'sh counted.sh' "
+               "--threads 1 --minimise --evaluations 300");
+    std::istringstream sent(rough::read_whole(desk / "sent"));
+    int small = 0;
+    for (std::string line; std::getline(sent, line);) {
+        const json genes = json::parse(line)["genes"];
+        CHECK((genes[0] == 2 && genes[3] == 3));
+        CHECK(std::fmod(genes[1].get<double>(), 0.25) == 0);
+        CHECK((genes[2] >= 1e-4 && genes[2] <= 100));
+        small += genes[2] < 0.1 ? 1 : 0; // half of the range in logarithms
+    }
+    CHECK(small > 100);
+    for (const std::string genes : {"real:1:0:1:log", "real:1:0:1:0.3", "real:1:0:1:-1", "int:1:0:9:3"})
+        CHECK(desk.optimise("--genes " + genes + " --evaluate './child sphere'").code == 2);
+}
+
+TEST_CASE("a search begins with the genomes of --start, and names a wrong row") {
+    const Desk desk;
+    desk.write("start.csv", "# best first\n[0.001, 7, \"b\"]\n-3,0,c\n");
+    const std::string words =
+        "--genes real:1:-5:5,int:1:0:9,choice:1:b:c --evaluate './child sphere' --minimise ";
+    const json one = desk.found(words + "--start start.csv --evaluations 2 --pipeline 'score | best 1'");
+    CHECK(one["best"]["genes"] == json({-3, 0, "c"}));
+    const json whole = desk.found(words + "--start start.csv --evaluations 300", "whole");
+    desk.found(words + "--start start.csv --evaluations 150", "cut");
+    CHECK(timeless(desk.found(words + "--start start.csv --evaluations 300 --resume", "cut")) ==
+          timeless(whole));
+    for (const auto& [row, message] : {std::pair{"1,2", "start.csv, line 1: 2 genes; give 3\n"},
+                                       {"1,2.5,b", "line 1, gene 2: 2.5 is out of range (whole, 0 to 9)\n"},
+                                       {"6,2,b", "line 1, gene 1: 6 is out of range (-5 to 5)\n"},
+                                       {"1,2,d", "line 1, gene 3: \"d\" is unknown; give b, c\n"}}) {
+        desk.write("start.csv", row);
+        const Ended ended = desk.optimise(words + "--start start.csv");
+        CHECK(ended.code == 2);
+        CHECK_THAT(ended.err, Catch::EndsWith(message));
+    }
+}
+
 TEST_CASE("several objectives give a front and the best by the first") {
     const Desk desk;
     const json result = desk.found("--genes real:1:-10:10 --evaluate './child schaffer' --minimise 1,2 "

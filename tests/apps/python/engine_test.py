@@ -236,7 +236,8 @@ class Engine(WithFolder):
         refused(rugosa.InputError, "objectives returned", lambda x: [1.0, 2.0])
         refused(rugosa.UsageError, "unknown stage", sphere, pipeline="sampel 3")
         refused(rugosa.InputError, "one of lower and upper", sphere, bits=3)
-        refused(rugosa.InputError, "below", sphere, lower=1, upper=0)
+        refused(rugosa.InputError, "no lower", sphere, lower=1, upper=0)
+        refused(rugosa.InputError, "start, row 2, gene 1: 7 is out of range", sphere, start=[[0], [7]])
 
 
 if __name__ == "__main__":
