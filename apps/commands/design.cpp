@@ -10,8 +10,8 @@
 namespace rough {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceLevel, similarity, noise_rms, tilt, scale)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NoiseQuantile, noise_rms, quantile, median, draws)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, nodes, share_from, share_to,
-                                   levels, curve, complete)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Tolerance, noise_length, similarity, draws, share_from, share_to, levels,
+                                   curve, complete)
 } // namespace rough
 
 namespace app {

@@ -4,13 +4,13 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "domain/text/words.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/progress.hpp"
 
 #include <boost/algorithm/string.hpp>
-
-#include <fstream>
 
 namespace app {
 
@@ -152,20 +152,19 @@ json outside_json(const OutsideSearch& searched, const BestKnown& record, const 
 /// The genomes in a file: one per line, with commas or spaces between the genes. Lines that begin with # do
 /// not count.
 std::vector<std::vector<double>> start_from(const Genes& genes, const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (!file)
-        rough::refuse("--start: ", path.string(), " cannot be read; give a file of genomes");
+    constexpr std::size_t max_bytes = 64'000'000;
+    std::string bytes = rough::read_whole(path, max_bytes);
+    const rough::Lines lines = rough::text_lines(bytes, path.string());
     std::vector<std::vector<double>> start;
-    std::size_t row = 0;
-    for (std::string line; std::getline(file, line);) {
-        ++row;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        std::string line(lines[i]);
         std::vector<std::string> values;
         boost::trim_if(line, boost::is_any_of(", \t\r[]"));
         if (line.empty() || line[0] == '#')
             continue;
         boost::split(values, line, boost::is_any_of(", \t\""), boost::token_compress_on);
         std::erase(values, "");
-        start.push_back(numbers_from(genes, values, path.string() + ", line " + std::to_string(row)));
+        start.push_back(numbers_from(genes, values, path.string() + ", line " + std::to_string(i + 1)));
     }
     if (start.empty())
         rough::refuse("--start: ", path.string(), " has no genome; give one per line");

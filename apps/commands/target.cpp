@@ -174,7 +174,7 @@ int target(const Settings& settings, const std::string&) {
     }
     validate(target);
     rough::write_atomically(out, to_csv(target));
-    for (const auto& note : notes_on(settings, model))
+    for (const auto& note : notes_on(settings, model, {target}))
         say(note);
     return report(target, model, settings);
 }

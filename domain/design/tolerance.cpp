@@ -2,7 +2,6 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/problem/prices.hpp"
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 
@@ -226,33 +225,6 @@ Effort full_effort(const DesignSetup& setup) {
     const bool jumps = std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
     return {draws_for(grid), grid.is_2d() ? 2 : jumps ? 64 : 8};
 }
-/// The largest difference of the misfits of a genome on two grids; infinity without a response.
-double disagreement(const DesignSetup& setup, const DesignSetup& coarser, const Genome& genome) {
-    try {
-        const auto fine = misfits_of(setup, respond(setup, genome, setup.model)),
-                   coarse = misfits_of(coarser, respond(coarser, genome, coarser.model));
-        double largest = 0;
-        for (std::size_t t = 0; t < fine.size(); ++t)
-            largest = std::max(largest, (fine[t] - coarse[t]).cwiseAbs().maxCoeff());
-        return largest;
-    } catch (const std::exception&) {
-        return HUGE_VAL;
-    }
-}
-
-/// The set-up on the coarsest grid that agrees with its own on the answer (tolerance_of()).
-DesignSetup on_agreeing_grid(const DesignSetup& setup, const Genome& genome) {
-    DesignSetup found = setup, coarser = setup;
-    for (Grid& grid = coarser.model.grid; grid.is_2d() && grid.nodes % 2 == 0 && grid.rows % 2 == 0;) {
-        grid.nodes /= 2, grid.rows /= 2;
-        if (grid.widest_spacing() > setup.errors.noise_length ||
-            disagreement(setup, coarser, genome) > agreed)
-            break;
-        found = coarser;
-    }
-    return found;
-}
-
 /// The effort for a number of curves. There are two per tilt and scale in 7 octaves and for 18 finer sizes, 4
 /// per draw, and 4 noises with few draws.
 Effort effort_of(double curves, Effort full) {
@@ -271,28 +243,22 @@ Effort effort_in_time(ErrorTrials& trials, Effort full) {
 
 } // namespace
 
-Tolerance tolerance_of(const DesignSetup& given, const Genome& genome, const ToleranceOptions& options) {
+Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    ErrorTrials trials(setup, genome, options);
     Tolerance result;
-    result.noise_length = given.errors.noise_length;
+    result.noise_length = setup.errors.noise_length;
     result.similarity = unknown;
-    std::vector<double> levels{0.99, 0.95, 0.9, given.required_similarity};
+    std::vector<double> levels{0.99, 0.95, 0.9, setup.required_similarity};
     std::sort(levels.rbegin(), levels.rend());
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     for (const double level : levels)
         result.levels.push_back({level, unknown, unknown, unknown});
     try {
-        const ga::Stopwatch clock;
-        const DesignSetup setup = on_agreeing_grid(given, genome);
-        ToleranceOptions left = options;
-        left.seconds -= clock.seconds();
-        ErrorTrials trials(setup, genome, left);
-        result.nodes = setup.model.grid.nodes;
         result.similarity = trials.similarity();
         const Effort full = full_effort(setup);
-        const Effort priced = options.draws
-                                  ? Effort{*options.draws, full.parts}
-                                  : effort_of(options.price / relative_price(setup.model, given.model), full);
+        const Effort priced =
+            options.draws ? Effort{*options.draws, full.parts} : effort_of(options.price, full);
         const bool in_time = !options.fixed_draws && !options.draws && !std::isinf(options.seconds);
         const auto [draws, parts] = in_time ? effort_in_time(trials, priced) : priced;
         result.shortened = Effort{draws, parts} != priced;

@@ -46,7 +46,6 @@ struct Tolerance {
     double noise_length = 0;              ///< correlation length of the noise, mm
     double similarity = 0;                ///< similarity without errors; NaN: not computed in time
     int draws = 0;                        ///< number of draws of noise per level; 0: not computed in time
-    Index nodes = 0;                      ///< nodes of the grid of all draws along x
     double share_from = 0;                ///< lower end of the share's 95 % confidence interval
     double share_to = 1;                  ///< upper end of this interval
     std::vector<ToleranceLevel> levels;   ///< levels 0.99, 0.95, 0.9 and the required similarity, falling
@@ -56,9 +55,7 @@ struct Tolerance {
     bool shortened = false; ///< whether fewer errors were tried because time was short
 };
 
-/// The tolerance of a genome from in_final_form() in the set-up's load steps. A map is drawn on the coarsest
-/// grid of N, N/2, N/4, ... nodes along each side that resolves the noise, and on which no misfit of the
-/// answer without errors changes by more than 0.005. The noise has the
+/// The tolerance of a genome from in_final_form() on the set-up's grid and load steps. The noise has the
 /// correlation length of DesignSetup::errors. Eq. 11 does not rescale the heights of a draw, and displacement
 /// counts from the first touch of the draw.
 ///

@@ -82,6 +82,11 @@ class DesignProblem {
     }
     /// A random genome (drawn_start). Without Eq. 11 its amplitude is fitted to the first target.
     Genome sample(ga::Stream& random, ga::Work& work) const;
+    /// The same without its price.
+    Genome sample(ga::Stream& random) const {
+        ga::Work work;
+        return sample(random, work);
+    }
     /// Cuts both genomes' chromosomes, ordered by wavelength, at `cuts` places. Exchanges every second piece.
     void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) const {
         rough::cross_points(a, b, cuts, stream);

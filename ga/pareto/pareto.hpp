@@ -24,8 +24,8 @@ double dominated_share(const std::vector<Point>& points, const Point& reference,
 ///         | repeat(250, tournament(2) | cross(sbx()) | mutate(0.03, polynomial()) | pareto({"f1", "f2"}) |
 ///         plus()) | front()
 struct Pareto : Operator {
-    std::vector<std::string> objectives; ///< names of at least two different objectives
-    static constexpr bool keeps_size = true;
+    std::vector<std::string> objectives;     ///< names of at least two different objectives
+    static constexpr bool keeps_size = true; ///< it adds no individual
     /// Throws UsageError on fewer than two objectives, or if one is named twice.
     void validate() const;
     static Words words() {

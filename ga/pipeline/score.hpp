@@ -9,7 +9,7 @@ namespace ga {
 struct Score : Operator {
     std::string objective; ///< name of the objective; empty: the problem's first
 
-    static constexpr bool keeps_size = true;
+    static constexpr bool keeps_size = true; ///< it adds no individual
     static Words words() {
         return {"score", "selection", "evaluates the individuals without a fitness under the objective"};
     }
@@ -42,7 +42,7 @@ struct Average : Operator {
     std::string objective; ///< name of the objective; empty: the problem's first
     std::size_t limit = 0; ///< maximum number of replicates of one individual; 0 for n
 
-    static constexpr bool keeps_size = true;
+    static constexpr bool keeps_size = true; ///< it adds no individual
     static constexpr const char* needs = "a noisy evaluation (evaluate(genome, replicate))";
     static Words words() {
         return {"average", "selection", "the mean fitness of n replicates of a noisy evaluation"};

@@ -272,21 +272,20 @@ decltype(auto) checked_bounds(const P& problem, const typename P::Genome& genome
     return all;
 }
 
-/// The problem's new genome, drawn at random.
+/// Optional: a new genome drawn at random. An overload of `sample` may take a Work as a second argument.
 template <class P>
-auto sampled(const P& problem, Stream& stream, Work& work) -> decltype(problem.sample(stream, work)) {
-    return problem.sample(stream, work);
-}
-template <class P>
-auto sampled(const P& problem, Stream& stream, Work&) -> decltype(problem.sample(stream)) {
-    return problem.sample(stream);
-}
-
-/// Optional: a new genome drawn at random. `sample` may take a Work as a second argument.
-template <class P>
-concept Sampled = requires(const P& problem, Stream& stream, Work& work) {
-    { sampled(problem, stream, work) } -> std::same_as<typename P::Genome>;
+concept Sampled = requires(const P& problem, Stream& stream) {
+    { problem.sample(stream) } -> std::same_as<typename P::Genome>;
 };
+
+/// The problem's new genome, drawn at random.
+template <Sampled P>
+typename P::Genome sampled(const P& problem, Stream& stream, Work& work) {
+    if constexpr (requires { problem.sample(stream, work); })
+        return problem.sample(stream, work);
+    else
+        return problem.sample(stream);
+}
 
 /// Optional: the problem's mutation. It mutates each gene with probability `rate`, and returns whether a gene
 /// has changed.

@@ -6,8 +6,8 @@ namespace ga {
 
 /// Keeps the n best, best first. n >= 1.
 struct Best : Operator {
-    std::size_t n = 1; ///< number of individuals that stay, >= 1
-    static constexpr bool keeps_size = true;
+    std::size_t n = 1;                       ///< number of individuals that stay, >= 1
+    static constexpr bool keeps_size = true; ///< it adds no individual
     static Words words() { return {"best", "selection", "keeps the n best, best first"}; }
     static void describe(auto& self, auto visit) { visit(self.n, whole("n", std::nullopt, 1, "how many")); }
     void check(CheckState& known) const {

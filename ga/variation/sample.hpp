@@ -6,8 +6,9 @@ namespace ga {
 
 /// Replaces the population by n new individuals, which the problem draws at random.
 struct Sample : Operator {
-    std::size_t n = 1;                                      ///< number of individuals, >= 1
-    static constexpr bool begins = true, keeps_size = true; // the number is known
+    std::size_t n = 1; ///< number of individuals, >= 1
+    static constexpr bool begins = true;
+    static constexpr bool keeps_size = true; ///< the number of individuals is known
     static constexpr const char* needs = "a problem that samples genomes";
     static Words words() {
         return {"sample", "mutation", "n new individuals drawn at random in the population's place"};
@@ -47,8 +48,9 @@ std::vector<Point> latin_points(std::size_t n, std::size_t dimensions, Stream& s
 /// or a Latin hypercube. The problem draws everything else, and genes with an infinite bound.
 template <bool latin>
 struct SampleEvenly : Operator {
-    std::size_t n = 1;                                      ///< number of individuals, >= 1
-    static constexpr bool begins = true, keeps_size = true; // the number is known
+    std::size_t n = 1; ///< number of individuals, >= 1
+    static constexpr bool begins = true;
+    static constexpr bool keeps_size = true; ///< the number of individuals is known
     static constexpr const char* needs = "a problem that samples genomes, with bounded real genes";
     static Words words() {
         if (latin)

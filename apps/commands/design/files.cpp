@@ -59,7 +59,6 @@ json tolerance_json(const rough::Tolerance& tolerance) {
             {"share_from", tolerance.share_from},
             {"share_to", tolerance.share_to},
             {"draws", tolerance.draws},
-            {"nodes", tolerance.nodes},
             {"similarity", tolerance.similarity},
             {"complete", tolerance.complete},
             {"levels", levels}};

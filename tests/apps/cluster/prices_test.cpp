@@ -95,8 +95,11 @@ TEST_CASE("the price of each variant is that of the curves that were solved") {
                     const Paid paid = run_of(variant, setup_for(is_map, variant, false),
                                              {.threads = threads, .evaluations = 300});
                     INFO(text);
+                    Model finer = unit; // the scan is solved once in finer load steps, which makes the target
+                    finer.loading.steps *= 4;
+                    const double target = variant == "like" ? relative_price(finer, unit) : 0;
                     CHECK(paid.requested > 0);
-                    CHECK(paid.reported == Approx(paid.solved).epsilon(1e-9));
+                    CHECK(paid.reported + target == Approx(paid.solved).epsilon(1e-9));
                 }
             }
     for (const char* text : {"sample 5 | score | best 2 | refine lm 2", "shape 4 | fit | score",

@@ -101,8 +101,9 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
         target += std::to_string(pressures[k]) + "," + std::to_string(stiffnesses[k]) + "\n";
     folder.write("K.csv", target);
     const json result = result_of(
-        folder, "design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 "
-                "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'");
+        folder,
+        "design --target K.csv --nodes 97 --length 0.5 --modulus 2 --poisson 0.3 --steps 12 --draws 1000 "
+        "--pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'");
     const json &variant = result["variants"]["pipeline"], &summary = result["summary"];
     const Recomputed design{variant["genome"]};
     const Eigen::VectorXd z = design.heights(nodes), fine = design.heights(4 * nodes - 3);

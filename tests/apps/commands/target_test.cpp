@@ -28,9 +28,12 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
     CHECK(made.upper[9] == Approx(1.122));
     CHECK(made.lower[9] == Approx(1.078));
     CHECK(made.recorded.empty()); // a formula belongs to no body
-    done(folder,
-         "target --formula '3e4 * p^0.95' --quantity conductance --conductivity 167,200 --modulus 5e4 "
-         "--from 0.1 --to 5 --points 5 --spaced log --out h.csv");
+    const Ended conducts =
+        rugosa("target --formula '3e4 * p^0.95' --quantity conductance --conductivity 167,200 --modulus 5e4 "
+               "--from 0.1 --to 5 --points 5 --spaced log --out h.csv",
+               folder.path());
+    CHECK(conducts.code == 3); // one node of the grid is stiffer
+    CHECK_THAT(conducts.out, Catch::Contains("conductance_W_per_m2K") && !Catch::Contains("without effect"));
     const rough::Target wanted = rough::read_target(
         folder / "h.csv", {.effective_modulus = 5e4, .thermal_resistivity = 1 / 167.0 + 1 / 200.0});
     CHECK(wanted.x[0] == Approx(0.1));
@@ -70,7 +73,9 @@ TEST_CASE("a target is checked against its model, and reported if out of reach")
     const Ended falls = rugosa("target --check falls.csv", folder.path());
     CHECK(falls.code == 3);
     CHECK(falls.out.find("falls from") != std::string::npos);
-    check_refused(rugosa("target --check falls.csv --kernel strip", folder.path()), "kernel");
+    folder.write("g.json", genome_text(1e-3, 1, 1.6, {{1, {0.3}}, {2, {1}}, {3, {4}}}));
+    done(folder, "target --genome g.json --out recorded.csv");
+    check_refused(rugosa("target --check recorded.csv --kernel strip", folder.path()), "kernel");
     CHECK(rugosa("target --check '" RUGOSA_SOURCE "/experiments/targets/drawn.csv'").code == 0);
     folder.write("soft.csv", "pressure_MPa,stiffness_MPa_per_mm\n1e-6,0.01\n1e-5,0.02\n");
     folder.write("law.csv", "load_N,area_mm2\n1e-3,0.01\n2e-3,0.02\n");

@@ -100,8 +100,11 @@ TEST_CASE("a design that is interrupted in its checks resumes to the same result
         const std::string sign = moment == in_tolerance ? "o/result.json" : "o/tolerance.cbor";
         const std::string stop = moment == in_tolerance ? "kill -HUP $child" : "kill -TERM $child";
         int code = 0;
-        for (int attempt = 0; attempt < 20 && code != 130; ++attempt) // the checks may end before the signal
+        for (int attempt = 0; attempt < 20 && code != 130;
+             ++attempt) { // the checks may end before the signal
+            fs::remove_all(folder / "o");
             code = disturbed(words + "--force ", folder.path(), "[ -s " + sign + " ]", stop).code;
+        }
         REQUIRE(code == 130);
         CHECK(result_in(folder / "o")["interrupted"] == true);
         CHECK_FALSE(fs::exists(folder / "o/report.html"));

@@ -22,10 +22,9 @@ double jump(const Genome& genome) {
 TEST_CASE("starts on a periodic body repeat without a jump, also after a mutation") {
     const DesignProblem problem(periodic_setup());
     ga::Stream random(3);
-    ga::Work work;
     for (int draw = 0; draw < 4; ++draw)
         for (const Genome& genome :
-             {problem.sample(random, work), shaped_start(problem.setup(), ga::Stream(random()))}) {
+             {problem.sample(random), shaped_start(problem.setup(), ga::Stream(random()))}) {
             CHECK(jump(genome) < 1e-12);
             CHECK(shortest_wave(genome) >= problem.setup().limits.shortest_wave * (1 - 1e-12));
             std::vector<double> values = genes(genome);

@@ -124,7 +124,7 @@ TEST_CASE("a bad target is refused by file, line and column") {
         {stiffness + ",lower\n1,2,1\n", "lower", "not a target"},
         {stiffness + ",lower,upper\n1,2,2.5,3\n", "point 1", "lower is 2.5"},
         {stiffness + "\n", "no points", ""},
-        {"pressure_psi,contact_fraction\n1,0.2\n", "\"pressure_psi\"", "Pa, kPa, MPa or GPa"},
+        {"pressure_torr,contact_fraction\n1,0.2\n", "\"pressure_torr\"", "Pa, kPa, MPa, GPa, bar or psi"},
         {"displacement_um,load_N\n1,8\n", "\"load_N\"", "a profile has no area"}};
     for (const auto& [text, place, problem] : bad)
         CHECK_THROWS_WITH(read_text(text), Contains("target.csv") && Contains(place) && Contains(problem));
