@@ -130,6 +130,7 @@ int design(const Settings& settings, const std::string& line) {
         const double limit = run.options.seconds;
         const auto record = [&](const std::filesystem::path& to) {
             run.interrupted = interrupt.requested();
+            run.found.stopped = stop_reason(run.found.stopped, run.interrupted);
             run.summary = summary_of(run);
             run.seconds = run.clock.seconds();
             write_design_result(run, to);

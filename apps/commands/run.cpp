@@ -15,6 +15,11 @@ std::vector<Setting> model_flags() {
     return flags;
 }
 
+Setting set_setting() {
+    return Setting("set", "", "change a key of the experiment, section.key=value; may be repeated")
+        .several('\n');
+}
+
 std::vector<Setting> run_settings() {
     std::vector<Setting> settings{
         {"experiment", "", "the experiment's .ini file (may be given without the flag)"},
@@ -24,8 +29,7 @@ std::vector<Setting> run_settings() {
         {"seed", "", "seed of the random numbers [the experiment's]"},
         {"threads", "", "threads [the experiment's; 0 takes all]"},
         pictures_setting(),
-        Setting("set", "", "change a key of the experiment, section.key=value; may be repeated")
-            .several('\n'),
+        set_setting(),
     };
     for (Setting flag : model_flags()) {
         flag.meaning = "replaces model." + flag.name + " of the file: " + flag.meaning;
@@ -47,14 +51,11 @@ const Experiment& experiment_of(const std::filesystem::path& file,
 /// Runs an experiment under its short name: the keys of the section with that name are flags.
 int run_by_name(const Experiment& experiment, const Settings& given, const std::string& line) {
     const std::string& kind = experiment.kind;
-    std::map<std::string, std::string> values;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides = given.has("set") ? given.words("set") : Words{};
     for (const std::string& flag : given.names_under(""))
-        if (flag != "out" && flag != "force" && flag != "experiment") {
+        if (flag != "out" && flag != "force" && flag != "experiment" && flag != "set") {
             const bool is_common = flag == "seed" || flag == "threads";
-            const std::string key = (is_common ? "experiment." : kind + ".") + flag;
-            values[key] = given.text(flag);
-            overrides.push_back(key + "=" + given.text(flag));
+            overrides.push_back((is_common ? "experiment." : kind + ".") + flag + "=" + given.text(flag));
         }
     Request request{.command = line,
                     .out = given.text("out"),
@@ -62,10 +63,10 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
                     .inputs = given.files(),
                     .page = experiment.takes_file ? "report.html" : kind + ".html",
                     .force = given.is_on("force")};
-    if (!experiment.takes_file || !given.has("experiment"))
-        return carry_out(experiment, Settings("", experiment.all_settings(), values), request);
-    const Settings settings = read_ini(given.text("experiment"), experiment.all_settings(), overrides);
-    if (settings.text("experiment.kind") != kind)
+    const bool has_file = experiment.takes_file && given.has("experiment");
+    const Settings settings =
+        read_ini(has_file ? given.text("experiment") : "", experiment.all_settings(), overrides);
+    if (has_file && settings.text("experiment.kind") != kind)
         settings.refuse("experiment.kind", settings.text("experiment.kind"), " given; give ", kind);
     for (const auto& input : settings.files())
         request.inputs.push_back(input);
@@ -104,7 +105,8 @@ int run(const Settings& flags, const std::string& line) {
 
 Command short_command(const std::string& kind) {
     const Experiment& experiment = experiment_named(kind);
-    std::vector<Setting> flags{{"out", "", "folder to write [out/" + kind + "]"}, force_setting()};
+    std::vector<Setting> flags{
+        {"out", "", "folder to write [out/" + kind + "]"}, force_setting(), set_setting()};
     if (experiment.takes_file) {
         flags.push_back({"experiment", "", "an .ini file of this kind (may be given without the flag)"});
         for (Setting common : {seed_setting(), threads_setting()}) {

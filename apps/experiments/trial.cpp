@@ -5,8 +5,16 @@
 
 #include <array>
 #include <ctime>
+#include <numbers>
 
 namespace app {
+
+double persson_load(double contact, double slope) {
+    double low = 0, high = 4; // between these lies sqrt 2 P/(E* h')
+    for (int k = 0; k < 60; ++k)
+        (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
+    return low * slope / std::numbers::sqrt2;
+}
 
 std::vector<double> even_steps(double last, int steps) {
     std::vector<double> displacements;

@@ -17,6 +17,9 @@ struct ContactScene {
     bool has_solution = true;
     std::size_t steps() const { return pressures.empty() ? displacements.size() : pressures.size(); }
 };
+/// The mean pressure over E* at which Persson's theory predicts a contact fraction below 1. `slope` is the
+/// rms slope of a profile, or gradient of a map.
+double persson_load(double contact, double slope);
 /// Displacements of `steps` even load steps up to `last`.
 std::vector<double> even_steps(double last, int steps);
 

@@ -345,7 +345,7 @@ Settings read_command_line(const std::vector<std::string>& given, const std::vec
 
 Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>& known,
                   const std::vector<std::string>& overrides) {
-    auto [values, lines] = parsed_ini(file);
+    auto [values, lines] = file.empty() ? decltype(parsed_ini(file)){} : parsed_ini(file);
     for (const auto& override_text : overrides) {
         const auto equals = override_text.find('=');
         if (equals == std::string::npos || equals == 0)
@@ -360,8 +360,8 @@ Settings read_ini(const std::filesystem::path& file, const std::vector<Setting>&
         const auto is_known = [&](const std::string& key) { return std::ranges::count(names, key) > 0; };
         if (!is_known(name) && !is_known(name.substr(0, name.find('.')) + ".*") && !is_known("*")) {
             const std::string place = settings.place(name);
-            rough::refuse(place.substr(0, place.size() - name.size()), "unknown key '", name, "'",
-                          key_suggestion(name, names));
+            rough::refuse(file.empty() ? "--set: " : place.substr(0, place.size() - name.size()),
+                          "unknown key '", name, "'", key_suggestion(name, names));
         }
     }
     return settings;

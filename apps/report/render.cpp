@@ -265,6 +265,8 @@ class Context : public kainjow::mustache::context<std::string> {
             return in_unit(length_unit(*number));
         if (word == "pressure")
             return in_unit(pressure_unit(*number));
+        if (word == "error")
+            return percent(1 - *number, digits(2));
         if (word == "percent")
             return percent(*number, digits(3));
         if (word == "brief")

@@ -30,7 +30,8 @@ struct Rendering {
 /// - `{{#tables.NAME}}` repeats for each row of NAME.csv. The tag of a cell is the name of its column.
 /// - `{{{figures.NAME}}}` is the picture that NAME.gp draws from the tables. In
 ///   `figures.NAME:TEXT`, TEXT is the script's variable `arg`; `@KEY` at its end is replaced by a value.
-/// - `{{KEY|FILTER}}` formats a value. For numbers: `3` (digits, the default), `percent`, `brief`, `length`
+/// - `{{KEY|FILTER}}` formats a value. For numbers: `3` (digits, the default), `percent`, `error` (of a
+/// similarity, in percent), `brief`, `length`
 ///   (from mm) and `pressure` (from MPa) in a suitable unit. For sections: `is:A` (also `is:A,B`),
 ///   `above:X`, `below:X`. `address` makes a path the address of a link. For lists and objects: `count`,
 ///   `some` (a condition), `by` (sides: "20 x 18") and `items`, the entries of an object, each with its

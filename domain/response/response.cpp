@@ -55,7 +55,7 @@ double reach_of(const Loading& loading, Kernel kernel) {
 }
 
 void validate(const Loading& loading, Kernel kernel) {
-    if (loading.steps < 2)
+    if (loading.steps < 2 && loading.pressures.empty())
         refuse_value("steps", loading.steps, " is out of range (at least 2)");
     const bool periodic = kernel == Kernel::periodic;
     const double reach = reach_of(loading, kernel);

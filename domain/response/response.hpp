@@ -25,7 +25,8 @@ struct Loading {
 /// Loading::reach or its default.
 double reach_of(const Loading& loading, Kernel kernel);
 
-/// Throws InputError if load steps are fewer than 2 or their reach is outside its range.
+/// Throws InputError if load steps are fewer than 2 and not given as pressures, or if their reach is outside
+/// its range.
 void validate(const Loading& loading, Kernel kernel);
 
 /// The response of a profile to load steps. The unloaded state (0, 0) is not a row.

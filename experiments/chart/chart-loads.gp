@@ -1,15 +1,14 @@
-# Contact fraction or stiffness of theories, of one line of a map and of the exact solution against pressure.
-what = word(arg, 1); scene = arg[strlen(what) + 2:*]
-set logscale xy; set format "10^{%T}"
-set xlabel "Mean pressure p over E*"; set ylabel (what eq "area" ? "Contact fraction A" : "Stiffness K (MPa/mm)")
-file = tables."models.csv"; value = what eq "area" ? "contact_fraction" : "stiffness_MPa_per_mm"
-error = what eq "area" ? "error_contact" : "error_stiffness"
-here(i) = strcol("scene") eq scene
-stats file using (here(0) ? collect(strcol("model")) : 0) nooutput
-is_solved(name) = name eq "profile" || name eq "map" # they tend to the exact solution
-short(name) = name eq "greenwood-williamson" ? "GW" : name eq "bush-gibson-thomas" ? "BGT" : name
-shown(name) = here(0) && strcol("model") eq name && !is_solved(name) ? column("pressure_MPa") : NaN
-plot file using (here(0) ? column("pressure_MPa") : NaN):(column(value) / (1 + column(error))) with points \
-    lc rgb ink pt 7 ps 0.5 title "exact", \
-    for [i = 1:parts(names)] file using (shown(nth(names, i))):(column(value)) with lines lc i \
-    title (is_solved(nth(names, i)) ? "" : short(nth(names, i)))
+# Error of each model of a map against the contact fraction, from 0.1 to 99.9 %.
+# arg: stiffness or contact, and the scene
+kind = word(arg, 1); scene = word(arg, 2); file = tables."loads.csv"
+eval sized(320)
+here(i) = strcol("scene") eq scene && (i == 0 || strcol("label") eq nth(names, i))
+stats file using (here(0) ? collect(strcol("label")) : 0) nooutput
+logit(share) = log10(share / (1 - share)) # light and full loads have equal space
+set xtics (""  logit(0.0001)); do for [p in "0.1 1 10 50 90 99 99.9"] { set xtics add (p logit(0.01 * p)) }
+set logscale y; set format y "%g"; set xrange [logit(0.0005):logit(0.9995)]; set yrange [0.01:1000]
+set xlabel "Contact fraction (%)"
+set key outside right center vertical samplen 1 width -9 font ",13"
+x(i) = here(i) && column("contact_fraction") < 1 ? logit(column("contact_fraction")) : NaN
+y(i) = abs(column("error_".kind)) > 0 ? 100 * column("error_".kind) : NaN
+plot for [i = 1:parts(names)] file using (x(i)):(y(0)) with linespoints lc i ps 0.4 title nth(names, i)

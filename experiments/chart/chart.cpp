@@ -1,9 +1,9 @@
 #include "experiments/chart/chart.hpp"
 
-#include "apps/prompt/units.hpp"
 #include "domain/mwm/test_surfaces.hpp"
 #include "domain/response/curve.hpp"
 #include "domain/text/atomic_file.hpp"
+#include "domain/theory/theory.hpp"
 
 #include <numbers>
 
@@ -11,71 +11,156 @@ namespace app {
 
 using Eigen::VectorXd;
 using rough::Index;
-using rough::Solver;
+using rough::Profile;
 
 namespace {
 
 using std::numbers::pi;
 constexpr double longest_wave = 0.84942; ///< mm
+constexpr std::size_t counted = ChartScene::counted;
+constexpr double slope = 0.1; ///< rms slope of the self-affine scenes
 
-bool is_iterative(Solver method) { return method != Solver::automatic && !is_direct(method); }
+/// Loads over two decades.
+std::vector<double> decades(double last) {
+    std::vector<double> pressures;
+    for (std::size_t j = 0; j < counted; ++j)
+        pressures.push_back(last * std::pow(10, -2 + 2.0 * static_cast<double>(j) / (counted - 1)));
+    return pressures;
+}
 
-/// A scene over 1 mm with an exact solution, given for each half-width of the contact (mm) up to 0.4.
+/// A line over 1 mm with an exact solution for each half-width of the contact (mm), at most 0.4.
 ChartScene exact_scene(const std::string& name, const std::string& words, rough::Kernel kernel,
                        const std::function<double(double)>& height,
+                       const std::function<double(double)>& width,
                        const std::function<rough::LoadStep(double)>& contact) {
-    constexpr double widest = 0.4;
-    ChartScene scene{name, words, {}, 1, height, contact(widest).displacement, {}};
+    ChartScene scene{name, words, {}, false, {}, decades(contact(0.4).pressure)};
     scene.body.kernel = kernel;
     scene.body.datum = 1;
-    scene.exact = [contact] {
-        constexpr int points = 20000;
-        std::vector<rough::LoadStep> steps(points + 1);
-        for (int k = 1; k <= points; ++k)
-            steps[static_cast<std::size_t>(k)] = contact(widest * k / points);
-        return ChartTruth{rough::response_of(steps, Solver::automatic, 0), "the exact solution",
-                          std::numeric_limits<Index>::max()};
+    scene.on = [kernel, height](Index nodes) {
+        return rough::sampled({nodes, 1, kernel == rough::Kernel::periodic}, height);
     };
+    scene.exact = [width, contact](double pressure) { return contact(width(pressure)); };
     return scene;
 }
 
-ChartScene of_waves(const std::string& name, const std::string& words, std::vector<rough::Wave> waves) {
-    ChartScene scene{name, words, {}, longest_wave, {}, 0, {}};
-    scene.height = [waves = std::move(waves)](double x) { return height_at(waves, x); };
-    const VectorXd heights = scene.profile(65537).heights;
-    scene.last = 0.6 * (heights.maxCoeff() - heights.minCoeff());
+ChartScene of_waves(const std::string& name, const std::string& words,
+                    const std::vector<rough::Wave>& waves) {
+    ChartScene scene{name, words, {}, false, {}, {}};
+    scene.body.datum = longest_wave;
+    scene.on = [waves](Index nodes) {
+        return rough::sampled({nodes, longest_wave, false}, [&](double x) { return height_at(waves, x); });
+    };
+    const Profile coarse = scene.on(513);
+    const double last = 0.6 * (coarse.heights.maxCoeff() - coarse.heights.minCoeff());
+    scene.pressures = decades(solve_contact(coarse, scene.body, {last}).steps[0].pressure);
     return scene;
 }
 
-ChartTruth refined(const ChartScene& scene, Index nodes, int steps, const Stop& stop) {
-    rough::ContactOptions options;
-    options.stop = stop;
-    rough::ContactCurve curve =
-        solve_contact(scene.profile(nodes), scene.body, even_steps(scene.last, steps), options);
-    curve.steps.insert(curve.steps.begin(), {.tangent_stiffness = curve.steps[0].tangent_stiffness});
-    return {rough::response_of(curve.steps, curve.solver, 0), {}};
+/// A self-affine line or map over 1 mm.
+Profile self_affine(Index side, bool is_map, double longest, double shortest, std::uint64_t seed) {
+    rough::Grid grid{.nodes = side, .length = 1, .periodic = true};
+    if (is_map)
+        grid.rows = side, grid.width = 1;
+    return realised(
+        {.hurst = 0.8, .longest = longest, .shortest = shortest, .rms_slope = slope, .is_2d = is_map}, grid,
+        seed);
+}
+Profile map_on(Index side) { return self_affine(side, true, 0.25, 1.0 / 16, 1); }
+
+/// A random periodic surface, pressed to 0.1 to 99.9 % in contact by Persson's theory. Loads of 1 to 90 %
+/// count.
+ChartScene random_scene(const std::string& name, const std::string& words, bool is_map,
+                        const std::function<Profile(Index)>& on) {
+    ChartScene scene{name, words, {}, is_map, on, {}, 2};
+    scene.body.kernel = rough::Kernel::periodic;
+    const Profile surface = on(is_map ? 128 : 4096);
+    const double gradient = rms_slope(random_surface(surface, true));
+    for (const double contact :
+         {0.001, 0.003, 0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.97, 0.99, 0.999}) {
+        const double pressure = persson_load(contact, gradient);
+        if (scene.pressures.size() < scene.first + counted ||
+            pressure < 0.99 * full_contact_load(surface, scene.body))
+            scene.pressures.push_back(pressure);
+    }
+    return scene;
 }
 
-/// The reason to leave a setting out, or "". The time of a curve grows at least like the number of nodes.
-/// @param coarser  the run on the next coarser grid, or one of 0 s on 0 nodes
-std::string reason_to_leave_out(const ChartSetting& setting, const ChartRun& coarser, double limit) {
-    if (coarser.outcome != Outcome::solved && !coarser.late)
-        return "refused or not converged on a coarser grid";
-    if (coarser.seconds * static_cast<double>(setting.nodes) >
-        limit * static_cast<double>(coarser.setting.nodes))
-        return "one curve takes more than " + brief(limit, 3) + " s";
-    return "";
+/// Solves a surface at pressures. Those beyond full contact have no answer, and neither have those after
+/// them.
+ChartCurve solved(const Profile& surface, const rough::Body& body, const std::vector<double>& pressures,
+                  const rough::ContactOptions& options, long* iterations = nullptr) {
+    const VectorXd none = VectorXd::Constant(static_cast<Index>(pressures.size()), NAN);
+    ChartCurve curve{none, none, none};
+    std::vector<double> loads = pressures;
+    if (body.kernel == rough::Kernel::periodic)
+        std::erase_if(loads, [full = full_contact_load(surface, body)](double load) { return load >= full; });
+    if (loads.empty())
+        return curve;
+    const rough::ContactCurve found = solve_contact_at_pressures(surface, body, loads, options);
+    for (std::size_t j = 0; j < loads.size(); ++j) {
+        const auto at = static_cast<Index>(j);
+        curve.displacement[at] = found.steps[j].displacement;
+        curve.contact_fraction[at] = found.steps[j].contact_fraction;
+        curve.stiffness[at] = found.steps[j].tangent_stiffness;
+    }
+    if (iterations)
+        *iterations = found.iterations;
+    return curve;
 }
+
+/// Values at the loads `at`, interpolated linearly in the logarithms of loads and values.
+VectorXd between(const std::vector<double>& loads, const VectorXd& values, const std::vector<double>& at) {
+    const VectorXd x = VectorXd::Map(loads.data(), values.size()).array().log();
+    const rough::Curve curve{x, values.array().log(), x[0], x.tail(1)[0]};
+    VectorXd result(static_cast<Index>(at.size()));
+    for (std::size_t j = 0; j < at.size(); ++j)
+        result[static_cast<Index>(j)] = std::exp(curve.at(std::log(at[j])));
+    return result;
+}
+
+double root_mean_square(const VectorXd& values) {
+    return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+}
+
+/// The relative differences of two curves at the loads that count; 1 without an answer.
+VectorXd differences(const ChartScene& scene, const VectorXd& found, const VectorXd& right) {
+    const auto from = static_cast<Index>(scene.first), count = static_cast<Index>(counted);
+    const VectorXd off = found.segment(from, count).array() / right.segment(from, count).array() - 1;
+    return off.unaryExpr([](double one) { return std::isfinite(one) ? one : 1; });
+}
+
+/// Solves the reference again with twice the nodes along each side, four times for a line.
+struct GridSequence {
+    ChartReference reference = {};
+    std::vector<ChartCurve> curves = {}; ///< one per grid
+
+    void refine(const ChartScene& scene, const rough::ContactOptions& options) {
+        const ga::Stopwatch clock;
+        const Index side =
+            curves.empty() ? (scene.is_map ? 32 : 512) : reference.side * (scene.is_map ? 2 : 4);
+        curves.push_back(solved(scene.on(side), scene.body, scene.pressures, options));
+        reference.curve = curves.back();
+        reference.side = side;
+        if (const std::size_t n = curves.size(); n > 2) {
+            const auto change = [&](std::size_t grid, auto value) {
+                return root_mean_square(differences(scene, curves[grid].*value, curves[grid + 1].*value));
+            };
+            const auto remaining = [&](auto value) {
+                return remaining_error(change(n - 3, value), change(n - 2, value));
+            };
+            reference.floor_stiffness = remaining(&ChartCurve::stiffness);
+            reference.floor_contact = remaining(&ChartCurve::contact_fraction);
+        }
+        reference.seconds = clock.seconds();
+    }
+    /// Whether another grid is useful and its time, at most eight times the last one, is within a limit.
+    bool is_worth(const ChartScene& scene, double limit) const {
+        return reference.side < (scene.is_map ? 1024 : 131072) && 8 * reference.seconds < limit &&
+               std::max(reference.floor_stiffness, reference.floor_contact) > 1e-4;
+    }
+};
 
 Findings run_chart_experiment(const Settings& settings, const RunConditions& conditions) {
-    static const ChartExtent quick{{128, 512, 2048}, {512, 2048}, {5, 80}, {1e-3, 1e-6}, 8193, 1, 128},
-        whole{{128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768, 65536},
-              {512, 2048},
-              {5, 10, 40, 80, 160},
-              {1e-3, 1e-4, 1e-6, 1e-8},
-              65537,
-              5,
-              256};
     ga::Stopwatch since_written;
     const auto watch = [&](const ChartData& so_far, const std::string& where) {
         conditions.progress.show(where);
@@ -84,201 +169,236 @@ Findings run_chart_experiment(const Settings& settings, const RunConditions& con
         rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
         since_written = {};
     };
+    const double minutes = settings.is_on("chart.quick") ? std::min(1.0, settings.number("chart.minutes"))
+                                                         : settings.number("chart.minutes");
     const ChartData data = charted(
-        chart_scenes(), settings.is_on("chart.quick") ? quick : whole, 60 * settings.number("chart.minutes"),
-        [&] { return conditions.stop.load(); }, watch);
+        chart_scenes(), 60 * minutes, [&] { return conditions.stop.load(); }, conditions.origin.threads,
+        watch);
     return data.runs.empty() ? Findings() : findings_of(data);
 }
 
 } // namespace
 
-ChartSetting usual_setting(std::size_t scene, Solver method, Index nodes) {
-    return {scene, method, nodes, usual_steps, is_iterative(method) ? 1e-6 : 0};
+ChartReference exact_reference(const ChartScene& scene) {
+    const auto count = static_cast<Index>(scene.pressures.size());
+    ChartReference reference{{VectorXd(count), VectorXd(count), VectorXd(count)}};
+    for (Index j = 0; j < count; ++j) {
+        const rough::LoadStep step = scene.exact(scene.pressures[static_cast<std::size_t>(j)]);
+        reference.curve.displacement[j] = step.displacement;
+        reference.curve.contact_fraction[j] = step.contact_fraction;
+        reference.curve.stiffness[j] = step.tangent_stiffness;
+    }
+    return reference;
 }
 
-std::vector<ChartSetting> chart_plan(const ChartExtent& extent) {
-    std::vector<ChartSetting> plan;
-    for (const Index nodes : extent.nodes)
-        for (std::size_t m = 0; m < rough::solver_names().size(); ++m) {
-            ChartSetting setting = usual_setting(0, static_cast<Solver>(m), nodes);
-            for (const double tolerance :
-                 is_iterative(setting.method) ? extent.tolerances : std::vector<double>{0}) {
-                plan.push_back(setting);
-                plan.back().tolerance = tolerance;
-            }
-            if (std::ranges::count(extent.nodes_with_steps, nodes))
-                for (const int steps : extent.steps) {
-                    plan.push_back(setting);
-                    plan.back().steps = steps;
-                }
-        }
-    return plan;
-}
-
-rough::Profile ChartScene::profile(Index nodes) const {
-    return rough::sampled({nodes, length, body.kernel == rough::Kernel::periodic}, height);
+double remaining_error(double before, double last) {
+    const double ratio = before > 0 ? std::clamp(last / before, 0.125, 0.75) : 0.75;
+    return last * ratio / (1 - ratio);
 }
 
 std::vector<ChartScene> chart_scenes() {
     const auto mwm = [](double hurst, double gamma, int count) {
         return rough::self_affine_waves(longest_wave, 0.05, hurst, gamma, count);
     };
-    return {exact_scene(
-                "hertz", "a Hertz parabola, contact growing to 80 % of the length", rough::Kernel::free,
-                [](double x) { return -(x - 0.5) * (x - 0.5) / 2; },
-                [](double a) { // R = 1 mm, E* = 1 MPa, d = 1 mm (Johnson 1985, ch. 4)
-                    const double ratio = std::log(2 / a);
-                    return rough::LoadStep{.displacement = a * a / 2 * (ratio + 0.5),
-                                           .pressure = pi * a * a / 4,
-                                           .tangent_stiffness = pi / (2 * ratio),
-                                           .contact_fraction = 2 * a};
-                }),
-            exact_scene(
-                "westergaard", "Westergaard's wave, periodic, contact growing to 80 %",
-                rough::Kernel::periodic, [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; },
-                [](double a) { // amplitude 1 mm, E* = 1 MPa (Westergaard 1939)
-                    const double s = std::sin(pi * a), log_s = std::log(s);
-                    return rough::LoadStep{.displacement = 2 * s * s * (0.5 - log_s),
-                                           .pressure = pi * s * s,
-                                           .tangent_stiffness = -pi / (2 * log_s),
-                                           .contact_fraction = 2 * a};
-                }),
-            of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
-            of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
-            of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
-                     rough::brownian_waves(longest_wave, 0.05, 0.8, 64))};
+    return {
+        random_scene("self-affine-map", "an isotropic self-affine map, H = 0.8, waves from L/4 to L/16", true,
+                     map_on),
+        random_scene("ground-map",
+                     "a ground map: ridges along y, with a tenth of the isotropic map's roughness on them",
+                     true,
+                     [](Index side) {
+                         Profile map = map_on(side);
+                         const Profile ridges = self_affine(side, false, 0.25, 1.0 / 16, 2);
+                         map.heights = 0.1 * map.heights + ridges.heights.replicate(side, 1);
+                         return map;
+                     }),
+        random_scene("self-affine-line", "a periodic self-affine profile, H = 0.8, waves from L/32 to L/256",
+                     false, [](Index nodes) { return self_affine(nodes, false, 1.0 / 32, 1.0 / 256, 1); }),
+        of_waves("mwm-smooth", "a smooth MWM profile, H = 1.2, gamma = 1.7, 8 waves", mwm(1.2, 1.7, 8)),
+        of_waves("mwm-rough", "a rough MWM profile, H = 0.6, gamma = 1.5, 11 waves", mwm(0.6, 1.5, 11)),
+        of_waves("fractional-brownian", "a fractional-Brownian profile, H = 0.8, 64 waves",
+                 rough::brownian_waves(longest_wave, 0.05, 0.8, 64)),
+        exact_scene(
+            "hertz", "a Hertz parabola, contact growing to 80 % of the length", rough::Kernel::free,
+            [](double x) { return -(x - 0.5) * (x - 0.5) / 2; },
+            [](double pressure) { return std::sqrt(4 * pressure / pi); },
+            [](double a) { // R = 1 mm, E* = 1 MPa, d = 1 mm (Johnson 1985, ch. 4)
+                const double ratio = std::log(2 / a);
+                return rough::LoadStep{.displacement = a * a / 2 * (ratio + 0.5),
+                                       .pressure = pi * a * a / 4,
+                                       .tangent_stiffness = pi / (2 * ratio),
+                                       .contact_fraction = 2 * a};
+            }),
+        exact_scene(
+            "westergaard", "Westergaard's wave, periodic, contact growing to 80 %", rough::Kernel::periodic,
+            [](double x) { return std::cos(2 * pi * (x - 0.5)) - 1; },
+            [](double pressure) { return std::asin(std::sqrt(pressure / pi)) / pi; },
+            [](double a) { // amplitude 1 mm, E* = 1 MPa (Westergaard 1939)
+                const double s = std::sin(pi * a), log_s = std::log(s);
+                return rough::LoadStep{.displacement = 2 * s * s * (0.5 - log_s),
+                                       .pressure = pi * s * s,
+                                       .tangent_stiffness = -pi / (2 * log_s),
+                                       .contact_fraction = 2 * a};
+            })};
 }
 
-ChartTruth truth_of(const ChartScene& scene, Index max_nodes, const Stop& stop) {
-    if (scene.exact)
-        return scene.exact();
-    constexpr int steps = 160;
-    constexpr double still = 1e-6;
-    Index nodes = (max_nodes - 1) / 16 + 1;
-    ChartTruth truth = refined(scene, nodes, steps, stop);
-    double moved = 1;
-    while (moved > still && 4 * (nodes - 1) + 1 <= max_nodes) {
-        nodes = 4 * (nodes - 1) + 1;
-        ChartTruth finer = refined(scene, nodes, steps, stop);
-        moved = root_mean_square(truth.pressure.tail(steps).array() / finer.pressure.tail(steps).array() - 1);
-        truth = std::move(finer);
-    }
-    truth.origin = "a grid of " + std::to_string(nodes) + " nodes and " + std::to_string(steps) +
-                   " load steps, whose pressures a grid of a quarter of the nodes misses by " +
-                   brief(100 * moved) + " %";
-    truth.finest_verified = (nodes - 1) / 4;
-    return truth;
+void measure_errors(const ChartScene& scene, const ChartReference& reference, ChartRun& run) {
+    const ChartCurve &found = run.curve, &right = reference.curve;
+    const auto from = static_cast<Index>(scene.first), count = static_cast<Index>(counted);
+    run.error_stiffness =
+        root_mean_square(differences(scene, found.stiffness, right.stiffness)) + reference.floor_stiffness;
+    run.error_contact = root_mean_square(differences(scene, found.contact_fraction, right.contact_fraction)) +
+                        reference.floor_contact;
+    run.answered = static_cast<int>(
+        (found.contact_fraction.array() + found.stiffness.array()).segment(from, count).isFinite().count());
+    if (scene.first > 0) // displacements of random surfaces depend on their single highest node
+        return;
+    // To first order, a displacement that is off by d changes the pressure at the right one by K d.
+    const VectorXd pressure = VectorXd::Map(scene.pressures.data() + scene.first, count);
+    run.error_pressure = root_mean_square(
+        ((found.displacement - right.displacement).array() * right.stiffness.array()).segment(from, count) /
+        pressure.array());
 }
 
-void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run) {
-    const rough::Response found = rough::response_of(curve.steps, curve.solver, 0);
-    const auto read = [](const VectorXd& x, const VectorXd& y, const VectorXd& at) -> VectorXd {
-        const rough::Curve through{x, y, -HUGE_VAL, HUGE_VAL};
-        return at.unaryExpr([&](double where) { return through.at(where); });
-    };
-    const VectorXd pressure = read(truth.displacement, truth.pressure, found.displacement),
-                   fraction = read(truth.displacement, truth.contact_fraction, found.displacement);
-    run.error_pressure = root_mean_square(found.pressure.array() / pressure.array() - 1);
-    run.error_contact = root_mean_square(found.contact_fraction - fraction);
-    constexpr int samples = 20;
-    const double last = truth.pressure.tail(1)[0];
-    const VectorXd at = VectorXd::LinSpaced(samples, last / samples, last);
-    run.error_stiffness = root_mean_square(read(found.pressure, found.tangent_stiffness, at).array() /
-                                               read(truth.pressure, truth.tangent_stiffness, at).array() -
-                                           1);
-}
-
-ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
-                   double limit, const Stop& stop) {
-    const ContactScene contact{scene.name, scene.profile(setting.nodes), scene.body,
-                               even_steps(scene.last, setting.steps)};
-    rough::ContactOptions options;
-    options.solver = setting.method;
-    if (setting.tolerance > 0)
-        options.tolerance = setting.tolerance;
+ChartRun run_chart(const ChartScene& scene, const ChartReference& reference, const ChartSetting& setting,
+                   const Stop& stop) {
     ChartRun run;
     run.setting = setting;
-    double start = 0;
-    options.stop = [&] {
-        run.late = processor_seconds() - start > limit;
-        return run.late || stop();
+    const auto begin = scene.pressures.begin() + static_cast<std::ptrdiff_t>(scene.first);
+    const std::vector<double> loads(begin, begin + static_cast<std::ptrdiff_t>(counted));
+    Profile surface = scene.on(setting.side);
+    const auto [columns, rows] = surface.shape();
+    if (setting.method == "section")
+        surface = {VectorXd(surface.heights.head(columns)), surface.spacing};
+    else if (setting.method == "mean-line")
+        surface = {VectorXd(surface.heights.reshaped(columns, rows).rowwise().mean()), surface.spacing};
+    const bool is_theory = setting.family == "theory";
+    const auto& names = is_theory ? rough::theory_names() : rough::solver_names();
+    const auto which = std::ranges::find(names, setting.method) - names.begin();
+    rough::ContactOptions options;
+    options.stop = stop;
+    if (!is_theory && setting.method != "section" && setting.method != "mean-line")
+        options.solver = static_cast<rough::Solver>(which);
+    if (setting.tolerance > 0)
+        options.tolerance = setting.tolerance;
+    const auto answer = [&](const std::vector<double>& at) {
+        if (!is_theory)
+            return solved(surface, scene.body, at, options, &run.iterations);
+        const auto found = predicted_curve(static_cast<rough::Theory>(which), random_surface(surface, true),
+                                           scene.body.effective_modulus,
+                                           VectorXd::Map(at.data(), static_cast<Index>(at.size())));
+        return ChartCurve{VectorXd::Constant(found.pressure.size(), NAN), found.contact_fraction,
+                          found.stiffness};
     };
-    ContactTrial trial;
-    run.seconds = lowest_seconds([&] {
-        start = processor_seconds();
-        trial = try_contact(contact, options);
-    });
-    run.iterations = trial.curve.iterations;
-    run.outcome = trial.outcome;
-    if (trial.outcome == Outcome::solved) {
-        run.contact_fraction = trial.curve.steps.back().contact_fraction;
-        if (setting.nodes <= truth.finest_verified)
-            measure_errors(trial.curve, truth, run);
+    std::vector<double> at;
+    for (std::size_t j = 0; j < counted; j += (counted - 1) / static_cast<std::size_t>(setting.loads - 1))
+        at.push_back(loads[j]);
+    try {
+        const VectorXd none = VectorXd::Constant(static_cast<Index>(scene.pressures.size()), NAN);
+        run.curve = {none, none, none};
+        if (scene.is_map && setting.loads == counted && setting.tolerance == 0 &&
+            (setting.method == "auto" || setting.family != "map"))
+            run.curve = answer(scene.pressures); // lighter and heavier loads, too
+        ChartCurve curve;
+        run.seconds = lowest_seconds([&] { curve = answer(at); });
+        for (VectorXd ChartCurve::*value :
+             {&ChartCurve::displacement, &ChartCurve::contact_fraction, &ChartCurve::stiffness})
+            (run.curve.*value).segment(static_cast<Index>(scene.first), counted) =
+                setting.loads == counted ? curve.*value : between(at, curve.*value, loads);
+        measure_errors(scene, reference, run);
+    } catch (const rough::InputError& error) {
+        run.outcome = Outcome::refused, run.message = error.what();
+    } catch (const rough::NotConverged& error) {
+        run.outcome = Outcome::not_converged, run.message = error.what();
     }
     return run;
 }
 
-ChartData charted(const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
-                  const Stop& stop, const std::function<void(const ChartData&, const std::string&)>& watch) {
-    const ga::Stopwatch clock;
-    const std::vector<ChartSetting> plan = chart_plan(extent);
-    ChartData data;
-    data.limit = extent.limit;
-    const auto tell = [&](const std::string& what) {
-        watch(data, std::to_string(data.runs.size() + data.left_out.size()) + " of " +
-                        std::to_string(plan.size() * scenes.size()) + ", at most " +
-                        duration_words(std::max(0.0, seconds - clock.seconds())) + " left: " + what);
+std::vector<ChartSetting> chart_plan(const ChartScene& scene, std::size_t index, Index side) {
+    std::vector<ChartSetting> plan;
+    const std::string family = scene.is_map ? "map" : "profile";
+    const auto add = [&](const std::string& of, const std::string& method, Index nodes, int loads = counted,
+                         double tolerance = 0) {
+        plan.push_back({index, of, method, nodes, loads, tolerance});
     };
-    if (extent.finest_map > 0) {
-        tell("theories, profiles and maps");
-        chart_models(data, extent.finest_map, stop);
+    const Index middle = scene.is_map ? 64 : 512, theory_side = scene.is_map ? 128 : 4096,
+                finest = side == 0 ? 16384 : side / (scene.is_map ? 2 : 4);
+    for (const std::string& theory : rough::theory_names())
+        if (scene.first > 0 &&
+            holds_for(static_cast<rough::Theory>(&theory - rough::theory_names().data()), scene.is_map))
+            add("theory", theory, theory_side);
+    if (scene.is_map)
+        for (const char* line : {"section", "mean-line"})
+            add("profile", line, finest);
+    for (Index nodes = scene.is_map ? 32 : 128; nodes <= finest; nodes *= 2) {
+        add(family, "auto", nodes);
+        if (nodes != middle && nodes != (scene.is_map ? 2 : 4) * middle)
+            continue;
+        for (const int loads : {5, 3})
+            add(family, "auto", nodes, loads);
+        for (const rough::Solver solver : {rough::Solver::nested, rough::Solver::active_set,
+                                           rough::Solver::polonsky_keer, rough::Solver::nnls})
+            if (nodes == middle && !(scene.is_map && solver == rough::Solver::nnls))
+                add(family, name_of(solver), nodes);
     }
-    std::vector<ChartTruth> truths;
-    for (const ChartScene& scene : scenes) {
-        tell("reference of " + scene.name);
-        try {
-            truths.push_back(truth_of(scene, extent.max_for_truth, stop));
-        } catch (const rough::NotConverged&) {
-            if (!stop())
-                throw;
-            truths.emplace_back(); // not used: the chart ends
-        }
-        data.scenes.push_back(scene);
-        data.scenes.back().reference = truths.back().origin;
-    }
-    std::map<ChartSetting, ChartRun> last; // the run on the last grid, by the setting without its nodes
-    for (ChartSetting setting : plan) {
-        const bool is_late = setting.nodes > plan.front().nodes && clock.seconds() > seconds;
-        for (setting.scene = 0; setting.scene < scenes.size(); ++setting.scene) {
-            ChartSetting key = setting;
-            key.nodes = 0;
-            std::string why = reason_to_leave_out(setting, last[key], extent.limit);
-            if (why.empty() && is_late)
-                why = time_over;
-            ChartRun run;
-            if (why.empty() && !stop())
-                run = run_chart(scenes[setting.scene], truths[setting.scene], setting, extent.limit, stop);
-            if (stop())
-                why = interrupted;
-            if (!why.empty()) {
-                data.left_out.push_back({setting, why});
-                continue;
+    add(family, scene.is_map ? "auto" : "active-set", middle, counted, 1e-3);
+    return plan;
+}
+
+ChartData charted(const std::vector<ChartScene>& scenes, double seconds, const Stop& stop, int threads,
+                  const std::function<void(const ChartData&, const std::string&)>& watch) {
+    const ga::Stopwatch clock;
+    ChartData data;
+    const auto tell = [&](const std::string& what) {
+        watch(data, "at most " + duration_words(std::max(0.0, seconds - clock.seconds())) + " left: " + what);
+    };
+    rough::ContactOptions options;
+    options.threads = threads;
+    options.stop = stop;
+    for (std::size_t s = scenes.size(); s-- > 0 && !stop();) { // maps last: they take what lines leave
+        tell("reference of " + scenes[s].name);
+        GridSequence refinement;
+        if (scenes[s].exact)
+            refinement.reference = exact_reference(scenes[s]);
+        else
+            try {
+                const double limit =
+                    (0.5 * seconds - clock.seconds()) / static_cast<double>(std::min<std::size_t>(s + 1, 3));
+                while (refinement.curves.size() < 3 || refinement.is_worth(scenes[s], limit))
+                    refinement.refine(scenes[s], options);
+            } catch (const rough::NotConverged&) {
+                break; // stopped
             }
-            last[key] = run;
-            data.runs.push_back(run);
-            tell(scenes[setting.scene].name + ", " + name_of(setting.method) +
-                 ", N = " + std::to_string(setting.nodes));
-        }
+        data.scenes.insert(data.scenes.begin(), scenes[s]);
+        data.references.insert(data.references.begin(), refinement.reference);
     }
+    std::vector<ChartSetting> plan; // in turns, one setting of each scene
+    for (std::size_t turn = 0, left = 1; left > 0; ++turn) {
+        left = 0;
+        for (std::size_t s = 0; s < data.scenes.size(); ++s)
+            if (const auto own = chart_plan(data.scenes[s], s, data.references[s].side); turn < own.size())
+                plan.push_back(own[turn]), ++left;
+    }
+    const auto is_over = [&] { return stop() || (!data.runs.empty() && clock.seconds() > seconds); };
+    for (const ChartSetting& setting : plan) {
+        tell(data.scenes[setting.scene].name + ", " + setting.method + ", " + std::to_string(setting.side));
+        ChartRun run;
+        if (!is_over())
+            run = run_chart(data.scenes[setting.scene], data.references[setting.scene], setting, is_over);
+        if (std::isnan(run.seconds) && (run.outcome == Outcome::solved || is_over()))
+            ++data.not_measured;
+        else
+            data.runs.push_back(std::move(run));
+    }
+    data.interrupted = stop();
     return data;
 }
 
 Experiment chart_experiment() {
     return {.kind = "chart",
-            .settings = {positive("chart.minutes", "10",
-                                  "no setting starts after this time, except on the coarsest grid"),
-                         {"chart.quick", "", "fewer and smaller grids: under a minute", true}},
-            .files = {"chart.csv", "points.csv", "models.csv", "model_errors.csv"},
+            .settings = {positive("chart.minutes", "5", "no setting starts after this time"),
+                         {"chart.quick", "", "at most one minute: coarser references and fewer grids", true}},
+            .files = {"chart.csv", "points.csv", "axes.csv", "loads.csv"},
             .run = run_chart_experiment};
 }
 

@@ -3,143 +3,103 @@
 #include "apps/experiments/experiment.hpp"
 #include "apps/experiments/trial.hpp"
 
-#include <compare>
-
-/// Time against error for every contact solver, grid, number of load steps and tolerance, and for theories
-/// and simpler models.
+/// Error against time of theories, of one profile, and of solved grids, on scenes with a reference.
 namespace app {
-
-/// One trial of a chart: a curve of a scene by a method.
-struct ChartSetting {
-    std::size_t scene = 0; ///< among chart_scenes()
-    rough::Solver method = rough::Solver::nested;
-    rough::Index nodes = 0;
-    int steps = 0;
-    double tolerance = 0; ///< 0 for direct methods and for auto, which uses 1e-6
-
-    auto operator<=>(const ChartSetting&) const = default;
-};
-
-/// The settings and the limits of a chart.
-struct ChartExtent {
-    std::vector<rough::Index> nodes;            ///< grids for 20 load steps, increasing
-    std::vector<rough::Index> nodes_with_steps; ///< the grids that have other numbers of load steps, too
-    std::vector<int> steps;                     ///< other numbers of load steps
-    std::vector<double> tolerances;             ///< for the iterative methods, including 1e-6
-    rough::Index max_for_truth;                 ///< maximum number of nodes of a reference
-    double limit;                               ///< maximum time of one curve, s
-    rough::Index finest_map = 0;                ///< nodes along each side of the exact maps; 0: no models
-};
 
 /// Returns true if the work is to end.
 using Stop = std::function<bool()>;
 inline const Stop never = [] { return false; };
 
-constexpr int usual_steps = 20;
-/// A setting with 20 load steps, and with the tolerance 1e-6 if the method is iterative.
-ChartSetting usual_setting(std::size_t scene, rough::Solver method, rough::Index nodes);
-
-/// All trials of a chart on each scene, from the coarsest grid to the finest.
-std::vector<ChartSetting> chart_plan(const ChartExtent& extent);
-
-/// A fine response that curves are measured against, linear between its load steps. The first step is at 0.
-struct ChartTruth : rough::Response {
-    std::string origin;               ///< "the exact solution", or a description of the refinement
-    rough::Index finest_verified = 0; ///< finer grids are too close to the reference to have an error
-};
-
-/// A profile given as a function, which is sampled on any grid and pressed to a last displacement.
+/// A surface that is pressed to some loads.
 struct ChartScene {
     std::string name;
     std::string words; ///< description
     rough::Body body;
-    double length = 1; ///< mm
-    std::function<double(double)> height;
-    double last = 0;                   ///< mm
-    std::function<ChartTruth()> exact; ///< the exact solution; empty if it is not known
-    std::string reference = {};        ///< origin of the truth, set by charted()
-
-    rough::Profile profile(rough::Index nodes) const;
+    bool is_map = false;
+    std::function<rough::Profile(rough::Index)> on;    ///< the surface, by its nodes along each side
+    std::vector<double> pressures;                     ///< mean pressures, increasing, MPa
+    std::size_t first = 0;                             ///< first of the loads that count in an error
+    std::function<rough::LoadStep(double)> exact = {}; ///< the exact solution at a pressure, if it is known
+    static constexpr std::size_t counted = 9;          ///< number of loads that count
 };
 
-/// hertz, westergaard, mwm-smooth, mwm-rough and fractional-brownian.
+/// self-affine-map, ground-map, self-affine-line, mwm-smooth, mwm-rough, fractional-brownian, hertz and
+/// westergaard. The loads of the first three have 0.1 to 99.9 % in contact, those after them span two
+/// decades.
 std::vector<ChartScene> chart_scenes();
 
-/// The exact curve, or the curve of a refined grid. Each refinement has four times the nodes. It ends when
-/// pressures change by less than 1e-6 (relative, root mean square), or with `most_nodes` nodes. Throws
-/// rough::NotConverged if `stop` returns true.
-ChartTruth truth_of(const ChartScene& scene, rough::Index max_nodes, const Stop& stop = never);
+/// The answer of a model at the loads of a scene. A load without an answer has NaN.
+struct ChartCurve {
+    Eigen::VectorXd displacement, contact_fraction, stiffness;
+};
+
+/// The reference curve with its estimated error. It is exact, or that of the finest grid of a sequence. Let d
+/// be the root mean square change by the last refinement, and q the ratio of d to the change before it. If
+/// further changes shrink by q, they add up to d q/(1 - q).
+struct ChartReference {
+    ChartCurve curve;
+    rough::Index side = 0;                         ///< nodes along each side; 0: exact
+    double floor_stiffness = 0, floor_contact = 0; ///< estimated root mean square errors, relative
+    double seconds = 0;                            ///< wall time of the finest grid
+};
+ChartReference exact_reference(const ChartScene& scene); ///< that of an exact solution
+/// The error beyond the finest of three grids, from the changes `before` and `last`. The ratio q is taken as
+/// at least 1/8 and at most 3/4.
+double remaining_error(double before, double last);
+
+/// A model: a theory or a solver on a grid, at some of the loads.
+struct ChartSetting {
+    std::size_t scene = 0; ///< among chart_scenes()
+    std::string family;    ///< theory, profile or map
+    std::string method;    ///< name of the theory or solver, `section` or `mean-line`
+    rough::Index side = 0; ///< nodes along each side
+    int loads = static_cast<int>(ChartScene::counted); ///< 9, 5 or 3; others are interpolated in log P
+    double tolerance = 0;                              ///< 0: that of the program
+};
 
 /// The result of a setting: a row of chart.csv.
+///
+/// An error is the root mean square of the relative errors at the nine loads that count, plus the estimated
+/// error of the reference. So it is an upper estimate. A load without an answer counts as an error of 100 %.
 struct ChartRun {
     ChartSetting setting;
-    double seconds = 0; ///< time of one curve on one core, the lowest of a few
-    double error_pressure = NAN, error_stiffness = NAN, error_contact = NAN; ///< NaN if unknown
+    double seconds = NAN; ///< time of the answers at the loads that count, on one core, the lowest of a few
+    double error_pressure = NAN, error_stiffness = NAN, error_contact = NAN;
+    int answered = 0; ///< number of the nine loads with an answer
     long iterations = 0;
     Outcome outcome = Outcome::solved;
-    bool late = false;           ///< stopped at the limit
-    double contact_fraction = 0; ///< at the last step
+    std::string message; ///< the reason if it was not solved
+    ChartCurve curve;    ///< at all loads of the scene, if it has further ones
 };
 
-/// Sets the root mean square errors of a run. Pressure: relative errors at the curve's displacements.
-/// Stiffness: relative errors of the tangent at 20 pressures, linear between the load steps. Contact: errors
-/// of the contact fraction at the displacements.
-void measure_errors(const rough::ContactCurve& curve, const ChartTruth& truth, ChartRun& run);
+/// Sets the errors of a run with a curve.
+void measure_errors(const ChartScene& scene, const ChartReference& reference, ChartRun& run);
+/// Measures a setting of a scene. Curves that `stop` ends are not converged.
+ChartRun run_chart(const ChartScene& scene, const ChartReference& reference, const ChartSetting& setting,
+                   const Stop& stop = never);
 
-/// Solves a few times. Stops after `limit` seconds of processor time, or if `stop` returns true. Errors are
-/// known on grids of at most `finest_verified` nodes.
-ChartRun run_chart(const ChartScene& scene, const ChartTruth& truth, const ChartSetting& setting,
-                   double limit, const Stop& stop = never);
-
-/// Root mean square of the known errors; NaN if all are unknown.
-double root_mean_square(const Eigen::VectorXd& errors);
-
-/// A setting that was left out, and the reason in words.
-struct LeftOut {
-    ChartSetting setting;
-    std::string why;
-};
-/// The reasons for which a chart ends.
-inline const std::string time_over = "the chart's time was over", interrupted = "interrupted";
-
-/// All results of a chart.
+/// All results of a chart. Scenes without a reference yet are not in it.
 struct ChartData {
-    std::vector<ChartScene> scenes;                      ///< ChartSetting::scene is an index into these
-    std::vector<ChartRun> runs;                          ///< in the order of the plan
-    std::vector<LeftOut> left_out;                       ///< all other settings of the plan
-    double limit = 0;                                    ///< maximum time of one curve, s
-    Findings models;                                     ///< tables and facts of theories, lines and maps
-    nlohmann::json model_runs = nlohmann::json::array(); ///< their rows of chart.csv
-
-    /// A scene's contact fraction at its last step on the finest solved grid; 0 without one.
-    double contact(std::size_t scene) const;
+    std::vector<ChartScene> scenes;
+    std::vector<ChartReference> references;
+    std::vector<ChartRun> runs;
+    std::size_t not_measured = 0; ///< number of settings for which the time did not suffice
+    bool interrupted = false;
 };
 
-/// Adds models of periodic random surfaces: theories, one line instead of the map, and coarser grids. The
-/// scenes are self-affine-line (a profile), self-affine-map (isotropic) and ground-map. The last one has
-/// ridges along y and a tenth of the isotropic roughness. H = 0.8; loads from 0.5 % to nearly full contact.
-/// The exact maps have `finest` x `finest` nodes; waves have at least 8 nodes on 128 x 128. models.csv has
-/// one row per load and model, model_errors.csv the errors of each model over the loads. If `stop` returns
-/// true, only the finished scenes and models are added.
-void chart_models(ChartData& data, rough::Index finest, const Stop& stop = never);
+/// All settings of a scene whose reference has `side` nodes along each side (0: exact).
+std::vector<ChartSetting> chart_plan(const ChartScene& scene, std::size_t index, rough::Index side);
 
-/// Works through the plan, one setting on all scenes before the next. The references and the coarsest grid
-/// are always done; after `seconds` of wall time no setting starts. A setting is left out if the coarser grid
-/// was not solved, or if its curve would take longer than the limit. `stop` is called often; true ends the
-/// chart, which keeps its results. `watch` is called after each setting and reference. It gets the results so
-/// far and words such as "12 of 740, at most 3 min left".
+/// Refines the reference of each scene for at most half of `seconds` of wall time, then measures settings
+/// from coarse to fine on all scenes. Three coarse grids of a reference are always solved, and the first
+/// setting is always measured. `watch` gets the results so far and words about the next step.
 ChartData charted(
-    const std::vector<ChartScene>& scenes, const ChartExtent& extent, double seconds,
-    const Stop& stop = never,
+    const std::vector<ChartScene>& scenes, double seconds, const Stop& stop = never, int threads = 1,
     const std::function<void(const ChartData&, const std::string&)>& watch = [](const ChartData&,
                                                                                 const std::string&) {});
 
-/// chart.csv: one row per run of solvers and of models.
-Csv chart_table(const ChartData& data);
+Csv chart_table(const ChartData& data); ///< chart.csv: one row per run
 /// All tables, and everything else on the page.
-///
-/// points.csv has each run with an error, by kind. Its `best` is 1 if no run of its method is faster and more
-/// accurate, and 2 if no run of any method is. Errors that differ by less than a twentieth count as equal.
 Findings findings_of(const ChartData& data);
 
 } // namespace app

@@ -35,7 +35,7 @@ struct TargetRun {
 
 struct PaperRun {
     Origin origin;
-    double seconds = 0;      ///< wall time of the run without the page
+    double seconds = 0; ///< wall time of the run without the page
     rough::Model model;
     double max_pressure = 0; ///< p_max
     double p_bar = 0;        ///< threshold of the variants, except in the sweep

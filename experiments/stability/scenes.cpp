@@ -53,13 +53,59 @@ struct SceneList {
         return scenes.back();
     }
 
-    ContactScene& add_map(const std::string& name, rough::Extent shape, double contact) {
+    ContactScene& add_map(const std::string& name, rough::Extent shape, double contact,
+                          MapShape kind = MapShape::rough, double stretch = 1) {
         Body body;
         body.kernel = kernel;
-        scenes.push_back(map_scene(name, body, shape, {.hurst = 0.8, .shortest = 6, .seed = 7}, contact));
+        scenes.push_back(
+            map_scene(name, body, shape,
+                      {.hurst = 0.8, .shortest = 6, .seed = 7, .shape = kind, .stretch = stretch}, contact));
         return scenes.back();
     }
+    /// Adds a line under loads that are shares of the load at 0.9 of the reach.
+    ContactScene& add_loads(const std::string& name, const VectorXd& heights,
+                            const std::vector<double>& shares) {
+        ContactScene& scene = add(name, heights, {0.9 * reach_of(heights)});
+        const double heavy = solve_contact(scene.profile, scene.body, scene.displacements).steps[0].pressure;
+        scene.displacements.clear();
+        for (const double share : shares)
+            scene.pressures.push_back(share * heavy);
+        return scene;
+    }
 };
+
+const std::pair<std::string, rough::Layering> layers[] = {
+    {"hard-layer", {.layers = {{0.02 * length, 20, 0.3}}}},
+    {"layer-on-rigid", {.layers = {{0.05 * length, 1, 0.3}}, .rigid_base = true}},
+    {"rubber-on-rigid", {.layers = {{0.05 * length, 1, 0.499}}, .rigid_base = true}}};
+
+/// Presses a scene to half of the load of full contact, and to a load below it by 1e-6 (relative).
+void press_nearly_flat(ContactScene& scene) {
+    const double full = full_contact_load(scene.profile, scene.body);
+    scene.displacements.clear();
+    scene.pressures = {0.5 * full, (1 - 1e-6) * full};
+}
+
+/// Lines under given loads, with layers and with a hardness.
+void add_loaded_lines(SceneList& list) {
+    const VectorXd rough = rough_heights(usual_nodes);
+    list.add_loads("line-loads", rough, {1e-6, 1e-3, 0.1, 1});
+    ContactScene& capped = list.add_loads("line-hardness", rough, {0.01, 0.1});
+    capped.body.hardness = 2 * capped.pressures.back(); // half of the nodes carry the load at it
+    if (list.kernel != Kernel::periodic)
+        return;
+    press_nearly_flat(list.add("line-near-full-load", rough));
+    for (const auto& layer : layers) {
+        const std::string name = "line-" + layer.first;
+        list.add_loads(name, rough, {0.01, 0.1, 0.5}).body.layering = layer.second;
+        ContactScene& hard = list.add_loads(name + "-hardness", rough, {0.01, 0.1});
+        hard.body.layering = layer.second;
+        hard.body.hardness = 2 * hard.pressures.back();
+        ContactScene& full = list.add(name + "-near-full-load", rough);
+        full.body.layering = layer.second;
+        press_nearly_flat(full);
+    }
+}
 
 constexpr Kernel all_kernels[] = {Kernel::free, Kernel::periodic, Kernel::strip};
 
@@ -170,19 +216,41 @@ void add_maps(SceneList& list, bool large) {
         list.add_map("map-long" + share, {16, 128}, contact);
         ContactScene& capped = list.add_map("map-hardness" + share, {40, 40}, contact);
         capped.body.hardness = 2 * capped.pressures[0]; // half of the nodes carry the load at it
+        for (const auto& [shape, name] : {std::pair(MapShape::quantised, "quantised"),
+                                          {MapShape::spiked, "spiked"},
+                                          {MapShape::plateaued, "plateaued"},
+                                          {MapShape::raised, "offset-1e6"}})
+            list.add_map(std::string("map-") + name + share, {30, 30}, contact, shape);
+        for (const double stretch : {0.1, 10.0})
+            list.add_map((stretch > 1 ? "map-wide-cells" : "map-narrow-cells") + share, {30, 30}, contact,
+                         MapShape::rough, stretch);
         if (list.kernel != Kernel::periodic)
             continue;
-        const auto layered = [&](const char* name, double thickness, double poisson, bool rigid) {
-            ContactScene& scene = list.add_map(name + share, {48, 48}, contact);
-            scene.body.layering = {.layers = {{thickness, rigid ? 1.0 : 20.0, poisson}}, .rigid_base = rigid};
-        };
-        layered("map-hard-layer", 0.02 * length, 0.3, false);
-        layered("map-layer-on-rigid", 0.05 * length, 0.3, true);
-        layered("map-rubber-on-rigid", 0.05 * length, 0.499, true);
+        for (const auto& layer : layers)
+            list.add_map("map-" + layer.first + share, {48, 48}, contact).body.layering = layer.second;
+    }
+    if (list.kernel == Kernel::periodic) {
+        press_nearly_flat(list.add_map("map-near-full-load", {30, 30}, 0.9));
+        ContactScene& layered = list.add_map("map-hard-layer-near-full-load", {30, 30}, 0.9);
+        layered.body.layering = layers[0].second;
+        press_nearly_flat(layered);
     }
     if (large)
         for (const Index side : {256, 1024})
             at_loads("map-" + std::to_string(side), {side, side});
+}
+
+/// Gives a map the extremes of a shape.
+void reshape(VectorXd& heights, MapShape shape) {
+    const double range = range_of(heights), lowest = heights.minCoeff();
+    if (shape == MapShape::quantised) // as an instrument of 16 levels
+        heights = (range / 16 * ((heights.array() - lowest) * 16 / range).round()).matrix();
+    else if (shape == MapShape::spiked)
+        heights[heights.size() / 3] += 3 * range;
+    else if (shape == MapShape::plateaued) // a third of the range is worn off
+        heights = heights.cwiseMin(lowest + 2 * range / 3);
+    else if (shape == MapShape::raised)
+        heights.array() += 1e6;
 }
 
 } // namespace
@@ -191,7 +259,7 @@ ContactScene map_scene(const std::string& name, const Body& body, rough::Extent 
                        const SelfAffineMap& roughness, double contact) {
     constexpr double slope = 0.1;
     const double spacing = length / static_cast<double>(shape.columns),
-                 width = spacing * static_cast<double>(shape.rows);
+                 width = roughness.stretch * spacing * static_cast<double>(shape.rows);
     ContactScene scene;
     scene.name = name;
     scene.body = body;
@@ -201,10 +269,8 @@ ContactScene map_scene(const std::string& name, const Body& body, rough::Extent 
                                           .shortest = roughness.shortest * spacing,
                                           .rms_slope = slope},
                         rough::Grid{shape.columns, length, true, 0, shape.rows, width}, roughness.seed);
-    double low = 0, high = 4; // between these lies sqrt 2 P/(E* h')
-    for (int k = 0; k < 60; ++k)
-        (std::erf(0.5 * (low + high)) < contact ? low : high) = 0.5 * (low + high);
-    scene.pressures = {low * slope / std::numbers::sqrt2};
+    reshape(scene.profile.heights, roughness.shape);
+    scene.pressures = {persson_load(contact, slope)};
     if (body.kernel == Kernel::periodic)
         scene.pressures[0] =
             std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));
@@ -218,6 +284,7 @@ std::vector<ContactScene> stability_scenes(bool large) {
         add_loadings(list);
         add_shapes(list);
         add_numbers(list);
+        add_loaded_lines(list);
     }
     add_bodies(list);
     for (const Kernel kernel : {Kernel::free, Kernel::periodic}) {

@@ -6,7 +6,7 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t gene_count = 11;
+constexpr std::size_t gene_count = 14, old_gene_count = 11;
 constexpr std::size_t worst = 10; ///< scenes of a search that are tried by every solver
 const std::string mark = "bred ";
 
@@ -56,6 +56,8 @@ ContactScene bred_scene(const std::string& name) {
             throw rough::InputError("'" + word + "' is not a gene; give numbers from 0 to 1", "scene");
         gene.push_back(*number);
     }
+    if (gene.size() == old_gene_count)
+        gene.resize(gene_count, 0.0);
     if (gene.size() != gene_count)
         throw rough::InputError("a bred scene has " + std::to_string(gene.size()) + " genes; give " +
                                     std::to_string(gene_count),
@@ -68,10 +70,17 @@ ContactScene bred_scene(const std::string& name) {
         body.layering = {
             .layers = {{between(0.01, 0.3, gene[6]), between(0.1, 10, gene[7]), 0.499 * gene[6]}},
             .rigid_base = gene[7] < 0.5};
-    const SelfAffineMap roughness{0.1 + 0.85 * gene[3], between(2, 16, gene[4]),
-                              static_cast<std::uint64_t>(std::round(1000 * gene[5]))};
+    const SelfAffineMap roughness{
+        .hurst = 0.1 + 0.85 * gene[3],
+        .shortest = between(2, 16, gene[4]),
+        .seed = static_cast<std::uint64_t>(std::round(1000 * gene[5])),
+        .shape = static_cast<MapShape>(std::min(static_cast<int>(map_shapes * gene[11]), map_shapes - 1)),
+        .stretch = gene[12] > 0.5 ? between(0.1, 10, 2 * gene[12] - 1) : 1};
     const double contact = 1 / (1 + std::exp(7 - 16 * gene[8]));
     ContactScene scene = map_scene(name, body, {side(gene[0]), side(gene[1])}, roughness, contact);
+    if (gene[13] > 0.7 && body.kernel == rough::Kernel::periodic) // from 0.1 to 1e-7 below full contact
+        scene.pressures[0] =
+            (1 - between(0.1, 1e-7, (gene[13] - 0.7) / 0.3)) * full_contact_load(scene.profile, body);
     const double pressure = scene.pressures[0];
     const int steps = 1 + static_cast<int>(4 * gene[9]);
     scene.pressures = even_steps(pressure, steps);
@@ -93,6 +102,8 @@ std::vector<ContactScene> bred_scenes(long evaluations, std::uint64_t seed, int 
         hardest.offer(individual); // the budget may end before a stage does
     std::vector<ContactScene> scenes;
     for (const auto& individual : hardest.members) {
+        if (!(individual.value() > 0)) // no scene, or nothing to solve
+            continue;
         ContactScene scene = bred_scene(bred_name(individual.genome));
         if (scenes.size() < worst && std::ranges::none_of(scenes, [&](const ContactScene& other) {
                 return std::ranges::equal(other.profile.heights, scene.profile.heights) &&

@@ -61,6 +61,21 @@ std::vector<ContactScene> scenes_from(const Settings& settings, const RunConditi
     return scenes;
 }
 
+/// The kind of a scene: "layered lines", with "near full contact" if 99 % of the nodes or more touch.
+std::string group_of(const ContactScene& scene, double contact) {
+    return std::string(scene.body.layering.layers.empty() ? "" : "layered ") +
+           (scene.profile.is_2d() ? "maps" : "lines") + (scene.body.yields() ? " with a hardness" : "") +
+           (scene.pressures.empty() ? "" : ", given loads") + (contact >= 0.99 ? ", near full contact" : "");
+}
+
+/// Words such as "spike (free), flat (strip) and 3 more".
+std::string listed_scenes(const std::vector<std::string>& scenes) {
+    std::string words;
+    for (std::size_t i = 0; i < scenes.size() && i < 6; ++i)
+        words += (i == 0 ? "" : ", ") + scenes[i];
+    return words + (scenes.size() > 6 ? " and " + std::to_string(scenes.size() - 6) + " more" : "");
+}
+
 /// Whether a solver would take minutes on a scene.
 bool takes_minutes(const ContactScene& scene, rough::Solver solver) {
     const bool is_every = solver == rough::Solver::nested || solver == rough::Solver::polonsky_keer;
@@ -84,12 +99,17 @@ Findings run_stability(const Settings& settings, const RunConditions& conditions
     Csv& table = found.table("stability.csv",
                              "scene,kernel,method,outcome,kkt_residual,iterations,seconds,message", 6);
     json scenes = json::array(), messages = json::array();
-    std::map<std::string, long> missed; // trials without success of scenes that have a solution, by method
+    std::map<std::string, std::map<std::string, std::array<long, 2>>> groups; // solved and tried, by method
+    std::set<std::string> unsolvable; // names of the scenes without a solution
     for (const ContactScene& scene : scenes_from(settings, conditions)) {
         if (conditions.stop)
             break;
         const std::string& kernel = name_of(scene.body.kernel);
         scenes.push_back({{"scene", scene.name}, {"kernel", kernel}});
+        if (!scene.has_solution)
+            unsolvable.insert(scene.name + " (" + kernel + ")");
+        double contact = 0;
+        std::map<std::string, bool> solved_by;
         std::map<std::string, std::size_t> known; // equal messages of a scene appear once
         for (std::size_t m = 0; m < methods.size(); ++m) {
             conditions.progress.show(scene.name + " (" + kernel + "): " + methods[m]);
@@ -102,9 +122,11 @@ Findings run_stability(const Settings& settings, const RunConditions& conditions
                       trial.curve.iterations, trial.seconds, trial.message);
             scenes.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
                                               {"failure", solved ? "" : outcome}});
-            if (solved)
+            solved_by[methods[m]] = solved;
+            if (solved) {
+                contact = std::max(contact, trial.curve.steps.back().contact_fraction);
                 continue;
-            missed[methods[m]] += scene.has_solution;
+            }
             const auto [entry, is_new] = known.emplace(trial.message, messages.size());
             if (is_new)
                 messages.push_back({{"scene", scene.name},
@@ -115,33 +137,77 @@ Findings run_stability(const Settings& settings, const RunConditions& conditions
             else
                 messages[entry->second]["methods"].get_ref<std::string&>() += ", " + methods[m];
         }
+        if (scene.has_solution)
+            for (const auto& [method, solved] : solved_by) {
+                auto& counts = groups[group_of(scene, contact)][method];
+                counts[0] += solved, ++counts[1];
+            }
     }
     if (scenes.empty())
         return {};
-    const auto trials = [&](Outcome outcome, const std::string& method) {
-        return std::ranges::count_if(table.rows(), [&](const json& row) {
-            return row["outcome"] == name_of(outcome) && (method.empty() || row["method"] == method);
-        });
-    };
-    found.summary = std::to_string(table.rows().size()) + " trials of a solver on a scene";
-    for (const std::string& method : methods)
-        found.result["methods"].push_back({{"method", method}, {"missed", missed[method]}});
-    for (const Outcome outcome :
-         {Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong}) {
-        const std::string& name = name_of(outcome);
-        found.summary +=
-            (outcome == Outcome::solved ? ": " : ", ") + std::to_string(trials(outcome, "")) + " " + name;
-        found.result["outcomes"].push_back(name);
-        for (json& row : found.result["methods"])
-            row["outcomes"].push_back(trials(outcome, row["method"]));
+    for (auto& [group, counts] : groups) {
+        json cells = json::array();
+        for (const std::string& method : methods)
+            cells.push_back(std::to_string(counts[method][0]) + " of " + std::to_string(counts[method][1]));
+        found.result["groups"].push_back({{"group", group}, {"cells", cells}});
     }
-    found.result.update(
-        {{"summary", found.summary}, {"scenes", scenes}, {"messages", messages}, {"runs", table.rows()}});
-    found.code = trials(Outcome::wrong, "") > 0 ? 3 : 0;
+    const auto trials = [&](Outcome outcome) {
+        return std::ranges::count_if(table.rows(),
+                                     [&](const json& row) { return row["outcome"] == name_of(outcome); });
+    };
+    const std::string verdict = stability_verdict(table.rows(), unsolvable);
+    found.summary = verdict + " " + std::to_string(table.rows().size()) + " trials of a solver on a scene";
+    for (const Outcome outcome : {Outcome::solved, Outcome::refused, Outcome::not_converged, Outcome::wrong})
+        found.summary += (outcome == Outcome::solved ? ": " : ", ") + std::to_string(trials(outcome)) + " " +
+                         name_of(outcome);
+    found.result.update({{"verdict", verdict},
+                         {"interrupted", conditions.stop.load()},
+                         {"methods", methods},
+                         {"scenes", scenes},
+                         {"messages", messages},
+                         {"runs", table.rows()}});
+    found.code = trials(Outcome::wrong) > 0 ? 3 : 0;
     return found;
 }
 
 } // namespace
+
+std::string stability_verdict(const json& rows, const std::set<std::string>& unsolvable) {
+    std::vector<std::string> wrong, missed;
+    std::map<std::string, long> others; // scenes missed by other solvers
+    std::set<std::string> solvable;
+    for (const json& row : rows) {
+        const std::string scene =
+                              row["scene"].get<std::string>() + " (" + row["kernel"].get<std::string>() + ")",
+                          method = row["method"];
+        if (row["outcome"] == name_of(Outcome::wrong))
+            wrong.push_back(method + " on " + scene);
+        if (unsolvable.contains(scene))
+            continue;
+        solvable.insert(scene);
+        if (row["outcome"] == name_of(Outcome::solved))
+            continue;
+        if (method == rough::name_of(rough::Solver::automatic))
+            missed.push_back(scene);
+        else
+            ++others[method];
+    }
+    if (solvable.empty())
+        return (wrong.empty() ? "No" : "Wrong curves: " + listed_scenes(wrong) + ". No") +
+               std::string(" scene with a solution was tried.");
+    std::string words = wrong.empty() ? "" : "Wrong curves: " + listed_scenes(wrong) + ". ";
+    const std::string count = std::to_string(solvable.size()) + (solvable.size() == 1 ? " scene" : " scenes");
+    words += missed.empty() ? "auto, the default, failed on none of the " + count + " with a solution"
+                            : "auto, the default, failed on " + std::to_string(missed.size()) + " of " +
+                                  count + " with a solution: " + listed_scenes(missed);
+    if (wrong.empty())
+        words += ", and no solver gave a wrong curve";
+    words += ".";
+    for (const auto& [method, number] : others)
+        words += (others.begin()->first == method ? " Scenes without a right curve: " : ", ") + method + " " +
+                 std::to_string(number);
+    return words + (others.empty() ? "" : ".");
+}
 
 void verify(const ContactScene& scene, ContactTrial& trial) {
     const double tolerance = trial.tolerance;

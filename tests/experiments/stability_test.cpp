@@ -21,14 +21,16 @@ TEST_CASE("no solver claims a wrong curve, and the automatic and nested ones sol
             const bool direct =
                 options.solver == rough::Solver::automatic || options.solver == rough::Solver::nested;
             if (direct)
-                CHECK((trial.outcome == app::Outcome::solved) == scene.has_solution);
+                CHECK((trial.outcome == app::Outcome::solved) ==
+                      (scene.has_solution &&
+                       !(scene.body.yields() && options.solver == rough::Solver::nested)));
         }
     }
 }
 
 TEST_CASE("the oracle in extended precision agrees with the curves of the stability scenes") {
     for (const app::ContactScene& scene : app::stability_scenes()) {
-        if (scene.profile.nodes() > 1000 || !scene.has_solution)
+        if (scene.profile.nodes() > 1000 || !scene.has_solution || !scene.pressures.empty())
             continue;
         INFO(scene.name << ", " << rough::name_of(scene.body.kernel));
         const rough::ContactCurve curve = try_contact(scene, {}).curve;
@@ -120,6 +122,39 @@ TEST_CASE("under a load a displacement, a stiffness or a load that is off is nam
     }
 }
 
+TEST_CASE("stability's verdict names wrong curves first, then what auto failed on") {
+    using Row =
+        std::tuple<const char*, const char*, const char*, bool>; // scene, method, outcome, has a solution
+    const auto verdict = [](const std::vector<Row>& rows) {
+        nlohmann::json table = nlohmann::json::array();
+        std::set<std::string> unsolvable;
+        for (const auto& [scene, method, outcome, has_solution] : rows) {
+            table.push_back({{"scene", scene}, {"kernel", "free"}, {"method", method}, {"outcome", outcome}});
+            if (!has_solution)
+                unsolvable.insert(std::string(scene) + " (free)");
+        }
+        return app::stability_verdict(table, unsolvable);
+    };
+    CHECK(verdict({}) == "No scene with a solution was tried.");
+    CHECK(verdict({{"nan", "auto", "refused", false}}) == "No scene with a solution was tried.");
+    CHECK(verdict({{"spike", "auto", "solved", true}, {"nan", "auto", "refused", false}}) ==
+          "auto, the default, failed on none of the 1 scene with a solution, and no solver gave a wrong "
+          "curve.");
+    CHECK(
+        verdict({{"spike", "auto", "solved", true},
+                 {"spike", "nnls", "refused", true},
+                 {"flat", "auto", "not-converged", true},
+                 {"flat", "nnls", "solved", true}}) ==
+        "auto, the default, failed on 1 of 2 scenes with a solution: flat (free), and no solver gave a wrong "
+        "curve. Scenes without a right curve: nnls 1.");
+    CHECK(verdict({{"spike", "nnls", "wrong", true}, {"spike", "auto", "solved", true}}) ==
+          "Wrong curves: nnls on spike (free). auto, the default, failed on none of the 1 scene with a "
+          "solution. "
+          "Scenes without a right curve: nnls 1.");
+    CHECK(verdict({{"nan", "auto", "wrong", false}}) ==
+          "Wrong curves: auto on nan (free). No scene with a solution was tried.");
+}
+
 TEST_CASE("rugosa stability writes its table and its page") {
     const Folder folder;
     const auto ended = rugosa("stability --scene spike --out s", folder.path());
@@ -133,21 +168,27 @@ TEST_CASE("rugosa stability writes its table and its page") {
 }
 
 TEST_CASE("a bred scene is pressed again from its name, and wrong names are refused") {
-    const std::vector<double> genes{300, 350, 900, 600, 500, 123.4, 400, 700, 500, 300, 800};
+    const std::vector<double> genes{300, 350, 900, 600, 500, 123.4, 400, 700, 500, 300, 800, 0, 0, 0};
     const std::string name = app::bred_name(genes);
-    CHECK(name == "bred 0.3,0.35,0.9,0.6,0.5,0.123,0.4,0.7,0.5,0.3,0.8");
-    const app::ContactScene scene = app::bred_scene(name), again = app::bred_scene(scene.name);
+    CHECK(name == "bred 0.3,0.35,0.9,0.6,0.5,0.123,0.4,0.7,0.5,0.3,0.8,0,0,0");
+    const app::ContactScene scene = app::bred_scene(name),
+                            again = app::bred_scene(name.substr(0, name.size() - 6)); // of an earlier version
     CHECK(again.profile.heights == scene.profile.heights);
     CHECK(again.pressures == scene.pressures);
     CHECK(again.body.hardness == scene.body.hardness);
     CHECK(scene.steps() == 2);
-    CHECK_THROWS_WITH(app::bred_scene("bred 0.3,0.35"), "a bred scene has 2 genes; give 11");
+    const app::ContactScene nearly_full =
+        app::bred_scene("bred 0.3,0.35,0.5,0.6,0.5,0.123,0.4,0.7,0.5,0,0,0.3,1,1");
+    CHECK(nearly_full.profile.row_spacing == Approx(10 * nearly_full.profile.spacing));
+    CHECK(nearly_full.pressures[0] / full_contact_load(nearly_full.profile, nearly_full.body) ==
+          Approx(1 - 1e-7).epsilon(1e-9));
+    CHECK_THROWS_WITH(app::bred_scene("bred 0.3,0.35"), "a bred scene has 2 genes; give 14");
     CHECK_THROWS_WITH(app::bred_scene("bred 0.3,x"), "'x' is not a gene; give numbers from 0 to 1");
 }
 
 TEST_CASE("rugosa stability breeds scenes, and every solver tries the worst") {
     const Folder folder;
-    const auto ended = rugosa("stability --search 10 --out s", folder.path());
+    const auto ended = rugosa("stability --search 30 --out s", folder.path());
     CAPTURE(ended.err);
     CHECK(ended.code == 0);
     const std::string table = rough::read_whole(folder / "s" / "stability.csv");

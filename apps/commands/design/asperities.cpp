@@ -251,6 +251,7 @@ int design_asperities(const Settings& settings, const std::string& line) {
                    {recorder<rough::CapGenome>(run.stages),
                     ga::progress<rough::CapGenome>([&](const std::string& text) { progress.show(text); })});
         run.interrupted = interrupt.requested();
+        run.found.stopped = stop_reason(run.found.stopped, run.interrupted);
         if (!run.interrupted) {
             progress.show("tolerance");
             run.other_model_error = 0;

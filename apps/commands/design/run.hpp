@@ -57,6 +57,11 @@ struct DesignRecord {
     Origin origin = {};
 };
 
+/// The reason why a search stopped, in words. A stop that the user did not request came from the time limit.
+inline std::string stop_reason(const std::string& reason, bool is_requested) {
+    return reason == "stop requested" && !is_requested ? "time budget spent" : reason;
+}
+
 /// Targets of a design and the model in which they hold, from target files or a scan.
 struct DesignRequest {
     ga::Stopwatch clock = {};

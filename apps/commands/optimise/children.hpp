@@ -48,8 +48,8 @@ class Child {
 
 /// Copies of one program that evaluate genomes. A free copy takes the next genome. Copies are started when
 /// they are needed. They are assumed to give the same answer for the same genome. The evaluation of a genome
-/// fails if a copy reports it, answers with null or NaN, ends, or is silent for too long. A copy that ended is
-/// started again. A hundred ends in a row are trouble, and so is any other answer.
+/// fails if a copy reports it, answers with null or NaN, ends, or is silent for too long. A copy that ended
+/// is started again. A hundred ends in a row are trouble, and so is any other answer.
 class Children {
   public:
     /// @param command  the program, split by split_command

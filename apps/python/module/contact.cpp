@@ -82,7 +82,7 @@ constexpr const char* help_of_contact = R"(Presses a rough surface on an elastic
 
 heights: N heights (mm) of a line, or N_y x N_x of a 2-D surface, with their spacing (mm; a pair along x
 and y); a Profile, a Surface or a Genome. Only a Genome takes nodes and length (pairs for a 2-D grid).
-datum, strip_width and accuracy are for lines. resolution='auto' or 'on' adds the band of a scan's or
+datum and strip_width are for lines. layer takes a list of (T, E, nu). resolution='auto' or 'on' adds the band of a scan's or
 map's resolution (Curve.contact_fraction_low and so on); heights in an array are taken as they are.
 NaN and masked points are missing. fill=True fills them, at most the share max_filled (0.3): along a line by
 interpolation, on a map by Laplace's equation. Curve.account then has their effect on the contact.

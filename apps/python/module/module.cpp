@@ -15,7 +15,8 @@ void request_stop(int) {
         current->stop() = true;
 }
 
-/// A value as in the program's flags and keys: "on", "1e-3", "64x48" or, between commas, "1,2".
+/// A value as in the program's flags and keys: "on", "1e-3", "64x48" or, between commas, "1,2". A list of
+/// layers has one line each, "T:E:NU".
 std::string text_of(const py::handle& value, const std::string& between) {
     if (py::isinstance<py::bool_>(value))
         return value.cast<bool>() ? "on" : "off";
@@ -23,7 +24,7 @@ std::string text_of(const py::handle& value, const std::string& between) {
         return py::str(value);
     std::string text;
     for (const py::handle each : value)
-        text += (text.empty() ? "" : between) + text_of(each, between);
+        text += (text.empty() ? "" : between) + text_of(each, between == "\n" ? ":" : between);
     return text;
 }
 
@@ -65,7 +66,8 @@ app::Settings Keywords::settings(const std::vector<app::Setting>& known,
         const std::string keyword = app::keyword(setting.name);
         if (std::find(except.begin(), except.end(), keyword) == except.end())
             if (const auto value = take<py::object>(keyword))
-                given[setting.name] = text_of(*value, setting.between == ',' ? "," : "x");
+                given[setting.name] =
+                    text_of(*value, setting.between ? std::string(1, setting.between) : "x");
     }
     return {app::Settings::keywords, known, given};
 }
@@ -77,14 +79,13 @@ rough::Model model_from(Keywords& keywords) {
 
 rough::Model model_from(Keywords& keywords, const rough::Profile& surface) {
     const app::Settings settings = keywords.settings(response_settings(), {"nodes", "length"});
-    if (surface.is_2d() && settings.has("accuracy"))
-        rough::refuse("accuracy: it is only for profiles; omit it for a map");
     return with_load(model_of(surface, settings), settings);
 }
 
 const std::vector<app::Setting>& response_settings() {
-    static const auto all =
-        app::joined({app::model_settings(), {app::accuracy_setting("the response of the whole model")}, app::loading_settings()});
+    static const auto all = app::joined({app::model_settings(),
+                                         {app::accuracy_setting("the response of the whole model")},
+                                         app::loading_settings()});
     return all;
 }
 

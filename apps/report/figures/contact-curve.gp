@@ -5,6 +5,7 @@ file = tables[1:strlen(tables) - 1].arg[strlen(what) + 2:*]
 stats file using "pressure_MPa" nooutput
 factor = pressure_factor(STATS_max)
 set xlabel sprintf("Mean pressure p (%s)", pressure_unit(STATS_max)); set xrange [0:*]; set yrange [0:*]
+if (STATS_min > 0 && STATS_max > 1000 * STATS_min) { set logscale xy; set xrange [*:*]; set yrange [*:*] } # decades
 set ylabel is_stiffness ? "Stiffness K (MPa/mm)" : "Contact fraction A"
 # The band of a scan or map is in columns 7 to 10, which the file of a genome lacks.
 plot file using (factor * column(2)):(column(is_stiffness ? 9 : 7)):(column(is_stiffness ? 10 : 8)) \

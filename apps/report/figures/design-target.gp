@@ -12,6 +12,7 @@ set xlabel (in_own_units ? word(arg, 5) : is_pressure ? "Mean pressure p (".pres
 set ylabel (in_own_units ? word(arg, 6) : quantity eq "stiffness" ? "Stiffness K (MPa/mm)" : \
     quantity eq "load" ? "Mean pressure p (MPa)" : quantity eq "contact_fraction" ? "Contact fraction A" : "Interface stiffness K_i (MPa/mm)") noenhanced
 set xrange [0:*]; set yrange [0:*]; set key maxcols 3 width -1
+if (STATS_min > 0 && STATS_max > 100 * STATS_min) { set logscale x; set xrange [0.8 * factor * STATS_min:*] } # decades
 x(name) = here(0) && strcol("curve") eq name ? factor * column("x") : NaN
 p(i) = here(0) ? factor * column("x") : NaN
 plot curves using (x("answer")):"y" with lines lc rgb blue title "answer", \

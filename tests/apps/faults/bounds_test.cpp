@@ -146,8 +146,8 @@ TEST_CASE("reading takes at most 20 times the file or 200 MB, for every class of
          [&] { return "[" + times(100'000, "a") + "]\n" + times(12'000, "k=1\n"); }},
         {"objects of a page", "report ", "values",
          [&] { return R"({"kind":"chart","x":[)" + times(2'990'000, "{},") + "{}]}"; }},
-        {"values that a page shows", "report ", "model_scenes has more than",
-         [&] { return R"({"kind":"chart","model_scenes":[)" + times(2'000'000, "0,") + "0]}"; }},
+        {"values that a page shows", "report ", "scenes has more than",
+         [&] { return R"({"kind":"chart","scenes":[)" + times(2'000'000, "0,") + "0]}"; }},
         {"objects of JSON", genome, "twice",
          [&] {
              return R"({"series":[{"A":1,"H":1,"gamma":2,"lambda":1,"chromosomes":[)" +

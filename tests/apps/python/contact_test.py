@@ -127,6 +127,23 @@ class Contact(WithFolder):
         read = rugosa.read(self.folder / "scan.txt", spacing=0.004, **options)
         numpy.testing.assert_array_equal(rugosa.contact(read).pressure, csv["pressure_MPa"])
 
+    def test_one_pressure_and_a_list_of_layers_are_taken(self):
+        line = rough_heights(64)
+        one = rugosa.contact(line, 0.01, pressures=[1e-3])
+        self.assertEqual(one.pressure.shape, (1,))
+        given = dict(kernel="periodic", base="rigid", pressures=[1e-3, 2e-3])
+        text = rugosa.contact(line, 0.01, layer="0.1:2:0.3", **given)
+        listed = rugosa.contact(line, 0.01, layer=[(0.1, 2, 0.3)], **given)
+        numpy.testing.assert_array_equal(text.displacement, listed.displacement)
+        rugosa.contact(line, 0.01, layer=["0.1:2:0.3", (0.2, 1, 0.4)], **given)
+
+    def test_a_map_is_solved_within_an_accuracy(self):
+        heights = numpy.random.default_rng(3).normal(0, 1e-3, (12, 20))
+        exact = rugosa.contact(heights, 0.01)
+        within = rugosa.contact(heights, 0.01, accuracy=0.05)
+        numpy.testing.assert_allclose(within.pressure[-1], exact.pressure[-1], rtol=0.05)
+        self.assertNotEqual(within.account, "")
+
     def test_mistakes_raise_exceptions(self):
         heights = rough_heights()
         refused = self.assertRaisesRegex

@@ -24,7 +24,7 @@ addEventListener('load', () => {
     const overlap = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
         Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
 
-    const pictures = [...document.querySelectorAll('.panels svg')].map((svg) => {
+    const pictures = [...document.querySelectorAll('.panels svg')].filter((svg) => box(svg).width > 0).map((svg) => {
         const frame = box(svg), texts = [...svg.querySelectorAll('text')];
         const boxes = texts.map(box);
         const lines = [...svg.querySelectorAll('path:not(.gridline),use')]

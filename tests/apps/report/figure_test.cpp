@@ -1,8 +1,8 @@
 #include "apps/report/render.hpp"
 #include "domain/errors.hpp"
 #include "domain/text/atomic_file.hpp"
-#include "tests/environment.hpp"
 #include "tests/catch.hpp"
+#include "tests/environment.hpp"
 #include "tests/folder.hpp"
 
 #include <chrono>
