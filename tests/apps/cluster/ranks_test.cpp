@@ -20,9 +20,8 @@ bool has_no_mpi() {
     return true;
 }
 
-const std::string mpirun =
-    "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-    "timeout -k 20 200 " RUGOSA_MPIRUN " -n ";
+const std::string mpirun = "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                           "timeout -k 20 200 " RUGOSA_MPIRUN " --oversubscribe -n ";
 
 /// Runs `program` on ranks, e.g. "3" or "1 PROGRAM WORDS : -n 1".
 Ended under_mpirun(const std::string& ranks, const std::string& words, const fs::path& where) {
