@@ -51,7 +51,7 @@ std::vector<Setting> target_settings() {
     return joined({settings, scale_settings(), scan_settings(), {resolution_setting()}, model_settings()});
 }
 
-/// The requested quantity. A conductance is an interface stiffness with columns of its own.
+/// The requested quantity. A conductance is an interface stiffness in other columns.
 struct RequestedQuantity {
     rough::Quantity quantity;
     std::optional<rough::WrittenColumns> written = {};

@@ -7,7 +7,7 @@ namespace app {
 
 /// --resistivity and --conductivity for conductance targets, --shear-strength for friction.
 std::vector<Setting> scale_settings();
-/// What converts a target's columns for a model, from scale_settings().
+/// The factors of a target's columns for a model, from scale_settings().
 rough::TargetScales scales_from(const Settings& settings, const rough::Model& model);
 
 /// Reads a target file for a model, with scales_from(). Throws rough::InputError if the file

@@ -82,7 +82,7 @@ class DesignProblem {
     }
     /// A random genome (drawn_start). Without Eq. 11 its amplitude is fitted to the first target.
     Genome sample(ga::Stream& random, ga::Work& work) const;
-    /// The same without its price.
+    /// A random genome, without its price.
     Genome sample(ga::Stream& random) const {
         ga::Work work;
         return sample(random, work);

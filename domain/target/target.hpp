@@ -88,7 +88,7 @@ struct TargetTable {
 /// semicolon or tab. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
 TargetTable read_target_table(const std::filesystem::path& file);
 
-/// What converts the columns of a target file into a quantity.
+/// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
     std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
     double effective_modulus = 1;            ///< E* of the bodies that conduct, MPa
@@ -175,7 +175,7 @@ std::string in_words(const std::vector<RecordedDifference>& differences);
 /// Throws InputError that names all recorded_differences, if there are any.
 void expect_recorded(const Target& target, const Model& model);
 
-/// Where the points of a target stand.
+/// The places of the points of a target.
 struct PointPlacement {
     Index count = 20;                 ///< number of points, at least 1
     std::optional<double> last = {};  ///< largest x; none: the last load step

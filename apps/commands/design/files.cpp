@@ -192,7 +192,8 @@ void write_heights(const DesignRun& run, const std::filesystem::path& folder) {
     rough::write_atomically(folder / "heights-drawn.csv", table);
 }
 
-/// The labels of a target's axes in the units of its file, each in quotes, after the word own.
+/// The labels of a target's axes in the units of its file, as the figures read them: `own`, then two texts in
+/// quotes.
 std::string labels_of(const rough::Target& target) {
     if (!target.written)
         return "";
