@@ -3,6 +3,8 @@
 
 namespace rugosa::python {
 
+namespace {
+
 /// The type of a gene in NumPy.
 template <class G>
 using Gene = std::conditional_t<std::same_as<G, std::vector<double>>, double,
@@ -286,18 +288,6 @@ struct Prepared {
 };
 
 template <class G>
-void optimise(Optimisation& search) {
-    Interruptible interrupt;
-    Prepared<G> prepared(search, interrupt.stop());
-    ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
-    prepared.finish([&] {
-        return ga::run_by(evaluator, prepared.stage, prepared.problem, prepared.start, prepared.run,
-                          prepared.observers());
-    });
-    search.interrupted = interrupt.requested();
-}
-
-template <class G>
 class AskTell : public Search {
     using Engine = ga::AskTell<app::OutsideProblem<G>>;
 
@@ -366,16 +356,25 @@ class AskTell : public Search {
     std::thread::id asker_;                       ///< the thread that has asked last
 };
 
-template <class G>
-std::unique_ptr<Search> begin_search(Optimisation search) {
-    return std::make_unique<AskTell<G>>(std::move(search));
+} // namespace
+
+void optimise(Optimisation& search) {
+    Interruptible interrupt;
+    by_kind(search.genes, [&]<class G>(const G&) {
+        Prepared<G> prepared(search, interrupt.stop());
+        ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
+        prepared.finish([&] {
+            return ga::run_by(evaluator, prepared.stage, prepared.problem, prepared.start, prepared.run,
+                              prepared.observers());
+        });
+    });
+    search.interrupted = interrupt.requested();
 }
 
-template void optimise<std::vector<double>>(Optimisation&);
-template void optimise<std::vector<bool>>(Optimisation&);
-template void optimise<ga::Permutation>(Optimisation&);
-template std::unique_ptr<Search> begin_search<std::vector<double>>(Optimisation);
-template std::unique_ptr<Search> begin_search<std::vector<bool>>(Optimisation);
-template std::unique_ptr<Search> begin_search<ga::Permutation>(Optimisation);
+std::unique_ptr<Search> begin_search(Optimisation search) {
+    return by_kind(search.genes, [&]<class G>(const G&) -> std::unique_ptr<Search> {
+        return std::make_unique<AskTell<G>>(std::move(search));
+    });
+}
 
 } // namespace rugosa::python
