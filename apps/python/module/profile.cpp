@@ -76,43 +76,6 @@ Profile without_holes(Profile surface, const std::string& where, Filling& fillin
     return filled(std::move(surface), missing);
 }
 
-} // namespace
-
-Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
-                     Filling& filling) {
-    if (const bool map = py::isinstance<Surface>(heights); map || py::isinstance<Profile>(heights)) {
-        if (spacing)
-            throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
-        return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
-    }
-    const RealArray array = array_from(heights, where);
-    if (array.ndim() != 1 && array.ndim() != 2)
-        rough::refuse(where, ": the heights have ", array.ndim(), " dimensions; give one or two dimensions");
-    if (!spacing)
-        throw py::type_error(where + ": spacing is missing; give the distance of the nodes, mm");
-    if (array.ndim() == 1 && spacing->index() == 1)
-        throw py::type_error(where + ": two spacings for heights along a line; give one");
-    const double* one = std::get_if<double>(&*spacing);
-    const auto [along, across] = one ? std::pair(*one, *one) : std::get<1>(*spacing);
-    if (!(along > 0 && across > 0))
-        rough::refuse(where, ": spacing ", along > 0 ? across : along, " is out of range (above 0)");
-    Profile surface{Eigen::Map<const Eigen::VectorXd>(array.data(), array.size()), along};
-    if (array.ndim() == 2) {
-        if (array.shape(0) < 2 || array.shape(1) < 2)
-            rough::refuse(where, ": a map of ", array.shape(0), " x ", array.shape(1),
-                          " heights; give at least 2 x 2");
-        surface.rows = array.shape(0);
-        surface.row_spacing = across;
-    }
-    return without_holes(std::move(surface), where, filling);
-}
-
-py::object as_python(Profile surface) {
-    return surface.is_2d() ? py::cast(Surface{std::move(surface)}) : py::cast(std::move(surface));
-}
-
-namespace {
-
 py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
     py::dict all;
     for (const rough::SurfaceParameter& one : parameters.rows)
@@ -164,6 +127,39 @@ py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& opti
 }
 
 } // namespace
+
+Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
+                     Filling& filling) {
+    if (const bool map = py::isinstance<Surface>(heights); map || py::isinstance<Profile>(heights)) {
+        if (spacing)
+            throw py::type_error(where + ": a Profile or Surface has a spacing; leave spacing out");
+        return map ? heights.cast<const Surface&>() : heights.cast<const Profile&>();
+    }
+    const RealArray array = array_from(heights, where);
+    if (array.ndim() != 1 && array.ndim() != 2)
+        rough::refuse(where, ": the heights have ", array.ndim(), " dimensions; give one or two dimensions");
+    if (!spacing)
+        throw py::type_error(where + ": spacing is missing; give the distance of the nodes, mm");
+    if (array.ndim() == 1 && spacing->index() == 1)
+        throw py::type_error(where + ": two spacings for heights along a line; give one");
+    const double* one = std::get_if<double>(&*spacing);
+    const auto [along, across] = one ? std::pair(*one, *one) : std::get<1>(*spacing);
+    if (!(along > 0 && across > 0))
+        rough::refuse(where, ": spacing ", along > 0 ? across : along, " is out of range (above 0)");
+    Profile surface{Eigen::Map<const Eigen::VectorXd>(array.data(), array.size()), along};
+    if (array.ndim() == 2) {
+        if (array.shape(0) < 2 || array.shape(1) < 2)
+            rough::refuse(where, ": a map of ", array.shape(0), " x ", array.shape(1),
+                          " heights; give at least 2 x 2");
+        surface.rows = array.shape(0);
+        surface.row_spacing = across;
+    }
+    return without_holes(std::move(surface), where, filling);
+}
+
+py::object as_python(Profile surface) {
+    return surface.is_2d() ? py::cast(Surface{std::move(surface)}) : py::cast(std::move(surface));
+}
 
 void add_profile(py::module_& module) {
     py::class_<Profile>(module, "Profile", R"(Heights on an even grid (mm).
