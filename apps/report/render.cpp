@@ -27,7 +27,7 @@ bool holds_objects(const json& value) {
            std::all_of(value.begin(), value.end(), [](const json& one) { return one.is_object(); });
 }
 
-/// Maximum number of values that a page shows of one key or table. Each takes up to a kilobyte.
+/// Maximum number of values that a page shows of one key or table. Each needs at most a kilobyte.
 constexpr std::size_t max_shown = 150'000;
 
 std::size_t count_values(const json& value) {
