@@ -266,15 +266,7 @@ struct Prepared {
     /// Runs without the interpreter's lock and stores the result. Rethrows an exception of Python's.
     template <class Run>
     void finish(Run result_of_run) {
-        ga::Result<G> found;
-        try {
-            const py::gil_scoped_release unlocked;
-            found = result_of_run();
-        } catch (const std::exception&) {
-            callback.rethrow();
-            throw;
-        }
-        callback.rethrow();
+        const ga::Result<G> found = callback.unlocked(result_of_run);
         search.population = genes_of(found.population, problem.count);
         if (found.is_dead_end && !search.record.best() && search.first_error)
             std::rethrow_exception(search.first_error);
@@ -308,18 +300,7 @@ class AskTell : public Search {
 
     py::array ask() override {
         prepared_.callback.rethrow();
-        std::vector<typename Engine::Proposal> open;
-        {
-            const py::gil_scoped_release unlocked;
-            try {
-                open = engine_.ask();
-            } catch (...) {
-                if (!prepared_.callback.failed())
-                    throw;
-            }
-        }
-        prepared_.callback.rethrow();
-        open_ = std::move(open);
+        open_ = prepared_.callback.unlocked([&] { return engine_.ask(); });
         asker_ = std::this_thread::get_id();
         return rows_of<G>(open_, prepared_.problem.count, &Engine::Proposal::genome);
     }

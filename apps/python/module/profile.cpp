@@ -83,20 +83,17 @@ py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
     return all;
 }
 
-Profile profile_from(const py::object& heights, double spacing, bool fill, double max_filled) {
+/// A Profile from one spacing, or a Surface from one or two.
+template <class Shape, class Distance>
+Shape shape_from(const py::object& heights, const Distance& spacing, bool fill, double max_filled) {
+    const bool is_map = std::is_same_v<Shape, Surface>;
+    const char* const name = is_map ? "Surface" : "Profile";
     Filling filling{fill, max_filled};
-    Profile profile = surface_from(heights, OneOrTwo(spacing), "Profile", filling);
-    if (profile.is_2d())
-        rough::refuse("Profile: the heights have 2 dimensions; give one");
-    return profile;
-}
-
-Surface map_from(const py::object& heights, const OneOrTwo& spacing, bool fill, double max_filled) {
-    Filling filling{fill, max_filled};
-    Surface surface{surface_from(heights, spacing, "Surface", filling)};
-    if (!surface.is_2d())
-        rough::refuse("Surface: the heights have 1 dimension; give two");
-    return surface;
+    Shape shape{surface_from(heights, OneOrTwo(spacing), name, filling)};
+    if (shape.is_2d() != is_map)
+        rough::refuse(name, ": the heights have ",
+                      is_map ? "1 dimension; give two" : "2 dimensions; give one");
+    return shape;
 }
 
 Profile row_of(const Surface& surface, rough::Index row) {
@@ -170,7 +167,7 @@ void add_profile(py::module_& module) {
 >>> round(wave.roughness()['Pq'], 6)
 0.007071
 )")
-        .def(py::init(&profile_from), "heights"_a, "spacing"_a, "fill"_a = false,
+        .def(py::init(&shape_from<Profile, double>), "heights"_a, "spacing"_a, "fill"_a = false,
              "max_filled"_a = rough::ScanOptions().max_filled,
              "heights: N numbers, mm; spacing: their distance, mm. NaN and masked points are missing; fill: "
              "whether they are interpolated linearly, at most the share max_filled.")
@@ -199,7 +196,7 @@ void add_profile(py::module_& module) {
 >>> surface.nodes, surface.heights.shape
 ((48, 32), (32, 48))
 )")
-        .def(py::init(&map_from), "heights"_a, "spacing"_a, "fill"_a = false,
+        .def(py::init(&shape_from<Surface, OneOrTwo>), "heights"_a, "spacing"_a, "fill"_a = false,
              "max_filled"_a = rough::ScanOptions().max_filled,
              "heights: N_y x N_x numbers, mm; spacing: their distance, mm, or those along x and y. NaN and "
              "masked points are missing; fill: whether they are filled by Laplace's equation, at most the "
