@@ -134,7 +134,7 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
 }
 
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
-    return boost::algorithm::join(header, ",") + "\n" + rows_text(columns);
+    return boost::join(header, ",") + "\n" + rows_text(columns);
 }
 
 std::string csv(const rough::Response& response, const rough::ResolutionBand* band) {
@@ -182,9 +182,7 @@ std::string map_csv(const rough::Profile& map, const std::vector<std::string>& n
     const Index every = (std::max(columns, rows) + max_blocks - 1) / max_blocks;
     rough::PlainStream out;
     out.precision(6);
-    out << "x_mm,y_mm";
-    for (const std::string& name : names)
-        out << "," << name;
+    out << "x_mm,y_mm," << boost::join(names, ",");
     const auto middle = [](Index begin, Index count) {
         return static_cast<double>(begin) + 0.5 * static_cast<double>(count - 1);
     };
