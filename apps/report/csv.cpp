@@ -52,6 +52,35 @@ std::string rows_text(const std::vector<Eigen::VectorXd>& columns, const std::st
     return out.str();
 }
 
+/// The columns of drawn_csv() in the rows that a picture can show.
+std::vector<Eigen::VectorXd> shown(std::vector<Eigen::VectorXd> columns, bool logarithmic) {
+    constexpr Index max_rows = 4000;
+    const Eigen::VectorXd x = columns[0];
+    if (x.size() <= max_rows)
+        return columns;
+    std::vector<Index> rows;
+    const double intervals = 0.5 * max_rows / static_cast<double>(columns.size() - 1);
+    const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
+    const double from = along(0), length = along(x.size() - 1) - from;
+    const auto interval = [&](Index i) { return std::floor((along(i) - from) / length * (intervals - 1)); };
+    for (Index begin = 0, end = 0; begin < x.size(); begin = end) {
+        for (end = begin + 1; end < x.size() && interval(end) == interval(begin);)
+            ++end;
+        std::vector<Index> extremes;
+        for (std::size_t line = 1; line < columns.size(); ++line)
+            for (const double sign : {1, -1}) {
+                Index at = 0;
+                (sign * columns[line].segment(begin, end - begin)).minCoeff(&at);
+                extremes.push_back(begin + at);
+            }
+        std::ranges::sort(extremes);
+        rows.insert(rows.end(), extremes.begin(), std::unique(extremes.begin(), extremes.end()));
+    }
+    for (Eigen::VectorXd& column : columns)
+        column = column(rows).eval();
+    return columns;
+}
+
 } // namespace
 
 Csv::Csv(const std::string& header, int digits) : names_(rough::listed(header)), digits_(digits) {}
@@ -105,7 +134,7 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
 }
 
 std::string csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns) {
-    return boost::algorithm::join(header, ",") + "\n" + rows_text(columns);
+    return boost::join(header, ",") + "\n" + rows_text(columns);
 }
 
 std::string csv(const rough::Response& response, const rough::ResolutionBand* band) {
@@ -126,39 +155,6 @@ std::string csv(const rough::Response& response, const rough::ResolutionBand* ba
     }
     return csv(header, all);
 }
-
-namespace {
-
-/// The columns of drawn_csv() in the rows that a picture can show.
-std::vector<Eigen::VectorXd> shown(std::vector<Eigen::VectorXd> columns, bool logarithmic) {
-    constexpr Index max_rows = 4000;
-    const Eigen::VectorXd x = columns[0];
-    if (x.size() <= max_rows)
-        return columns;
-    std::vector<Index> rows;
-    const double intervals = 0.5 * max_rows / static_cast<double>(columns.size() - 1);
-    const auto along = [&](Index i) { return logarithmic ? std::log(x[i]) : x[i]; };
-    const double from = along(0), length = along(x.size() - 1) - from;
-    const auto interval = [&](Index i) { return std::floor((along(i) - from) / length * (intervals - 1)); };
-    for (Index begin = 0, end = 0; begin < x.size(); begin = end) {
-        for (end = begin + 1; end < x.size() && interval(end) == interval(begin);)
-            ++end;
-        std::vector<Index> extremes;
-        for (std::size_t line = 1; line < columns.size(); ++line)
-            for (const double sign : {1, -1}) {
-                Index at = 0;
-                (sign * columns[line].segment(begin, end - begin)).minCoeff(&at);
-                extremes.push_back(begin + at);
-            }
-        std::ranges::sort(extremes);
-        rows.insert(rows.end(), extremes.begin(), std::unique(extremes.begin(), extremes.end()));
-    }
-    for (Eigen::VectorXd& column : columns)
-        column = column(rows).eval();
-    return columns;
-}
-
-} // namespace
 
 std::string drawn_csv(const std::vector<std::string>& header, const std::vector<Eigen::VectorXd>& columns,
                       bool logarithmic) {
@@ -186,9 +182,7 @@ std::string map_csv(const rough::Profile& map, const std::vector<std::string>& n
     const Index every = (std::max(columns, rows) + max_blocks - 1) / max_blocks;
     rough::PlainStream out;
     out.precision(6);
-    out << "x_mm,y_mm";
-    for (const std::string& name : names)
-        out << "," << name;
+    out << "x_mm,y_mm," << boost::join(names, ",");
     const auto middle = [](Index begin, Index count) {
         return static_cast<double>(begin) + 0.5 * static_cast<double>(count - 1);
     };

@@ -4,12 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
-
 namespace app {
 
 /// A table that is built row by row, as CSV with a header and as JSON. Words are quoted if necessary. An
-/// apostrophe is put before a word that a spreadsheet would run. A missing number or NaN is an empty cell.
+/// apostrophe is put before a word that a spreadsheet would run. NaN is an empty cell.
 class Csv {
   public:
     /// `digits`: significant digits of its numbers, 17 for exact ones, 6 for measured ones.
@@ -20,7 +18,7 @@ class Csv {
     void row(const Values&... values) {
         nlohmann::json row = nlohmann::json::object();
         auto name = names_.begin();
-        ((row[*name++] = in_json(values)), ...);
+        ((row[*name++] = values), ...);
         add(row);
     }
 
@@ -39,14 +37,6 @@ class Csv {
     const nlohmann::json& rows() const { return rows_; }
 
   private:
-    static nlohmann::json in_json(const std::optional<double>& number) {
-        return number ? nlohmann::json(*number) : nlohmann::json();
-    }
-    template <class Value>
-    static nlohmann::json in_json(const Value& value) {
-        return value;
-    }
-
     std::vector<std::string> names_;
     int digits_;
     nlohmann::json rows_ = nlohmann::json::array();

@@ -58,7 +58,7 @@ struct VariantRun {
     double similarity_worst = 0;    ///< verdict: on the finer grid in finer load steps, less the error
     double seconds = 0;             ///< wall time
     long curves = 0, gradients = 0; ///< evaluations and derivatives at all levels
-    double price = 0;               ///< what they cost, in contact curves on the run's grid in its load steps
+    double price = 0;               ///< their cost, in contact curves on the run's grid in its load steps
 };
 
 /// Number of candidates up to which every generation is kept. Then the record of a stage replaces its last

@@ -27,7 +27,7 @@ bool holds_objects(const json& value) {
            std::all_of(value.begin(), value.end(), [](const json& one) { return one.is_object(); });
 }
 
-/// Maximum number of values that a page shows of one key or table. Each takes up to a kilobyte.
+/// Maximum number of values that a page shows of one key or table. Each needs at most a kilobyte.
 constexpr std::size_t max_shown = 150'000;
 
 std::size_t count_values(const json& value) {
@@ -308,12 +308,9 @@ json sections_of(const std::string& body) {
 
 /// Whether a result is that of a free map whose nodes stand on its edges, as in versions before 0.3.
 bool has_nodes_on_edges(const json& result) {
-    const auto text = [&](const char* key) {
-        const auto found = result.find(key);
-        return found != result.end() && found->is_string() ? found->get<std::string>() : "";
-    };
-    return result.contains("nodes") && result["nodes"].is_array() && text("kernel") == "free" &&
-           (text("version").starts_with("0.1.") || text("version").starts_with("0.2."));
+    const std::string version = rough::json_text(result.value("version", json()), true);
+    return result.value("nodes", json()).is_array() && result.value("kernel", json()) == "free" &&
+           (version.starts_with("\"0.1.") || version.starts_with("\"0.2."));
 }
 
 } // namespace
@@ -324,13 +321,11 @@ std::string render(const PageSource& source, const Rendering& rendering) {
     const std::string body = rendered(kind + ".mustache", context, rendering);
     // The contents stand between the head of the page and its first section.
     const std::size_t title = body.find("<h1>"), first = std::min(body.find("<h2"), body.size());
-    const json sections = sections_of(body);
     const json layout = {{"title", title == std::string::npos
                                        ? kind
                                        : body.substr(title + 4, body.find("</h1>", title) - title - 4)},
-                         {"sections", sections},
+                         {"sections", sections_of(body)},
                          {"nodes_on_edges", has_nodes_on_edges(source.values)},
-                         {"has_sections", !sections.empty()},
                          {"head", body.substr(0, first)},
                          {"body", body.substr(first)}};
     Context around(layout, source, rendering);

@@ -31,11 +31,11 @@ struct Rendering {
 /// - `{{{figures.NAME}}}` is the picture that NAME.gp draws from the tables. In
 ///   `figures.NAME:TEXT`, TEXT is the script's variable `arg`; `@KEY` at its end is replaced by a value.
 /// - `{{KEY|FILTER}}` formats a value. For numbers: `3` (digits, the default), `percent`, `error` (of a
-/// similarity, in percent), `brief`, `length`
-///   (from mm) and `pressure` (from MPa) in a suitable unit. For sections: `is:A` (also `is:A,B`),
-///   `above:X`, `below:X`. `address` makes a path the address of a link. For lists and objects: `count`,
-///   `some` (a condition), `by` (sides: "20 x 18") and `items`, the entries of an object, each with its
-///   `key`. In a loop `row` counts from 1, and `more` is true except for the last item.
+///   similarity, in percent), `brief`, `length` (from mm) and `pressure` (from MPa) in a suitable unit. For
+///   sections: `is:A` (also `is:A,B`), `above:X`, `below:X`. `address` makes a path the address of a link.
+///   For lists and objects: `count`, `some` (a condition), `by` (sides: "20 x 18") and `items`, the entries
+///   of an object, each with its `key`. In a loop `row` counts from 1, and `more` is true except for the
+///   last item.
 ///
 /// Throws rough::InputError if the kind has no template, or a template or table cannot be read.
 std::string render(const PageSource& source, const Rendering& rendering = {});

@@ -118,8 +118,8 @@ Findings run_stability(const Settings& settings, const RunConditions& conditions
             const bool solved = trial.outcome == Outcome::solved;
             const auto residuals = rough::column(trial.curve.steps, &rough::LoadStep::kkt_residual);
             table.row(scene.name, kernel, methods[m], outcome,
-                      residuals.empty() ? std::nullopt : std::optional(std::ranges::max(residuals)),
-                      trial.curve.iterations, trial.seconds, trial.message);
+                      residuals.empty() ? NAN : std::ranges::max(residuals), trial.curve.iterations,
+                      trial.seconds, trial.message);
             scenes.back()["cells"].push_back({{"milliseconds", solved ? json(1000 * trial.seconds) : json()},
                                               {"failure", solved ? "" : outcome}});
             solved_by[methods[m]] = solved;

@@ -22,8 +22,7 @@ std::optional<double> if_verified(double similarity) {
 }
 
 /// The targets of the arguments.
-std::vector<rough::Target> targets_from(const py::object& pressure, const py::object& stiffness,
-                                        Keywords& keywords) {
+std::vector<rough::Target> targets_from(Keywords& keywords) {
     std::vector<rough::Target> targets;
     if (const auto given = keywords.take<py::object>("target")) {
         if (py::isinstance<rough::Target>(*given))
@@ -33,12 +32,11 @@ std::vector<rough::Target> targets_from(const py::object& pressure, const py::ob
         else
             targets = given->cast<std::vector<rough::Target>>();
     }
-    Keywords curves(py::dict("target_pressure"_a = pressure, "target_stiffness"_a = stiffness), "design");
-    const auto x = curves.take_numbers("target_pressure");
+    const auto x = keywords.take_numbers("target_pressure");
     for (const auto& [name, quantity] : {std::pair("target_stiffness", rough::Quantity::stiffness),
                                          {"target_interface_stiffness", rough::Quantity::interface_stiffness},
                                          {"target_contact_fraction", rough::Quantity::area_at_pressure}}) {
-        const auto y = (quantity == rough::Quantity::stiffness ? curves : keywords).take_numbers(name);
+        const auto y = keywords.take_numbers(name);
         if (!y)
             continue;
         if (!x || x->size() != y->size())
@@ -67,9 +65,11 @@ ga::Observer<rough::Genome> observer(const py::object& progress, Callback& callb
 /// Flags of the program that are arguments of trust() here.
 const std::vector<std::string> flags_of_trust{"hardness"};
 
-Design design(const py::object& pressure, const py::object& stiffness, const py::kwargs& given) {
+Design design(const py::object& pressure, const py::object& stiffness, py::kwargs given) {
+    given["target_pressure"] = pressure;
+    given["target_stiffness"] = stiffness;
     Keywords keywords(given, "design");
-    const std::vector<rough::Target> targets = targets_from(pressure, stiffness, keywords);
+    const std::vector<rough::Target> targets = targets_from(keywords);
     const auto starts = keywords.take<std::vector<rough::Genome>>("starts");
     const auto progress = keywords.take<py::object>("progress");
     const auto like = keywords.take<py::object>("like");

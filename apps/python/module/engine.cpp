@@ -141,18 +141,13 @@ void add_engine(py::module_& module) {
              "failed.")
         .def("result", &Search::result, "Ends the search and returns its Optimisation.");
     module.def(
-        "search",
-        [](const py::kwargs& given) {
-            Optimisation search = requested(py::none(), given);
-            return by_kind(search.genes,
-                           [&](auto genome) { return begin_search<decltype(genome)>(std::move(search)); });
-        },
+        "search", [](const py::kwargs& given) { return begin_search(requested(py::none(), given)); },
         help_of_search);
     module.def(
         "optimise",
         [](const py::object& problem, const py::kwargs& given) {
             Optimisation search = requested(problem, given);
-            by_kind(search.genes, [&](auto genome) { optimise<decltype(genome)>(search); });
+            optimise(search);
             return search;
         },
         "problem"_a, documented(help_of_optimise, app::outside_settings()).c_str());

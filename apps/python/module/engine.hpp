@@ -28,12 +28,8 @@ class Search {
     virtual Optimisation result() = 0;                ///< ends it
 };
 
-///@{
-/// For one type of genome; each is compiled in a separate file.
-template <class G>
+/// Runs a search by the problem's evaluations and stores its result.
 void optimise(Optimisation& search);
-template <class G>
 std::unique_ptr<Search> begin_search(Optimisation search);
-///@}
 
 } // namespace rugosa::python

@@ -25,9 +25,7 @@ void add_genome(py::module_& module) {
                  return rough::genome_from_json(rough::parsed_json(text, "genome"), "genome");
              }),
              "content"_a, "content: a dictionary as in a genome file (JSON).")
-        .def_static(
-            "read", [](const std::filesystem::path& file) { return rough::read_genome(file); }, "file"_a,
-            "Reads a genome file.")
+        .def_static("read", &rough::read_genome, "file"_a, "Reads a genome file.")
         .def(
             "to_dict",
             [](const Genome& genome) {

@@ -3,6 +3,8 @@
 
 namespace rugosa::python {
 
+namespace {
+
 /// The type of a gene in NumPy.
 template <class G>
 using Gene = std::conditional_t<std::same_as<G, std::vector<double>>, double,
@@ -264,15 +266,7 @@ struct Prepared {
     /// Runs without the interpreter's lock and stores the result. Rethrows an exception of Python's.
     template <class Run>
     void finish(Run result_of_run) {
-        ga::Result<G> found;
-        try {
-            const py::gil_scoped_release unlocked;
-            found = result_of_run();
-        } catch (const std::exception&) {
-            callback.rethrow();
-            throw;
-        }
-        callback.rethrow();
+        const ga::Result<G> found = callback.unlocked(result_of_run);
         search.population = genes_of(found.population, problem.count);
         if (found.is_dead_end && !search.record.best() && search.first_error)
             std::rethrow_exception(search.first_error);
@@ -284,18 +278,6 @@ struct Prepared {
         search.notes = found.notes;
     }
 };
-
-template <class G>
-void optimise(Optimisation& search) {
-    Interruptible interrupt;
-    Prepared<G> prepared(search, interrupt.stop());
-    ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
-    prepared.finish([&] {
-        return ga::run_by(evaluator, prepared.stage, prepared.problem, prepared.start, prepared.run,
-                          prepared.observers());
-    });
-    search.interrupted = interrupt.requested();
-}
 
 template <class G>
 class AskTell : public Search {
@@ -318,18 +300,7 @@ class AskTell : public Search {
 
     py::array ask() override {
         prepared_.callback.rethrow();
-        std::vector<typename Engine::Proposal> open;
-        {
-            const py::gil_scoped_release unlocked;
-            try {
-                open = engine_.ask();
-            } catch (...) {
-                if (!prepared_.callback.failed())
-                    throw;
-            }
-        }
-        prepared_.callback.rethrow();
-        open_ = std::move(open);
+        open_ = prepared_.callback.unlocked([&] { return engine_.ask(); });
         asker_ = std::this_thread::get_id();
         return rows_of<G>(open_, prepared_.problem.count, &Engine::Proposal::genome);
     }
@@ -366,16 +337,25 @@ class AskTell : public Search {
     std::thread::id asker_;                       ///< the thread that has asked last
 };
 
-template <class G>
-std::unique_ptr<Search> begin_search(Optimisation search) {
-    return std::make_unique<AskTell<G>>(std::move(search));
+} // namespace
+
+void optimise(Optimisation& search) {
+    Interruptible interrupt;
+    by_kind(search.genes, [&]<class G>(const G&) {
+        Prepared<G> prepared(search, interrupt.stop());
+        ByPython<app::OutsideProblem<G>> evaluator(prepared.callback, search);
+        prepared.finish([&] {
+            return ga::run_by(evaluator, prepared.stage, prepared.problem, prepared.start, prepared.run,
+                              prepared.observers());
+        });
+    });
+    search.interrupted = interrupt.requested();
 }
 
-template void optimise<std::vector<double>>(Optimisation&);
-template void optimise<std::vector<bool>>(Optimisation&);
-template void optimise<ga::Permutation>(Optimisation&);
-template std::unique_ptr<Search> begin_search<std::vector<double>>(Optimisation);
-template std::unique_ptr<Search> begin_search<std::vector<bool>>(Optimisation);
-template std::unique_ptr<Search> begin_search<ga::Permutation>(Optimisation);
+std::unique_ptr<Search> begin_search(Optimisation search) {
+    return by_kind(search.genes, [&]<class G>(const G&) -> std::unique_ptr<Search> {
+        return std::make_unique<AskTell<G>>(std::move(search));
+    });
+}
 
 } // namespace rugosa::python

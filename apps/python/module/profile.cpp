@@ -76,6 +76,53 @@ Profile without_holes(Profile surface, const std::string& where, Filling& fillin
     return filled(std::move(surface), missing);
 }
 
+py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
+    py::dict all;
+    for (const rough::SurfaceParameter& one : parameters.rows)
+        all[py::str(one.name == "rms curvature" ? "rms_curvature" : one.name)] = one.value;
+    return all;
+}
+
+/// A Profile from one spacing, or a Surface from one or two.
+template <class Shape, class Distance>
+Shape shape_from(const py::object& heights, const Distance& spacing, bool fill, double max_filled) {
+    const bool is_map = std::is_same_v<Shape, Surface>;
+    const char* const name = is_map ? "Surface" : "Profile";
+    Filling filling{fill, max_filled};
+    Shape shape{surface_from(heights, OneOrTwo(spacing), name, filling)};
+    if (shape.is_2d() != is_map)
+        rough::refuse(name, ": the heights have ",
+                      is_map ? "1 dimension; give two" : "2 dimensions; give one");
+    return shape;
+}
+
+Profile row_of(const Surface& surface, rough::Index row) {
+    if (row < 0 || row >= surface.rows)
+        throw py::index_error(rough::line_of("row: ", row, " is out of range (0 to ", surface.rows - 1, ")"));
+    const rough::Index columns = surface.shape().columns;
+    return {surface.heights.segment(row * columns, columns), surface.spacing};
+}
+
+/// The options of a scan that a map has, too.
+std::vector<app::Setting> map_options() {
+    std::vector<app::Setting> options = app::scan_settings();
+    std::erase_if(options, [](const app::Setting& option) {
+        return option.name == "row" || option.name == "outliers";
+    });
+    return options;
+}
+
+Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
+    const auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
+    return {app::surface_from(settings.with({{"surface", file.string()}}, app::scan_settings())).heights};
+}
+
+py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {
+    const auto settings = Keywords(options, "read").only(app::scan_settings());
+    app::Source source = app::scan_from(file, settings, 0);
+    return py::make_tuple(std::move(source.measured), std::move(source.account));
+}
+
 } // namespace
 
 Profile surface_from(const py::object& heights, const Spacing& spacing, const std::string& where,
@@ -111,60 +158,6 @@ py::object as_python(Profile surface) {
     return surface.is_2d() ? py::cast(Surface{std::move(surface)}) : py::cast(std::move(surface));
 }
 
-namespace {
-
-py::dict in_dictionary(const rough::SurfaceParameters& parameters) {
-    py::dict all;
-    for (const rough::SurfaceParameter& one : parameters.rows)
-        all[py::str(one.name == "rms curvature" ? "rms_curvature" : one.name)] = one.value;
-    return all;
-}
-
-Profile profile_from(const py::object& heights, double spacing, bool fill, double max_filled) {
-    Filling filling{fill, max_filled};
-    Profile profile = surface_from(heights, OneOrTwo(spacing), "Profile", filling);
-    if (profile.is_2d())
-        rough::refuse("Profile: the heights have 2 dimensions; give one");
-    return profile;
-}
-
-Surface map_from(const py::object& heights, const OneOrTwo& spacing, bool fill, double max_filled) {
-    Filling filling{fill, max_filled};
-    Surface surface{surface_from(heights, spacing, "Surface", filling)};
-    if (!surface.is_2d())
-        rough::refuse("Surface: the heights have 1 dimension; give two");
-    return surface;
-}
-
-Profile row_of(const Surface& surface, rough::Index row) {
-    if (row < 0 || row >= surface.rows)
-        throw py::index_error(rough::line_of("row: ", row, " is out of range (0 to ", surface.rows - 1, ")"));
-    const rough::Index columns = surface.shape().columns;
-    return {surface.heights.segment(row * columns, columns), surface.spacing};
-}
-
-/// The options of a scan that a map has, too.
-std::vector<app::Setting> map_options() {
-    std::vector<app::Setting> options = app::scan_settings();
-    std::erase_if(options, [](const app::Setting& option) {
-        return option.name == "row" || option.name == "outliers";
-    });
-    return options;
-}
-
-Surface read_surface(const std::filesystem::path& file, const py::kwargs& options) {
-    const auto settings = Keywords(options, "read").only(app::joined({{app::map_setting()}, map_options()}));
-    return {app::surface_from(settings.with({{"surface", file.string()}}, app::scan_settings())).heights};
-}
-
-py::tuple read_profile(const std::filesystem::path& file, const py::kwargs& options) {
-    const auto settings = Keywords(options, "read").only(app::scan_settings());
-    app::Source source = app::scan_from(file, settings, 0);
-    return py::make_tuple(std::move(source.measured), std::move(source.account));
-}
-
-} // namespace
-
 void add_profile(py::module_& module) {
     py::class_<Profile>(module, "Profile", R"(Heights on an even grid (mm).
 
@@ -174,7 +167,7 @@ void add_profile(py::module_& module) {
 >>> round(wave.roughness()['Pq'], 6)
 0.007071
 )")
-        .def(py::init(&profile_from), "heights"_a, "spacing"_a, "fill"_a = false,
+        .def(py::init(&shape_from<Profile, double>), "heights"_a, "spacing"_a, "fill"_a = false,
              "max_filled"_a = rough::ScanOptions().max_filled,
              "heights: N numbers, mm; spacing: their distance, mm. NaN and masked points are missing; fill: "
              "whether they are interpolated linearly, at most the share max_filled.")
@@ -203,7 +196,7 @@ void add_profile(py::module_& module) {
 >>> surface.nodes, surface.heights.shape
 ((48, 32), (32, 48))
 )")
-        .def(py::init(&map_from), "heights"_a, "spacing"_a, "fill"_a = false,
+        .def(py::init(&shape_from<Surface, OneOrTwo>), "heights"_a, "spacing"_a, "fill"_a = false,
              "max_filled"_a = rough::ScanOptions().max_filled,
              "heights: N_y x N_x numbers, mm; spacing: their distance, mm, or those along x and y. NaN and "
              "masked points are missing; fill: whether they are filled by Laplace's equation, at most the "

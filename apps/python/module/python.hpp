@@ -173,7 +173,20 @@ class Callback {
         if (error_)
             stop_ = true;
     }
-    bool failed() const { return error_ != nullptr; }
+    /// Returns work(), which runs without the interpreter's lock. Rethrows a kept exception instead.
+    template <class Work>
+    auto unlocked(Work work) const {
+        std::invoke_result_t<Work> result;
+        try {
+            const py::gil_scoped_release unlocked;
+            result = work();
+        } catch (const std::exception&) {
+            rethrow();
+            throw;
+        }
+        rethrow();
+        return result;
+    }
     void rethrow() const {
         if (error_)
             std::rethrow_exception(error_);

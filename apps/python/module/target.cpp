@@ -62,9 +62,9 @@ x: pressures (MPa), or displacements (mm) of 'area-displacement' and 'load'; y: 
 )")
         .def(py::init(&target_from), "x"_a, "y"_a, "quantity"_a = "stiffness", "weight"_a = 1.0)
         .def_static("read", &target_read, "file"_a,
-                    "Reads a target file (CSV). conductivity (W/(m K)) or resistivity (ohm m): of the two "
-                    "bodies, for\n"
-                    "a conductance; shear_strength (MPa): for friction; model keywords as in contact().")
+                    "Reads a target file (CSV). A conductance needs conductivity (W/(m K)) or resistivity\n"
+                    "(ohm m) of the two bodies. Friction needs shear_strength (MPa). Model keywords are\n"
+                    "as in contact().")
         .def_static(
             "like", &target_like, "surface"_a, "spacing"_a = py::none(), py::kw_only(),
             "quantity"_a = "stiffness", "points"_a = 20, "last"_a = py::none(),

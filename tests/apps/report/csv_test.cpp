@@ -7,8 +7,8 @@ using app::Csv;
 
 TEST_CASE("an unknown number is an empty cell") {
     Csv table("a,b,c");
-    table.row(std::nan(""), std::optional<double>(), 1.5);
-    table.row(std::optional<double>(std::nan("")), 2, std::string("x"));
+    table.row(std::nan(""), nullptr, 1.5);
+    table.row(std::nan(""), 2, std::string("x"));
     CHECK(table.text() == "a,b,c\n,,1.5\n,2,x\n");
     CHECK(app::csv({"a", "b"}, {Eigen::Vector2d(1, std::nan("")), Eigen::Vector2d(2, 3)}) ==
           "a,b\n1,2\n,3\n");

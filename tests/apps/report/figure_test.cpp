@@ -55,7 +55,7 @@ TEST_CASE("no name of a folder or a table is a command, an option or a format fo
          {"<" + harm, "|" + harm, "`" + harm + "`", "$(" + harm + ")", "'; system('" + harm + "'); '",
           std::string("-e system('touch harm')"), std::string("~\n%s%n{Bold @m} \xff\xfe\"")}) {
         INFO(name);
-        // A name of a folder cannot contain "/", so a command names no path.
+        // A name of a folder cannot contain "/", so a command cannot name a path.
         const auto inside = folder / name;
         std::filesystem::create_directory(inside);
         const auto draw = [&](const std::string& figure, const std::string& argument) {
