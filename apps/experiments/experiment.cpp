@@ -58,8 +58,9 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)
         names.emplace_back("checkpoints");
-    const OutputFolder output(request.out, request.name,
-                              {names, request.inputs, request.force, request.resume});
+    std::vector<std::filesystem::path> inputs = settings.files();
+    inputs.insert(inputs.end(), request.inputs.begin(), request.inputs.end());
+    const OutputFolder output(request.out, request.name, {names, inputs, request.force, request.resume});
     const std::filesystem::path& folder = output.path();
     const Origin origin{experiment.kind, request.command, settings.whole<std::uint64_t>("experiment.seed"),
                         ga::thread_count(settings.whole<int>("experiment.threads")),

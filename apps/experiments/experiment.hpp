@@ -54,7 +54,7 @@ const Experiment& experiment_named(const std::string& kind);
 struct Request {
     std::string command;                       ///< as typed
     std::string out, name;                     ///< --out; if it is empty, the name of a folder in out/
-    std::vector<std::filesystem::path> inputs; ///< files that must not be overwritten
+    std::vector<std::filesystem::path> inputs; ///< files that the command line names
     std::string page;                          ///< file name of the page
     bool pictures = true, force = false, resume = false;
 };

@@ -244,7 +244,7 @@ std::vector<std::string> Settings::words(const std::string& name) const {
     if (between == ',')
         return rough::listed(text(name));
     std::vector<std::string> all;
-    std::istringstream in(text(name) + between);
+    std::istringstream in(text(name).empty() ? "" : text(name) + between);
     for (std::string word; std::getline(in, word, between);)
         all.push_back(word);
     return all;
@@ -282,19 +282,11 @@ std::size_t Settings::one_of(const std::string& name, const std::vector<std::str
     refuse(name, "\"", text(name), "\" given", ga::suggestion(text(name), words));
 }
 
-std::vector<std::string> Settings::names_under(const std::string& prefix) const {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : given_)
-        if (name.starts_with(prefix))
-            names.push_back(name.substr(prefix.size()));
-    return names;
-}
-
 std::vector<std::pair<std::string, std::string>> Settings::texts_under(const std::string& prefix) const {
     std::vector<std::pair<std::string, std::string>> texts;
-    for (const std::string& name : names_under(prefix))
-        if (const auto text = rough::trim(this->text(prefix + name)); !text.empty())
-            texts.emplace_back(name, text);
+    for (const auto& [name, value] : given_)
+        if (const auto text = rough::trim(value); name.starts_with(prefix) && !text.empty())
+            texts.emplace_back(name.substr(prefix.size()), text);
     return texts;
 }
 

@@ -113,9 +113,10 @@ class Settings {
     /// A copy with some values changed, or removed by "". `described` replaces the descriptions of settings.
     Settings with(const std::map<std::string, std::string>& values,
                   const std::vector<Setting>& described = {}) const;
-    /// The given names that begin with `prefix`, without it, in alphabetical order.
-    std::vector<std::string> names_under(const std::string& prefix) const;
-    /// The names as by `names_under`, each with its text unless that is empty: variants and their pipelines.
+    /// The given values by name.
+    const std::map<std::string, std::string>& values() const { return given_; }
+    /// The given names that begin with `prefix`, without it, each with its text unless that is empty: variants
+    /// and their pipelines. In alphabetical order.
     std::vector<std::pair<std::string, std::string>> texts_under(const std::string& prefix) const;
 
   private:
