@@ -88,17 +88,18 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         target.written = written;
         return {std::move(target), model}; // it records no body, because a formula belongs to none
     }
-    const MapScene scene = scene_from(settings, "like");
+    const Scene scene = scene_from(settings, "like");
     std::ranges::for_each(scene.notes, say);
     const auto [quantity, written] = quantity_from(settings, scene.model);
     rough::Model loaded = scene.model;
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = points.last;
-    const bool has_band = !settings.has("genome") && !settings.has("band") &&
-                          (!scene.map.is_2d() || settings.given("resolution")); // that of a map takes long
+    const bool has_band =
+        !settings.has("genome") && !settings.has("band") &&
+        (!scene.surface.is_2d() || settings.given("resolution")); // that of a map takes long
     std::pair made{placing(settings, "",
                            [&, quantity = quantity] {
                                return target_like(
-                                   scene.map, loaded,
+                                   scene.surface, loaded,
                                    settings.text(settings.has("genome") ? "genome" : "like"), quantity,
                                    points, has_band ? resolution_from(settings) : rough::Resolution::off);
                            }),
