@@ -64,38 +64,29 @@ inline std::string stop_reason(const std::string& reason, bool is_requested) {
 
 /// Targets of a design and the model in which they hold, from target files or a scan.
 struct DesignRequest {
-    ga::Stopwatch clock = {};
     rough::DesignSetup setup = {};          ///< with the targets, the model and the scan
     std::vector<std::string> accounts = {}; ///< how scans were read, and notes
     std::optional<Production> from = {};    ///< if it is given, it is morphed and nothing is searched
 };
 
 /// A design that the settings describe completely.
-struct DesignTask {
-    rough::DesignSetup setup;
+struct DesignTask : DesignRequest {
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     rough::ToleranceOptions tolerance_options;
-    std::vector<std::string> accounts;
-    std::string warning; ///< that the contact of a scan or map is not resolved; "" if it is
-    bool limits_given;   ///< whether a flag limits the shape
-    std::optional<Production> from;
+    std::string warning;       ///< that the contact of a scan or map is not resolved; "" if it is
+    bool limits_given = false; ///< whether a flag limits the shape
 };
 
-struct DesignAnswer {
+struct DesignRun : DesignRecord, DesignTask {
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
     rough::DesignResponse response; ///< response of the answer
     std::vector<rough::Margin> margins;
-    std::optional<Shares> unrequested_errors; ///< nothing if the time did not suffice
-};
-
-struct AnswerChecks {
+    std::optional<Shares> unrequested_errors;  ///< nothing if the time did not suffice
     std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
     std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
 };
-
-struct DesignRun : DesignRecord, DesignTask, DesignAnswer, AnswerChecks {};
 
 /// The parameters of a search for designs of any genome.
 template <class P>
@@ -188,8 +179,8 @@ DesignRequest request_from(const Settings& settings);
 rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model,
                               const std::string& name, const Settings& settings,
                               rough::Resolution resolution = rough::Resolution::off);
-/// The run of a request, after the exact tests of its targets. Throws rough::InputError.
-DesignRun design_from(const Settings& settings, DesignRequest request);
+/// The run of a request since `clock` began, after the exact tests of its targets. Throws rough::InputError.
+DesignRun design_from(const Settings& settings, DesignRequest request, const ga::Stopwatch& clock = {});
 
 /// Whether an answer has the required similarity, verified, within the limits, and no target is out of reach.
 bool is_found(const DesignRun& run);
