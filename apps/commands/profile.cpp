@@ -67,8 +67,12 @@ std::string matrix(const rough::Profile& map) {
     return out.str();
 }
 
-/// A file's name and content, which is made when it is written, as those of maps are large.
-using Table = std::pair<std::string, std::function<std::string()>>;
+/// A file of a description.
+struct Table {
+    std::string name;
+    std::function<std::string()> content; ///< made when it is written, as those of maps are large
+    bool is_listed = true;                ///< on the page
+};
 
 /// The description of a profile or a map.
 struct SurfaceReport {
@@ -83,7 +87,6 @@ struct SurfaceReport {
     double largest_height;  ///< mm
     nlohmann::json numbers; ///< keys of KIND.json besides those that both have
     std::vector<Table> tables;
-    std::vector<std::string> unlisted = {}; ///< names of tables that the page does not list
     std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
 };
 
@@ -150,11 +153,10 @@ SurfaceReport described_profile(const Settings& settings) {
                    [=] {
                        return csv({"x_mm", "height_mm"}, {positions(*measured), measured->heights});
                    }},
-                  {"heights-drawn.csv", [=] { return heights_csv(*profile); }},
+                  {"heights-drawn.csv", [=] { return heights_csv(*profile); }, false},
                   {"spectrum.csv", [s = all.spectrum] {
                        return csv({"wave_number_rad_per_mm", "density_mm3"}, {s.wave_number, s.density});
                    }}};
-    all.unlisted = {"heights-drawn.csv", "lines.csv"};
     add_missing(all, source.missing);
     if (!lines.empty()) {
         double m0 = 0, m2 = 0, m4 = 0; // exact, over lengths that all waves divide
@@ -164,7 +166,7 @@ SurfaceReport described_profile(const Settings& settings) {
             table.row(k, power);
         }
         all.numbers["series"] = {{"m0_mm2", m0}, {"m2", m2}, {"m4_per_mm2", m4}};
-        all.tables.emplace_back("lines.csv", [text = table.text()] { return text; });
+        all.tables.push_back({"lines.csv", [text = table.text()] { return text; }, false});
     }
     return all;
 }
@@ -219,12 +221,12 @@ SurfaceReport described_map(const Settings& settings) {
         {"heights.txt", [=] { return matrix(*holed); }},
         {"surface.vtk", [=] { return vtk(*holed); }},
         {"map.csv",
-         [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); }},
+         [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); },
+         false},
         {"spectrum.csv", [s = all.spectrum] {
              return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
                         {s.wave_number, s.density, s.power});
          }}};
-    all.unlisted = {"map.csv"};
     add_missing(all, read.missing);
     add_requested(all, *map, settings);
     return all;
@@ -276,7 +278,7 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
                                    of.kind + ".sur",  "bearing.csv",        "spectrum-drawn.csv",
                                    "report.html",     of.pictures[0].first, of.pictures[1].first};
     for (const Table& table : of.tables)
-        names.push_back(table.first);
+        names.push_back(table.name);
     const OutputFolder out(settings.text("out"), source.stem().string(),
                            {names, settings.files(), settings.is_on("force")});
     const auto write = [&](const std::string& name, const std::string& content) {
@@ -295,9 +297,9 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
     };
     if (write_possible(of.kind + ".sur", [&] { return sur(*of.measured); }))
         files.push_back(of.kind + ".sur");
-    for (const auto& [name, content] : of.tables) {
+    for (const auto& [name, content, is_listed] : of.tables) {
         write(name, content());
-        if (std::ranges::find(of.unlisted, name) == of.unlisted.end())
+        if (is_listed)
             files.push_back(name);
     }
     write(of.kind + ".x3p", x3p(*of.measured));

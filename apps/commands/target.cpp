@@ -51,30 +51,22 @@ std::vector<Setting> target_settings() {
     return joined({settings, scale_settings(), scan_settings(), {resolution_setting()}, model_settings()});
 }
 
-/// The requested quantity. A conductance is an interface stiffness in other columns.
-struct RequestedQuantity {
-    rough::Quantity quantity;
-    std::optional<rough::WrittenColumns> written = {};
-};
-RequestedQuantity quantity_from(const Settings& settings, const rough::Model& model) {
+/// The requested quantity, and its columns if it is a conductance: an interface stiffness in other columns.
+std::pair<rough::Quantity, std::optional<rough::WrittenColumns>> quantity_from(const Settings& settings,
+                                                                               const rough::Model& model) {
     const std::size_t choice = settings.choice("quantity");
     if (choice < rough::quantity_names().size())
-        return {static_cast<rough::Quantity>(choice)};
+        return {static_cast<rough::Quantity>(choice), std::nullopt};
     return {rough::Quantity::interface_stiffness,
             placing(settings, "", [&] { return conductance_columns(scales_from(settings, model)); })};
 }
 
-rough::PointPlacement points_from(const Settings& settings) {
+/// Makes the target that --formula, --genome or --like describes, and the model that it is meant for.
+std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     rough::PointPlacement points{settings.whole<rough::Index>("points")};
     settings.take("to", points.last);
     settings.take("from", points.first);
     points.logarithmic = settings.choice("spaced") == 1;
-    return points;
-}
-
-/// Makes the target that --formula, --genome or --like describes, and the model that it is meant for.
-std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
-    const rough::PointPlacement points = points_from(settings);
     if (settings.has("formula")) {
         if (!points.last)
             rough::refuse("--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
@@ -96,16 +88,13 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     const bool has_band =
         !settings.has("genome") && !settings.has("band") &&
         (!scene.surface.is_2d() || settings.given("resolution")); // that of a map takes long
-    std::pair made{placing(settings, "",
-                           [&, quantity = quantity] {
-                               return target_like(
-                                   scene.surface, loaded,
-                                   settings.text(settings.has("genome") ? "genome" : "like"), quantity,
-                                   points, has_band ? resolution_from(settings) : rough::Resolution::off);
-                           }),
-                   scene.model};
-    made.first.written = written;
-    return made;
+    const std::string& name = settings.text(settings.has("genome") ? "genome" : "like");
+    rough::Target target = placing(settings, "", [&, quantity = quantity] {
+        return target_like(scene.surface, loaded, name, quantity, points,
+                           has_band ? resolution_from(settings) : rough::Resolution::off);
+    });
+    target.written = written;
+    return {std::move(target), scene.model};
 }
 
 /// Describes the target and returns the exit code: 3 if no profile can reach it.

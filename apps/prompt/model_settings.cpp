@@ -130,6 +130,20 @@ Bindings bindings_of(rough::ScanOptions& options) {
     };
 }
 
+/// The scan options that the settings describe.
+rough::ScanOptions scan_options(const Settings& settings, const std::string& prefix, bool keep_missing) {
+    rough::ScanOptions options;
+    take(settings.with({{prefix + "spacing", ""}}), bindings_of(options), prefix);
+    if (settings.has(prefix + "spacing")) {
+        options.spacing = settings.numbers(prefix + "spacing").front();
+        options.row_spacing = settings.numbers(prefix + "spacing").back();
+    }
+    for (const std::string& unit : rough::listed(options.unit))
+        rough::length_unit_named(unit, settings.place(prefix + "unit"));
+    options.keep_missing = keep_missing && !options.fill;
+    return options;
+}
+
 Bindings loading_bindings(rough::Model& model) {
     return {{pressure("to-pressure", "", "mean pressure of the last load step, MPa; replaces --reach"),
              model.loading.to_pressure},
@@ -314,24 +328,6 @@ Setting resolution_setting() {
 rough::Resolution resolution_from(const Settings& settings) {
     return static_cast<rough::Resolution>(settings.choice("resolution"));
 }
-
-namespace {
-
-/// The options that the settings describe.
-rough::ScanOptions scan_options(const Settings& settings, const std::string& prefix, bool keep_missing) {
-    rough::ScanOptions options;
-    take(settings.with({{prefix + "spacing", ""}}), bindings_of(options), prefix);
-    if (settings.has(prefix + "spacing")) {
-        options.spacing = settings.numbers(prefix + "spacing").front();
-        options.row_spacing = settings.numbers(prefix + "spacing").back();
-    }
-    for (const std::string& unit : rough::listed(options.unit))
-        rough::length_unit_named(unit, settings.place(prefix + "unit"));
-    options.keep_missing = keep_missing && !options.fill;
-    return options;
-}
-
-} // namespace
 
 Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                  const std::string& prefix, bool keep_missing) {
