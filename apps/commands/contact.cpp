@@ -66,7 +66,7 @@ std::vector<Setting> contact_settings() {
          "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
         force_setting(),
         threads_setting(),
-        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
+        whole("seed", "1", 0, 0x1p53, ""), // accepted as in design and run; nothing is random
         accuracy_setting(
             "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
             "solved on its nodes; so is a map, unless one line is enough"),

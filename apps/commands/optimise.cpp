@@ -111,9 +111,8 @@ std::vector<Setting> optimise_settings() {
           {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
           minimise,
           positive("timeout", "60", "maximum seconds for one evaluation"),
-          ga::whole("threads", "0", 0,
-                    "number of child processes, which evaluate at the same time; 0: one per processor")
-              .up_to(1024),
+          whole("threads", "0", 0, 1024,
+                "number of child processes, which evaluate at the same time; 0: one per processor"),
           {"out", "", "folder for result.json [out/optimise]"},
           Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
           force_setting()},

@@ -35,9 +35,8 @@ std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
-        Setting(ga::whole("nodes", "", 10,
-                          "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
-                    .up_to(1e7))
+        whole("nodes", "", 10, 1e7,
+              "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
             .several('x'),
         positive(
             "length", "",

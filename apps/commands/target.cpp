@@ -39,7 +39,7 @@ std::vector<Setting> target_settings() {
                  "last pressure (MPa) or displacement (mm) [last of the response; --formula needs it]"),
         positive("from", "",
                  "first pressure (MPa) or displacement (mm) [the last over the number of points]"),
-        ga::whole("points", "20", 1, "points of the target").up_to(1e6),
+        whole("points", "20", 1, 1e6, "points of the target"),
         Setting("spaced", "even", "spacing of the points: even, or log for a constant factor")
             .of({"even", "log"}),
         ga::number("band", "", 0, 1,

@@ -13,13 +13,12 @@ const Experiment& experiment_named(const std::string& kind) {
 }
 
 std::vector<Setting> Experiment::all_settings() const {
-    return joined({{{"experiment.kind", "paper", "kind of the experiment"},
-                    ga::whole("experiment.seed", "1", 0,
-                              "seed of the random numbers; the first one if each variant runs several times")
-                        .up_to(0x1p53),
-                    ga::whole("experiment.threads", "0", 0, "threads, unless times are measured; 0 takes all")
-                        .up_to(1024)},
-                   settings});
+    return joined(
+        {{{"experiment.kind", "paper", "kind of the experiment"},
+          whole("experiment.seed", "1", 0, 0x1p53,
+                "seed of the random numbers; the first one if each variant runs several times"),
+          whole("experiment.threads", "0", 0, 1024, "threads, unless times are measured; 0 takes all")},
+         settings});
 }
 
 namespace {

@@ -52,10 +52,9 @@ Bindings bindings_of(ModelParameters& of) {
     auto& [grid, body, loading, contact, accuracy] = of.model;
     const rough::Model usual;
     return {
-        {Setting(ga::whole("nodes", "", 2,
-                           "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) +
-                               "; for a scan: its points]")
-                     .up_to(1e7))
+        {whole("nodes", "", 2, 1e7,
+               "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) +
+                   "; for a scan: its points]")
              .several('x'),
          grid.nodes},
         {positive("length", "",
@@ -84,7 +83,7 @@ Bindings bindings_of(ModelParameters& of) {
         {Setting("base", "elastic", "body under the layers; elastic: the half-space of modulus and poisson")
              .of({"elastic", "rigid"}),
          body.layering.rigid_base},
-        {ga::whole("steps", std::to_string(usual.loading.steps), 2, "load steps n_t, at least 2").up_to(1e6),
+        {whole("steps", std::to_string(usual.loading.steps), 2, 1e6, "load steps n_t, at least 2"),
          loading.steps},
         {ga::number("reach", "", ga::above_zero, 1,
                     "largest displacement over the height range [1; periodic: 0.95]"),
@@ -106,9 +105,8 @@ Bindings bindings_of(rough::ScanOptions& options) {
         {positive("spacing", "", "distance of the points of heights without x, in the given unit")
              .several('x'),
          options.spacing},
-        {ga::whole("row", "", 1,
-                   "row of an areal map to take as the profile, from 1 (a text matrix needs --spacing)")
-             .up_to(1e7),
+        {whole("row", "", 1, 1e7,
+               "row of an areal map to take as the profile, from 1 (a text matrix needs --spacing)"),
          options.row},
         {Setting("detrend", "line", "form that is removed from a scan's heights").of(rough::detrend_names()),
          options.detrend},
@@ -247,9 +245,8 @@ std::vector<Setting> model_settings(const std::string& prefix) {
 
 std::vector<Setting> cap_settings(const std::string& prefix) {
     return {
-        Setting(ga::whole(prefix + "asperities", "", 1,
-                          "spherical caps in an array, NXxNY, instead of a sum of cosines")
-                    .up_to(4096))
+        whole(prefix + "asperities", "", 1, 4096,
+              "spherical caps in an array, NXxNY, instead of a sum of cosines")
             .several('x'),
         positive(prefix + "pitch", "", "distance of neighbouring caps, mm [1.5]"),
         positive(prefix + "radius", "", "radius of all caps, mm [0.526]"),

@@ -129,16 +129,20 @@ Setting Setting::of(std::vector<std::string> words) const {
     return copy;
 }
 
-Setting seed_setting() { return ga::whole("seed", "1", 0, "seed of the random numbers").up_to(0x1p53); }
+Setting seed_setting() { return whole("seed", "1", 0, 0x1p53, "seed of the random numbers"); }
 Setting threads_setting() {
-    return ga::whole("threads", "0", 0,
-                     "threads, or 0 for all; a profile's curve uses one, a map's all that are free")
-        .up_to(1024);
+    return whole("threads", "0", 0, 1024,
+                 "threads, or 0 for all; a profile's curve uses one, a map's all that are free");
 }
 Setting force_setting() { return {"force", "", "write over an existing result", true}; }
 Setting pictures_setting() {
     return Setting("pictures", "on", "off omits the page and its pictures").of({"on", "off"});
 }
+Setting whole(const std::string& name, const std::string& fallback, double lower, double upper,
+              const std::string& meaning) {
+    return ga::whole(name, fallback, lower, meaning).up_to(upper);
+}
+
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning) {
     return ga::number(name, fallback, ga::above_zero, ga::no_limit, meaning);
 }

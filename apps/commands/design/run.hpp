@@ -96,12 +96,11 @@ Bindings bindings_of(rough::SearchOptionsOf<P>& options) {
                   "wall time of the whole design; a map without time to verify is reported as not verified "
                   "[until the pipeline ends]"),
          options.seconds},
-        {ga::whole("evaluations", "", 1, "maximum number of curves and gradients [none]").up_to(1e9),
+        {whole("evaluations", "", 1, 1e9, "maximum number of curves and gradients [none]"),
          options.evaluations},
-        {ga::whole("alternatives", "", 1,
-                   "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
-                       "; 1 for a map, because verifying takes long]")
-             .up_to(100),
+        {whole("alternatives", "", 1, 100,
+               "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
+                   "; 1 for a map, because verifying takes long]"),
          options.alternatives},
         {seed_setting(), options.seed},
         {threads_setting(), options.threads},

@@ -20,9 +20,8 @@ Bindings bindings_of(rough::DesignSetup& setup) {
                     "similarity that an answer must have in all checks. The variants default and like "
                     "restart a few times if it is not reached. Exit code 3 if no answer has it [0.99]"),
          setup.required_similarity},
-        {ga::whole("ridges", "", 1,
-                   "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]")
-             .up_to(64),
+        {whole("ridges", "", 1, 64,
+               "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]"),
          setup.ridges},
         {positive("shortest-wave", "", "shortest wavelength that can be made, mm [8 node spacings]"),
          limits.shortest_wave},
@@ -98,7 +97,7 @@ std::vector<Setting> search_settings() {
     const std::vector<Setting> settings{
         Setting("quantity", "both", "target from the response of --like; both: stiffness and contact area")
             .of(rough::names_of_likeness()),
-        ga::whole("points", "20", 2, "number of points of the target from --like").up_to(1e5),
+        whole("points", "20", 2, 1e5, "number of points of the target from --like"),
         {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
          "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
@@ -106,8 +105,8 @@ std::vector<Setting> search_settings() {
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
-        ga::whole("draws", "", 20, "draws of noise for the tolerance [as many as cost as much as the search]")
-            .up_to(1e6),
+        whole("draws", "", 20, 1e6,
+              "draws of noise for the tolerance [as many as cost as much as the search]"),
     };
     return joined(
         {settings, settings_of(bindings_of(options)), settings_of(bindings_of(setup)), model_settings()});
