@@ -1,9 +1,7 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/run.hpp"
-#include "apps/report/render.hpp"
 #include "domain/problem/stored.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/observers/progress.hpp"
 
@@ -35,13 +33,6 @@ int repeat_verdict(const std::filesystem::path& result) {
         rough::refuse(result.string(), ": has no verdict; start again with --force");
     say(before.at(verdict).get<std::string>());
     return before.at(found) ? 0 : 3;
-}
-
-void write_page(const std::filesystem::path& folder, double seconds_left) {
-    constexpr double min_seconds = 3;
-    rough::write_atomically(
-        folder / "report.html",
-        render(page_source(folder), {.seconds = std::clamp(seconds_left, min_seconds, 3600.)}));
 }
 
 namespace {

@@ -18,7 +18,6 @@ namespace app {
 
 namespace {
 
-/// The parameters --width, --base, --magnify and --layer-height.
 Bindings bindings_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
@@ -100,7 +99,6 @@ std::shared_ptr<const rough::Profile> with_holes(const std::shared_ptr<const rou
     return std::make_shared<const rough::Profile>(std::move(holed));
 }
 
-/// Adds the missing points to the numbers.
 void add_missing(SurfaceReport& all, const rough::MissingPoints& missing) {
     all.numbers["missing"] = {
         {"points", missing.nodes.size()},

@@ -62,4 +62,9 @@ struct Request {
 /// Runs an experiment and writes its results; returns the program's exit code.
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request);
 
+/// Runs an experiment that is a Python script: experiments/KIND/KIND.py, built into the program. It gets the
+/// settings as JSON, and writes result.json and tables to the folder. Throws rough::InputError with the last
+/// line of its errors if it fails.
+Findings findings_of_script(const Settings& settings, const RunConditions& conditions);
+
 } // namespace app

@@ -1,5 +1,4 @@
-#include "apps/experiments/script.hpp"
-
+#include "apps/experiments/experiment.hpp"
 #include "apps/external/process.hpp"
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"

@@ -21,7 +21,6 @@ struct Source : rough::Scan {
 /// Opens a genome file (JSON). Throws InputError as read_genome_file.
 Source open_genome(const std::filesystem::path& file);
 
-/// The note that pressures are in units of E.
 inline constexpr const char* modulus_note =
     "note: no --modulus or --material given: E is 1 MPa, so pressures and stiffness are in units of E";
 /// Whether a modulus is given, by --modulus or --material.
@@ -95,7 +94,6 @@ Setting map_setting();
 inline const std::vector<std::string> surface_names{"genome", "profile", "surface"};
 std::vector<Setting> surface_settings();
 
-/// The note on a map on the free body.
 inline constexpr const char* no_datum_note =
     "a map on a half-space needs no datum: displacements are measured to infinity";
 

@@ -2,7 +2,6 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/text/atomic_file.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 

@@ -4,10 +4,12 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
+#include "apps/report/render.hpp"
 #include "domain/asperities/design.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 
 /// A design from settings to files, for the program and Python.
@@ -132,8 +134,6 @@ nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Tar
 OutputFolder design_folder(const Settings& settings, bool resume);
 /// Prints the verdict of a design that was finished before, and returns its exit code.
 int repeat_verdict(const std::filesystem::path& result);
-/// Draws the page of a folder in the time that is left, but at least in some seconds.
-void write_page(const std::filesystem::path& folder, double seconds_left);
 
 /// Runs `work(output, interrupt)` in the folder of a design, with its checkpoints. Then draws the page,
 /// prints the summary and returns the exit code. If the design was finished, only prints the verdict.
@@ -153,8 +153,11 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
                                [&](auto& keeper) { keeper.keep("stages", run.stages); },
                                checkpoint_interval(), key_of(run.origin.inputs)};
     work(output, interrupt);
-    if (!run.interrupted && settings.choice("pictures") == 0)
-        write_page(folder, limit - run.clock.seconds());
+    if (!run.interrupted && settings.choice("pictures") == 0) {
+        constexpr double min_seconds = 3;
+        const double seconds = std::clamp(limit - run.clock.seconds(), min_seconds, 3600.);
+        rough::write_atomically(folder / "report.html", render(page_source(folder), {.seconds = seconds}));
+    }
     if (!run.interrupted && (run.found.stopped.empty() || run.summary.found))
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before", "tolerance.cbor"})
             std::filesystem::remove(ga::held_path(folder / kept));
