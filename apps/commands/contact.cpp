@@ -334,8 +334,7 @@ int contact(const Settings& settings, const std::string&) {
     std::vector<std::string> notes = found.notes;
     if (found.is_measured)
         notes.insert(notes.begin(), resolution_json(found)["words"]);
-    for (const std::string& note : notes_on(settings, found.model))
-        notes.push_back(note);
+    std::ranges::copy(notes_on(settings, found.model), std::back_inserter(notes));
     notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
     std::erase(notes, "");
     write_files(files, found, notes, settings);
@@ -349,8 +348,7 @@ int contact(const Settings& settings, const std::string&) {
              "; assumed: " + slip_assumption(found.model.body, found.surface.is_2d()));
     for (const std::string& warning : found.warnings)
         say("warning: " + warning);
-    for (const std::string& note : notes)
-        say(note);
+    std::ranges::for_each(notes, say);
     const rough::Response& response = found.result.response;
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +

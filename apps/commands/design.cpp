@@ -111,8 +111,7 @@ int design(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
     DesignRun run = design_from(settings, request_from(settings), clock);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
-        for (const auto& account : run.accounts)
-            say(account);
+        std::ranges::for_each(run.accounts, say);
         ProgressLine progress;
         const double limit = run.options.seconds;
         const auto record = [&](const std::filesystem::path& to) {

@@ -76,7 +76,7 @@ struct Table {
 struct SurfaceReport {
     std::string kind;                               ///< profile or surface, as its files are called
     std::shared_ptr<const rough::Profile> surface;  ///< missing points are filled
-    std::shared_ptr<const rough::Profile> measured; ///< the same, with NaN at points that are not filled
+    std::shared_ptr<const rough::Profile> measured; ///< `surface` with NaN at points that are not filled
     rough::Spectrum spectrum;
     std::string account;
     std::string warning = {};                  ///< warning about a scan or map; "": none
@@ -327,9 +327,9 @@ int profile(const Settings& settings, const std::string&) {
     rough::Extrusion extrusion;
     take(settings, bindings_of(extrusion));
     const bool is_map = given == "surface" || (given == "genome" && asks_for_map(settings));
-    for (const std::string name : {"periodic", "smr", "smc"})
-        if (!is_map && settings.given(name))
-            rough::refuse("--", name, ": given without a map; give --surface or --nodes NXxNY too");
+    if (!is_map)
+        expect_none(settings, {"periodic", "smr", "smc"},
+                    "given without a map; give --surface or --nodes NXxNY too");
     write_description(is_map ? described_map(settings) : described_profile(settings), settings.text(given),
                       settings, extrusion);
     return 0;

@@ -150,8 +150,7 @@ int target(const Settings& settings, const std::string&) {
     if (source == "check") {
         const rough::Model model = surface_model_from(settings);
         const rough::Target target = target_from(settings, settings.text("check"), model);
-        for (const auto& note : notes_on(settings, model, {target}))
-            say(note);
+        std::ranges::for_each(notes_on(settings, model, {target}), say);
         return report(target, model, settings);
     }
     if (!settings.has("out"))
@@ -164,8 +163,7 @@ int target(const Settings& settings, const std::string&) {
     }
     validate(target);
     rough::write_atomically(out, to_csv(target));
-    for (const auto& note : notes_on(settings, model, {target}))
-        say(note);
+    std::ranges::for_each(notes_on(settings, model, {target}), say);
     return report(target, model, settings);
 }
 

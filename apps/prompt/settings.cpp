@@ -5,6 +5,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <ranges>
 #include <set>
 
 namespace app {
@@ -377,10 +378,8 @@ Settings Settings::with(const std::map<std::string, std::string>& values,
 }
 
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
-    std::vector<Setting> all;
-    for (const auto& list : lists)
-        all.insert(all.end(), list.begin(), list.end());
-    return all;
+    const auto all = lists | std::views::join;
+    return {all.begin(), all.end()};
 }
 
 void expect_none(const Settings& settings, const std::vector<std::string>& names,

@@ -202,9 +202,9 @@ DesignRequest request_from(const Settings& settings) {
         if (is_map && model.body.kernel == rough::Kernel::free)
             request.accounts.emplace_back(no_datum_note);
     }
-    for (const auto& note : notes_on(settings, request.setup.model,
-                                     is_like ? std::vector<rough::Target>() : request.setup.targets))
-        request.accounts.push_back(note);
+    const auto of_files = is_like ? std::vector<rough::Target>() : request.setup.targets;
+    std::ranges::copy(notes_on(settings, request.setup.model, of_files),
+                      std::back_inserter(request.accounts));
     return request;
 }
 
