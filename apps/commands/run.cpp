@@ -1,7 +1,6 @@
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/output.hpp"
 
 namespace app {
 
@@ -56,12 +55,7 @@ int run_by_name(const Experiment& experiment, const Settings& given, const std::
     if (has_file && settings.text("experiment.kind") != kind)
         settings.refuse("experiment.kind", settings.text("experiment.kind"), " given; give ", kind);
     return carry_out(experiment, settings,
-                     {.command = line,
-                      .out = given.text("out"),
-                      .name = kind,
-                      .inputs = given.files(),
-                      .page = experiment.takes_file ? "report.html" : kind + ".html",
-                      .force = given.is_on("force")});
+                     {line, given, kind, experiment.takes_file ? "report.html" : kind + ".html"});
 }
 
 int run(const Settings& flags, const std::string& line) {
@@ -78,15 +72,7 @@ int run(const Settings& flags, const std::string& line) {
     const std::filesystem::path file = flags.text("experiment");
     const Experiment& experiment = experiment_of(file, overrides);
     const Settings settings = read_ini(file, experiment.all_settings(), overrides);
-    return carry_out(experiment, settings,
-                     {.command = line,
-                      .out = flags.text("out"),
-                      .name = file.stem().string(),
-                      .inputs = flags.files(),
-                      .page = "report.html",
-                      .pictures = flags.choice("pictures") == 0,
-                      .force = flags.is_on("force"),
-                      .resume = resumes(flags)});
+    return carry_out(experiment, settings, {line, flags, file.stem().string(), "report.html"});
 }
 
 } // namespace

@@ -50,7 +50,10 @@ void write(Findings& found, const Origin& origin, const std::filesystem::path& f
 
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
-    if (request.resume && !experiment.resumes)
+    const Settings& flags = request.flags;
+    const bool draws = !flags.knows("pictures") || flags.choice("pictures") == 0;
+    const bool resume = flags.knows("resume") && resumes(flags);
+    if (resume && !experiment.resumes)
         rough::refuse("--resume: experiments of kind ", experiment.kind,
                       " do not write checkpoints; omit it");
     std::vector<std::string> names = experiment.files;
@@ -58,25 +61,25 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
     if (experiment.resumes)
         names.emplace_back("checkpoints");
     std::vector<std::filesystem::path> inputs = settings.files();
-    inputs.insert(inputs.end(), request.inputs.begin(), request.inputs.end());
-    const OutputFolder output(request.out, request.name, {names, inputs, request.force, request.resume});
+    std::ranges::copy(flags.files(), std::back_inserter(inputs));
+    const OutputFolder output(flags.text("out"), request.name, {names, inputs, flags.is_on("force"), resume});
     const std::filesystem::path& folder = output.path();
     const Origin origin{experiment.kind, request.command, settings.whole<std::uint64_t>("experiment.seed"),
                         ga::thread_count(settings.whole<int>("experiment.threads")),
                         inputs_json(settings.files())};
-    if (request.resume && says_finished(folder, "checkpoints", origin.inputs))
+    if (resume && says_finished(folder, "checkpoints", origin.inputs))
         return 0;
 
     const Interrupt interrupt;
     Findings found;
     {
         ProgressLine progress;
-        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
+        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, resume});
         output.restored();
         if (!found.result.is_null())
             write(found, origin, folder);
         const bool goes_on = interrupt.requested() && experiment.resumes;
-        if (!found.result.is_null() && request.pictures && !goes_on) {
+        if (!found.result.is_null() && draws && !goes_on) {
             progress.show("report");
             rough::write_atomically(folder / request.page, render(page_source(folder)));
         }

@@ -52,11 +52,10 @@ const Experiment& experiment_named(const std::string& kind);
 
 /// A requested run.
 struct Request {
-    std::string command;                       ///< as typed
-    std::string out, name;                     ///< --out; if it is empty, the name of a folder in out/
-    std::vector<std::filesystem::path> inputs; ///< files that the command line names
-    std::string page;                          ///< file name of the page
-    bool pictures = true, force = false, resume = false;
+    std::string command;   ///< as typed
+    const Settings& flags; ///< its flags: out, force and, unless the name is short, pictures and resume
+    std::string name;      ///< folder in out/ if --out is not given
+    std::string page;      ///< file name of the page
 };
 
 /// Runs an experiment and writes its results; returns the program's exit code.
