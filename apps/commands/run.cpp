@@ -22,7 +22,7 @@ std::vector<Setting> run_settings() {
         pictures_setting(),
         set_setting(),
     };
-    for (Setting flag : model_settings()) { // of every experiment that has a model
+    for (Setting flag : model_settings()) { // for all experiments with a model
         flag.fallback = "";
         flag.meaning = "replaces model." + flag.name + " of the file: " + flag.meaning;
         settings.push_back(flag);
