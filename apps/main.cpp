@@ -16,20 +16,16 @@
 
 namespace {
 
-void print_help() {
-    std::string text = app::builtin_files().at("rugosa.txt");
-    boost::replace_all(text, "{version}", RUGOSA_VERSION);
-    boost::replace_all(text, "{subcommands}", app::listed(app::commands(), 12));
-    std::cout << text;
-}
-
 int dispatch(app::Words words) {
     app::parse_verbosity(words);
     const std::string first = words.empty() ? "" : words[0];
     if (first == "help" && words.size() > 1)
         return run_part(app::commands(), {words[1], "--help"});
     if (first == "--help" || first == "-h" || first == "help") {
-        print_help();
+        std::string text = app::builtin_files().at("rugosa.txt");
+        boost::replace_all(text, "{version}", RUGOSA_VERSION);
+        boost::replace_all(text, "{subcommands}", app::listed(app::commands(), 12));
+        std::cout << text;
         return 0;
     }
     if (first == "--version") {
@@ -39,8 +35,10 @@ int dispatch(app::Words words) {
     return run_part(app::commands(), words);
 }
 
+/// Prints an error, with the program's name in red if stderr is a terminal and NO_COLOR is not set.
 void complain(const std::string& message) {
-    std::cerr << app::error_mark() << app::printable(message) << "\n";
+    const bool is_red = isatty(STDERR_FILENO) && !std::getenv("NO_COLOR");
+    std::cerr << (is_red ? "\033[31mrugosa:\033[0m " : "rugosa: ") << app::printable(message) << "\n";
 }
 
 /// Prints the message of the exception that is handled now and returns its exit code.

@@ -25,7 +25,6 @@ int rank_count = 1, this_rank = 0;
 
 const rough::InputError other_form("MPI: a message has another form; run one program on all ranks");
 
-/// Kinds of messages.
 enum Tag : int {
     hello,   ///< to rank 0: host and program
     job,     ///< kind and setting of tasks that follow

@@ -66,7 +66,7 @@ std::vector<Setting> contact_settings() {
          "page to write (HTML): the curve, with pressure and gap along the profile or on the map [none]"},
         force_setting(),
         threads_setting(),
-        ga::whole("seed", "1", 0, "").up_to(0x1p53), // accepted as in design and run; nothing is random
+        whole("seed", "1", 0, 0x1p53, ""), // accepted as in design and run; nothing is random
         accuracy_setting(
             "the resolved model. That has --nodes, or else 64 nodes for the shortest wave. A scan is "
             "solved on its nodes; so is a map, unless one line is enough"),
@@ -81,8 +81,10 @@ std::vector<Setting> contact_settings() {
                    model_settings()});
 }
 
-/// Sets the accuracy. The solver's tolerance follows from it unless one is given.
-rough::Model within_accuracy(rough::Model model, const Settings& settings) {
+/// The model under the given loads and within the accuracy, from which the solver's tolerance follows unless
+/// one is given.
+rough::Model with_load(const rough::Model& unloaded, const Settings& settings) {
+    rough::Model model = loaded(unloaded, settings);
     settings.take("accuracy", model.accuracy);
     model.contact.threads = ga::thread_count(settings.whole<int>("threads"));
     model.contact.spots = !settings.has("genome");
@@ -92,17 +94,13 @@ rough::Model within_accuracy(rough::Model model, const Settings& settings) {
 }
 
 /// A surface and its response.
-struct ContactResult {
-    rough::Profile surface;
-    rough::Model model;
-    rough::ReportedResponse result;
-    std::vector<std::string> notes;          ///< on the input, and on limits of the model; "": none
-    bool is_measured;                        ///< a scan or map, not a genome
-    std::vector<rough::Index> filled = {};   ///< nodes of a scan or map that were missing
-    std::vector<rough::Index> outliers = {}; ///< nodes of a scan that stand out and were kept
-    rough::ResolutionBand band = {};         ///< for a scan or map
-    std::string unresolved = {};             ///< warning of a scan or map; "": every contact is resolved
-    std::vector<std::string> warnings = {};  ///< reasons not to believe the curve
+struct ContactResult : Scene {
+    rough::ReportedResponse result = {};
+    bool is_measured = false;               ///< a scan or map, not a genome
+    std::vector<Index> outliers = {};       ///< nodes of a scan that stand out and were kept
+    rough::ResolutionBand band = {};        ///< for a scan or map
+    std::string unresolved = {};            ///< warning of a scan or map; "": every contact is resolved
+    std::vector<std::string> warnings = {}; ///< reasons not to believe the curve
 };
 
 /// The surface whose nodes last_contact names: the line, if one line answered for the map.
@@ -118,8 +116,8 @@ void add_doubts(ContactResult& found, const Settings& settings) {
         found.band = resolution_band(found.surface, found.model, response, resolution_from(settings));
         found.unresolved = resolution_warning(response);
     }
-    if (!found.filled.empty())
-        found.notes.push_back(fill_note(found.surface, found.filled, found.model));
+    if (!found.missing.empty())
+        found.notes.push_back(fill_note(found.surface, found.missing, found.model));
     const auto touches = [&, &touching = contact](rough::Index node) {
         return std::ranges::find(touching, node) != touching.end();
     };
@@ -180,16 +178,12 @@ Eigen::VectorXd spots_of(const ContactResult& found) {
 }
 
 ContactResult map_result(const Settings& settings) {
-    MapScene scene = map_from(settings);
-    rough::Model& model = scene.model;
-    model = within_accuracy(loaded(model, settings), settings);
-    const bool is_measured = !settings.has("genome");
-    rough::ReportedResponse result = respond_within(scene.map, model);
-    model.contact.tolerance = result.account.tolerance;
-    if (is_measured && model.grid.periodic)
-        scene.notes.push_back(jump_note(scene.map));
-    return {std::move(scene.map),   std::move(model), std::move(result),
-            std::move(scene.notes), is_measured,      std::move(scene.missing)};
+    ContactResult found{map_from(settings, "surface")};
+    found.model = with_load(found.model, settings);
+    found.result = respond_within(found.surface, found.model);
+    if (!settings.has("genome") && found.model.grid.periodic)
+        found.notes.push_back(jump_note(found.surface));
+    return found;
 }
 
 /// A note that a genome has wavelengths under 8 node spacings. "" if it has none.
@@ -202,26 +196,23 @@ std::string wave_note(const rough::Genome& genome, const rough::Grid& grid) {
 }
 
 ContactResult line_result(const Settings& settings) {
-    Source source = source_from(settings);
-    rough::Model model = within_accuracy(loaded(model_from(settings, source), settings), settings);
-    if (model.accuracy > 0 && source.genome && !settings.has("nodes"))
-        model.grid = rough::resolved_grid(*source.genome, model.grid.length, model.grid.periodic);
-    rough::ReportedResponse result =
-        source.genome ? respond_within(*source.genome, model) : respond_within(source.on(model.grid), model);
-    model.contact.tolerance = result.account.tolerance;
-    rough::Profile profile = source.on(model.grid);
-    const double range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    const std::string jump = !model.grid.periodic ? ""
-                             : source.genome      ? jump_note(*source.genome, model.grid.length, range)
-                                                  : jump_note(profile);
-    const std::string read = source.genome ? wave_note(*source.genome, model.grid) : source.account;
-    return {std::move(profile),
-            std::move(model),
-            std::move(result),
-            {read, jump},
-            !source.genome,
-            std::move(source.missing.nodes),
-            std::move(source.outliers)};
+    const Source source = source_from(settings, "profile");
+    const std::optional<rough::Genome>& genome = source.genome;
+    ContactResult found;
+    rough::Model& model = found.model;
+    model = with_load(model_from(settings, source), settings);
+    if (model.accuracy > 0 && genome && !settings.has("nodes"))
+        model.grid = rough::resolved_grid(*genome, model.grid.length, model.grid.periodic);
+    found.surface = source.on(model.grid);
+    found.result = genome ? respond_within(*genome, model) : respond_within(found.surface, model);
+    found.missing = source.missing.nodes;
+    found.outliers = source.outliers;
+    found.notes = {genome ? wave_note(*genome, model.grid) : source.account};
+    const double range = found.surface.heights.maxCoeff() - found.surface.heights.minCoeff();
+    if (model.grid.periodic)
+        found.notes.push_back(genome ? jump_note(*genome, model.grid.length, range)
+                                     : jump_note(found.surface));
+    return found;
 }
 
 /// A written file as the page links to it.
@@ -259,9 +250,7 @@ CurveFiles files_from(const Settings& settings, bool is_2d) {
         names.emplace_back("spots");
     if (settings.has("report")) {
         files.page = expect_writable(settings.text("report"), settings);
-        const std::vector<std::string> drawn =
-            is_2d ? std::vector<std::string>{"loads", "map"}
-                  : std::vector<std::string>{"loads", "along", "heights-drawn", "bearing"};
+        const auto drawn = rough::listed(is_2d ? "loads,map" : "loads,along,heights-drawn,bearing");
         names.insert(names.end(), drawn.begin(), drawn.end());
     }
     for (const std::string& name : names)
@@ -339,12 +328,13 @@ int contact(const Settings& settings, const std::string&) {
     const bool is_2d = asks_for_map(settings);
     const CurveFiles files = files_from(settings, is_2d);
     ContactResult found = is_2d ? map_result(settings) : line_result(settings);
+    found.model.contact.tolerance = found.result.account.tolerance;
+    found.is_measured = !settings.has("genome");
     add_doubts(found, settings);
     std::vector<std::string> notes = found.notes;
     if (found.is_measured)
         notes.insert(notes.begin(), resolution_json(found)["words"]);
-    for (const std::string& note : notes_on(settings, found.model))
-        notes.push_back(note);
+    std::ranges::copy(notes_on(settings, found.model), std::back_inserter(notes));
     notes.push_back(states_modulus(settings) ? material_note(settings) : modulus_note);
     std::erase(notes, "");
     write_files(files, found, notes, settings);
@@ -358,8 +348,7 @@ int contact(const Settings& settings, const std::string&) {
              "; assumed: " + slip_assumption(found.model.body, found.surface.is_2d()));
     for (const std::string& warning : found.warnings)
         say("warning: " + warning);
-    for (const std::string& note : notes)
-        say(note);
+    std::ranges::for_each(notes, say);
     const rough::Response& response = found.result.response;
     tell(settings.text("out") + ": " + std::to_string(response.steps()) + " load steps by " +
          name_of(response.solver) + ", height range " + readable(response.range) +

@@ -16,12 +16,10 @@ namespace {
 
 Bindings bindings_of(rough::GenomeDistribution& law) {
     Bindings bindings{
-        {ga::whole("series", std::to_string(law.series), 1, "number of series of a genome").up_to(16),
-         law.series},
-        {ga::whole("ridges", std::to_string(law.ridges), 1, "ridges M of each chromosome").up_to(1000),
-         law.ridges},
+        {whole("series", std::to_string(law.series), 1, 16, "number of series of a genome"), law.series},
+        {whole("ridges", std::to_string(law.ridges), 1, 1000, "ridges M of each chromosome"), law.ridges},
         {positive("shortest-wave", "", "shortest wavelength, mm [8 node spacings]"), law.shortest},
-        {ga::whole("seed", std::to_string(law.seed), 0, "seed of the genomes").up_to(0x1p53), law.seed},
+        {whole("seed", std::to_string(law.seed), 0, 0x1p53, "seed of the genomes"), law.seed},
     };
     return with_bounds(std::move(bindings), law, 1 + 1e-9); // the domain limits the number of waves
 }
@@ -131,16 +129,14 @@ int database_query(const Settings& settings, const std::string&) {
 
 Bindings bindings_of(rough::BuildOptions& options) {
     return {
-        {ga::whole("genomes", std::to_string(options.genomes), 1, "number of genomes in the file at the end")
-             .up_to(1e9),
+        {whole("genomes", std::to_string(options.genomes), 1, 1e9,
+               "number of genomes in the file at the end"),
          options.genomes},
-        {ga::whole("first", std::to_string(options.first), 0,
-                   "number of the first genome, for a part that is merged with others")
-             .up_to(1e12),
+        {whole("first", std::to_string(options.first), 0, 1e12,
+               "number of the first genome, for a part that is merged with others"),
          options.first},
-        {ga::whole("batch", std::to_string(options.batch), 1,
-                   "genomes stored at a time, which are lost if the program is killed")
-             .up_to(1e5),
+        {whole("batch", std::to_string(options.batch), 1, 1e5,
+               "genomes stored at a time, which are lost if the program is killed"),
          options.batch},
         {threads_setting(), options.threads},
     };
@@ -165,8 +161,8 @@ rough::GenomeStore database_from(const std::filesystem::path& file, const Settin
 }
 
 std::vector<Setting> query_settings() {
-    return joined({{max_pressure_setting(),
-                    ga::whole("best", "10", 1, "number of genomes to list").up_to(1e9), threads_setting()},
+    return joined({{max_pressure_setting(), whole("best", "10", 1, 1e9, "number of genomes to list"),
+                    threads_setting()},
                    model_settings()});
 }
 

@@ -1,9 +1,7 @@
 #include "apps/cluster/evaluator.hpp"
 #include "apps/commands/commands.hpp"
 #include "apps/commands/design/run.hpp"
-#include "apps/report/render.hpp"
 #include "domain/problem/stored.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
 #include "ga/observers/progress.hpp"
 
@@ -37,44 +35,35 @@ int repeat_verdict(const std::filesystem::path& result) {
     return before.at(found) ? 0 : 3;
 }
 
-void write_page(const std::filesystem::path& folder, double seconds_left) {
-    constexpr double min_seconds = 3;
-    rough::write_atomically(
-        folder / "report.html",
-        render(page_source(folder), {.seconds = std::clamp(seconds_left, min_seconds, 3600.)}));
-}
-
 namespace {
 
 /// Shares of --seconds after which the search, the tolerance (planned for a tenth) and the further checks of
 /// the answer end. The rest is for drawing the report.
 constexpr double searched_by = 0.75, tolerance_by = 0.86, checked_by = 0.9;
 
-/// Searches for a surface or, in production, morphs one.
-DesignAnswer answer_to(const DesignTask& task, rough::SearchOptions options, std::vector<StageRecord>& stages,
-                       ProgressLine& progress) {
-    DesignAnswer answer;
-    if (task.from) {
-        const Production& from = *task.from;
-        answer.morphed = rough::morph(task.setup, from.genome, from.control, from.largest_change,
-                                      task.setup.required_similarity);
-        answer.found = as_found(task.setup, *answer.morphed);
-        answer.found.name = answer.found.pipeline = "morph";
+/// Searches for a surface or, in production, morphs one. The whole time of the run is `limit` (s).
+void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
+    if (run.from) {
+        const Production& from = *run.from;
+        run.morphed = rough::morph(run.setup, from.genome, from.control, from.largest_change,
+                                   run.setup.required_similarity);
+        run.found = as_found(run.setup, *run.morphed);
+        run.found.name = run.found.pipeline = "morph";
     } else {
+        rough::SearchOptions options = run.options;
+        options.seconds = searched_by * limit - run.clock.seconds();
         const auto evaluator = design_evaluator(options.threads);
         options.evaluator = evaluator.get();
-        answer.found = rough::search(
-            task.setup, options, {recorder(stages), ga::progress<rough::Genome>([&](const std::string& text) {
-                                      progress.show(text);
-                                  })});
+        const auto show = [&](const std::string& text) { progress.show(text); };
+        run.found =
+            rough::search(run.setup, options, {recorder(run.stages), ga::progress<rough::Genome>(show)});
     }
-    const rough::Answer& best = answer.found.best;
-    const rough::Grid& grid = task.setup.model.grid;
-    answer.response = response_of(task.setup, best);
-    answer.margins = margins(best.genome, grid, task.setup.limits);
-    if (!grid.is_2d() || (best.is_verified() && !options.stop->load()))
-        answer.unrequested_errors = unrequested_errors(task.setup, best.genome);
-    return answer;
+    const rough::Answer& best = run.found.best;
+    const rough::Grid& grid = run.setup.model.grid;
+    run.response = response_of(run.setup, best);
+    run.margins = margins(best.genome, grid, run.setup.limits);
+    if (!grid.is_2d() || (best.is_verified() && !run.options.stop->load()))
+        run.unrequested_errors = unrequested_errors(run.setup, best.genome);
 }
 
 /// The tolerance from the file of an interrupted run with the same answer, or else the result of `compute`.
@@ -101,31 +90,28 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
 }
 
 /// Checks the answer of a run whose whole time is `limit` (s).
-AnswerChecks checks_of(const DesignRun& run, double limit, const std::filesystem::path& folder,
-                       ProgressLine& progress) {
+void check_answer(DesignRun& run, double limit, const std::filesystem::path& folder, ProgressLine& progress) {
     const rough::Answer& best = run.found.best;
     rough::ToleranceOptions tolerance = priced_tolerance(run);
     rough::TrustOptions trust = run.trust_options;
     tolerance.stop = trust.stop = run.options.stop;
     progress.show("tolerance");
     tolerance.seconds = tolerance_by * limit - run.clock.seconds();
-    AnswerChecks checks;
-    checks.tolerance = kept_tolerance(run, folder / "tolerance.cbor",
-                                      [&] { return tolerance_of(run.setup, best.genome, tolerance); });
+    run.tolerance = kept_tolerance(run, folder / "tolerance.cbor",
+                                   [&] { return tolerance_of(run.setup, best.genome, tolerance); });
     progress.show("verifying");
     trust.seconds = checked_by * limit - run.clock.seconds();
-    checks.trust = trust_in(run.setup, best.genome, trust, &best, &run.response);
-    return checks;
+    run.trust = trust_in(run.setup, best.genome, trust, &best, &run.response);
 }
 
 int design(const Settings& settings, const std::string& line) {
     if (settings.has("asperities"))
         return design_asperities(settings, line);
     expect_none(settings, names_of(asperity_settings()), "given without --asperities; give both or none");
-    DesignRun run = design_from(settings, request_from(settings));
+    const ga::Stopwatch clock;
+    DesignRun run = design_from(settings, request_from(settings), clock);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
-        for (const auto& account : run.accounts)
-            say(account);
+        std::ranges::for_each(run.accounts, say);
         ProgressLine progress;
         const double limit = run.options.seconds;
         const auto record = [&](const std::filesystem::path& to) {
@@ -135,13 +121,11 @@ int design(const Settings& settings, const std::string& line) {
             run.seconds = run.clock.seconds();
             write_design_result(run, to);
         };
-        rough::SearchOptions options = run.options;
-        options.seconds = searched_by * limit - run.clock.seconds();
-        static_cast<DesignAnswer&>(run) = answer_to(run, options, run.stages, progress);
+        find_answer(run, limit, progress);
         record(output.restored());
         write_design_tables(run, output.path());
         if (!run.interrupted) {
-            static_cast<AnswerChecks&>(run) = checks_of(run, limit, output.path(), progress);
+            check_answer(run, limit, output.path(), progress);
             record(output.path());
         }
         if (!run.interrupted && settings.choice("pictures") == 0)

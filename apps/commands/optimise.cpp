@@ -18,16 +18,12 @@ namespace {
 
 /// A search whose genomes are evaluated by child processes.
 struct SearchByChildren : OutsideSearch {
-    std::string minimise;                         ///< as for `minimised`
-    const std::atomic<bool>* stop = nullptr;      ///< see ga::Budget
-    std::filesystem::path checkpoint;             ///< file
-    bool resume = false;                          ///< continue from the checkpoint
-    nlohmann::json inputs;                        ///< see Origin
-    std::string description;                      ///< all that decides the result besides pipeline and seed
-    std::function<void(const std::string&)> show; ///< progress
+    std::string minimise;    ///< as for `minimised`
+    bool resume = false;     ///< continue from the checkpoint
+    nlohmann::json inputs;   ///< see Origin
+    std::string description; ///< all that decides the result besides pipeline and seed
 };
 
-/// Evaluates genomes by children.
 template <class P>
 class ByChildren : public ga::Evaluator<P> {
   public:
@@ -48,9 +44,10 @@ class ByChildren : public ga::Evaluator<P> {
     Children& children_;
 };
 
-/// Searches for genomes of one type.
+/// Searches for genomes of one type, with checkpoints in a file.
 template <class G>
-void search_by_children(SearchByChildren& search, Children& children) {
+void search_by_children(SearchByChildren& search, Children& children, const std::filesystem::path& checkpoint,
+                        ProgressLine& progress) {
     using P = OutsideProblem<G>;
     const ga::Stopwatch clock;
     stage_of<P>(search, 2); // refuses a wrong text before anything is started
@@ -59,7 +56,7 @@ void search_by_children(SearchByChildren& search, Children& children) {
     ByChildren<P> evaluator(children);
     ga::RunOptions run;
     run.seed = search.seed;
-    run.budget = {search.evaluations, search.seconds, search.stop, search.max_failures};
+    run.budget = {search.evaluations, search.seconds, &Interrupt::flag(), search.max_failures};
     const auto tries = static_cast<std::size_t>(std::min(search.evaluations, 200L));
     const P unknown(search.genes, {false});
     const auto [given, probe] = begun<G>(
@@ -88,12 +85,13 @@ void search_by_children(SearchByChildren& search, Children& children) {
                                                                      : 0);
     const long extra = std::max(0L, search.spent - drawn_again); // evaluations that the run does not count
     run.variant = search.variant = variant_of(search, objectives);
-    run.budget = {search.evaluations - extra, search.seconds - clock.seconds(), search.stop,
-                  search.max_failures};
-    ga::Checkpoints<P> keeper(search.checkpoint, search.description + " " + std::to_string(objectives),
+    run.budget.evaluations = search.evaluations - extra;
+    run.budget.seconds = search.seconds - clock.seconds();
+    ga::Checkpoints<P> keeper(checkpoint, search.description + " " + std::to_string(objectives),
                               search.resume, checkpoint_interval());
     keeper.keep("record", children.record);
-    book(ga::run_by(evaluator, stage, problem, start, run, {ga::progress<G>(search.show)}, &keeper), extra);
+    const auto show = [&](const std::string& text) { progress.show(text); };
+    book(ga::run_by(evaluator, stage, problem, start, run, {ga::progress<G>(show)}, &keeper), extra);
 }
 
 using nlohmann::json;
@@ -111,9 +109,8 @@ std::vector<Setting> optimise_settings() {
           {"start", "", "file of genomes to begin with, one per line, with commas between their genes"},
           minimise,
           positive("timeout", "60", "maximum seconds for one evaluation"),
-          ga::whole("threads", "0", 0,
-                    "number of child processes, which evaluate at the same time; 0: one per processor")
-              .up_to(1024),
+          whole("threads", "0", 0, 1024,
+                "number of child processes, which evaluate at the same time; 0: one per processor"),
           {"out", "", "folder for result.json [out/optimise]"},
           Setting("resume", "", "continue the interrupted run in the folder given by --out", true),
           force_setting()},
@@ -208,17 +205,17 @@ int optimise(const Settings& settings, const std::string& line) {
                                settings.is_on("force"),
                                search.resume});
     const auto& folder = output.path();
-    search.checkpoint = folder / "checkpoint.cbor";
+    const std::filesystem::path checkpoint = folder / "checkpoint.cbor";
     if (search.resume && says_finished(folder, "checkpoint.cbor", search.inputs))
         return 0;
 
     const Interrupt interrupt;
     ProgressLine progress;
     Children children(settings.text("evaluate"), threads, timeout, folder / "evaluate.log");
-    search.stop = &interrupt.flag();
-    search.show = [&](const std::string& line) { progress.show(line); };
     search.seconds -= clock.seconds();
-    by_kind(search.genes, [&](auto genome) { search_by_children<decltype(genome)>(search, children); });
+    by_kind(search.genes, [&](auto genome) {
+        search_by_children<decltype(genome)>(search, children, checkpoint, progress);
+    });
     if (!children.trouble().empty())
         search.stopped = children.trouble();
     else if (search.failures > 0 && !search.is_dead_end)
@@ -247,7 +244,7 @@ int optimise(const Settings& settings, const std::string& line) {
     }
     say(folder.string() + ": " + best + " after " + std::to_string(search.spent) + " evaluations (" +
         readable(clock.seconds()) + " s)" + (search.stopped.empty() ? "" : "; " + search.stopped) +
-        (std::filesystem::exists(search.checkpoint)
+        (std::filesystem::exists(checkpoint)
              ? "; --resume with more --evaluations, --seconds or --max-failures continues"
              : ""));
     return interrupt.requested() ? exit_interrupted : 0;

@@ -18,7 +18,6 @@ namespace app {
 
 namespace {
 
-/// The parameters --width, --base, --magnify and --layer-height.
 Bindings bindings_of(rough::Extrusion& extrusion) {
     return {
         {positive("width", "", "width of a profile's solid along its ridges, mm [L/4]"), extrusion.width},
@@ -35,9 +34,8 @@ std::vector<Setting> profile_settings() {
     const std::vector<Setting> settings{
         {"out", "", "folder for the results [out/NAME, or out/NAME-2 and on]"},
         force_setting(),
-        Setting(ga::whole("nodes", "", 10,
-                          "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
-                    .up_to(1e7))
+        whole("nodes", "", 10, 1e7,
+              "nodes of the grid, 10 to 1e7, or NXxNY of a map [512, or the points of a scan]")
             .several('x'),
         positive(
             "length", "",
@@ -67,14 +65,18 @@ std::string matrix(const rough::Profile& map) {
     return out.str();
 }
 
-/// A file's name and content, which is made when it is written, as those of maps are large.
-using Table = std::pair<std::string, std::function<std::string()>>;
+/// A file of a description.
+struct Table {
+    std::string name;
+    std::function<std::string()> content; ///< made when it is written, as those of maps are large
+    bool is_listed = true;                ///< on the page
+};
 
 /// The description of a profile or a map.
 struct SurfaceReport {
     std::string kind;                               ///< profile or surface, as its files are called
     std::shared_ptr<const rough::Profile> surface;  ///< missing points are filled
-    std::shared_ptr<const rough::Profile> measured; ///< the same, with NaN at points that are not filled
+    std::shared_ptr<const rough::Profile> measured; ///< `surface` with NaN at points that are not filled
     rough::Spectrum spectrum;
     std::string account;
     std::string warning = {};                  ///< warning about a scan or map; "": none
@@ -83,7 +85,6 @@ struct SurfaceReport {
     double largest_height;  ///< mm
     nlohmann::json numbers; ///< keys of KIND.json besides those that both have
     std::vector<Table> tables;
-    std::vector<std::string> unlisted = {}; ///< names of tables that the page does not list
     std::vector<std::pair<std::string, std::string>> pictures; ///< SVG files and figures
 };
 
@@ -98,7 +99,6 @@ std::shared_ptr<const rough::Profile> with_holes(const std::shared_ptr<const rou
     return std::make_shared<const rough::Profile>(std::move(holed));
 }
 
-/// Adds the missing points to the numbers.
 void add_missing(SurfaceReport& all, const rough::MissingPoints& missing) {
     all.numbers["missing"] = {
         {"points", missing.nodes.size()},
@@ -150,11 +150,10 @@ SurfaceReport described_profile(const Settings& settings) {
                    [=] {
                        return csv({"x_mm", "height_mm"}, {positions(*measured), measured->heights});
                    }},
-                  {"heights-drawn.csv", [=] { return heights_csv(*profile); }},
+                  {"heights-drawn.csv", [=] { return heights_csv(*profile); }, false},
                   {"spectrum.csv", [s = all.spectrum] {
                        return csv({"wave_number_rad_per_mm", "density_mm3"}, {s.wave_number, s.density});
                    }}};
-    all.unlisted = {"heights-drawn.csv", "lines.csv"};
     add_missing(all, source.missing);
     if (!lines.empty()) {
         double m0 = 0, m2 = 0, m4 = 0; // exact, over lengths that all waves divide
@@ -164,7 +163,7 @@ SurfaceReport described_profile(const Settings& settings) {
             table.row(k, power);
         }
         all.numbers["series"] = {{"m0_mm2", m0}, {"m2", m2}, {"m4_per_mm2", m4}};
-        all.tables.emplace_back("lines.csv", [text = table.text()] { return text; });
+        all.tables.push_back({"lines.csv", [text = table.text()] { return text; }, false});
     }
     return all;
 }
@@ -219,12 +218,12 @@ SurfaceReport described_map(const Settings& settings) {
         {"heights.txt", [=] { return matrix(*holed); }},
         {"surface.vtk", [=] { return vtk(*holed); }},
         {"map.csv",
-         [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); }},
+         [=] { return map_csv(*holed, {"height_mm"}, {holed->heights.array() - map->heights.maxCoeff()}); },
+         false},
         {"spectrum.csv", [s = all.spectrum] {
              return csv({"wave_number_rad_per_mm", "density_mm4", "power_mm2"},
                         {s.wave_number, s.density, s.power});
          }}};
-    all.unlisted = {"map.csv"};
     add_missing(all, read.missing);
     add_requested(all, *map, settings);
     return all;
@@ -276,7 +275,7 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
                                    of.kind + ".sur",  "bearing.csv",        "spectrum-drawn.csv",
                                    "report.html",     of.pictures[0].first, of.pictures[1].first};
     for (const Table& table : of.tables)
-        names.push_back(table.first);
+        names.push_back(table.name);
     const OutputFolder out(settings.text("out"), source.stem().string(),
                            {names, settings.files(), settings.is_on("force")});
     const auto write = [&](const std::string& name, const std::string& content) {
@@ -295,9 +294,9 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
     };
     if (write_possible(of.kind + ".sur", [&] { return sur(*of.measured); }))
         files.push_back(of.kind + ".sur");
-    for (const auto& [name, content] : of.tables) {
+    for (const auto& [name, content, is_listed] : of.tables) {
         write(name, content());
-        if (std::ranges::find(of.unlisted, name) == of.unlisted.end())
+        if (is_listed)
             files.push_back(name);
     }
     write(of.kind + ".x3p", x3p(*of.measured));
@@ -328,9 +327,9 @@ int profile(const Settings& settings, const std::string&) {
     rough::Extrusion extrusion;
     take(settings, bindings_of(extrusion));
     const bool is_map = given == "surface" || (given == "genome" && asks_for_map(settings));
-    for (const std::string name : {"periodic", "smr", "smc"})
-        if (!is_map && settings.given(name))
-            rough::refuse("--", name, ": given without a map; give --surface or --nodes NXxNY too");
+    if (!is_map)
+        expect_none(settings, {"periodic", "smr", "smc"},
+                    "given without a map; give --surface or --nodes NXxNY too");
     write_description(is_map ? described_map(settings) : described_profile(settings), settings.text(given),
                       settings, extrusion);
     return 0;

@@ -1,19 +1,10 @@
 #include "apps/commands/commands.hpp"
 #include "apps/experiments/experiment.hpp"
 #include "apps/prompt/model_settings.hpp"
-#include "apps/report/output.hpp"
 
 namespace app {
 
 namespace {
-
-/// The model's settings, as flags of every experiment that has one.
-std::vector<Setting> model_flags() {
-    std::vector<Setting> flags = model_settings();
-    for (Setting& flag : flags)
-        flag.fallback = "";
-    return flags;
-}
 
 Setting set_setting() {
     return Setting("set", "", "change a key of the experiment, section.key=value; may be repeated")
@@ -31,7 +22,8 @@ std::vector<Setting> run_settings() {
         pictures_setting(),
         set_setting(),
     };
-    for (Setting flag : model_flags()) {
+    for (Setting flag : model_settings()) { // for all experiments with a model
+        flag.fallback = "";
         flag.meaning = "replaces model." + flag.name + " of the file: " + flag.meaning;
         settings.push_back(flag);
     }
@@ -51,54 +43,36 @@ const Experiment& experiment_of(const std::filesystem::path& file,
 /// Runs an experiment under its short name: the keys of the section with that name are flags.
 int run_by_name(const Experiment& experiment, const Settings& given, const std::string& line) {
     const std::string& kind = experiment.kind;
-    std::vector<std::string> overrides = given.has("set") ? given.words("set") : Words{};
-    for (const std::string& flag : given.names_under(""))
+    std::vector<std::string> overrides = given.words("set");
+    for (const auto& [flag, value] : given.values())
         if (flag != "out" && flag != "force" && flag != "experiment" && flag != "set") {
             const bool is_common = flag == "seed" || flag == "threads";
-            overrides.push_back((is_common ? "experiment." : kind + ".") + flag + "=" + given.text(flag));
+            overrides.push_back((is_common ? "experiment." : kind + ".") + flag + "=" + value);
         }
-    Request request{.command = line,
-                    .out = given.text("out"),
-                    .name = kind,
-                    .inputs = given.files(),
-                    .page = experiment.takes_file ? "report.html" : kind + ".html",
-                    .force = given.is_on("force")};
     const bool has_file = experiment.takes_file && given.has("experiment");
     const Settings settings =
         read_ini(has_file ? given.text("experiment") : "", experiment.all_settings(), overrides);
     if (has_file && settings.text("experiment.kind") != kind)
         settings.refuse("experiment.kind", settings.text("experiment.kind"), " given; give ", kind);
-    for (const auto& input : settings.files())
-        request.inputs.push_back(input);
-    return carry_out(experiment, settings, request);
+    return carry_out(experiment, settings,
+                     {line, given, kind, experiment.takes_file ? "report.html" : kind + ".html"});
 }
 
 int run(const Settings& flags, const std::string& line) {
     if (!flags.has("experiment"))
         rough::refuse("run: no experiment given; name an .ini file");
-    std::vector<std::string> overrides = flags.has("set") ? flags.words("set") : Words{};
+    std::vector<std::string> overrides = flags.words("set");
     for (const char* key : {"seed", "threads"})
         if (flags.has(key))
             overrides.push_back(std::string("experiment.") + key + "=" + flags.text(key));
-    for (const Setting& flag : model_flags())
-        if (flags.has(flag.name))
+    for (const Setting& flag : model_settings())
+        if (flags.given(flag.name))
             overrides.push_back("model." + flag.name + "=" + flags.text(flag.name));
 
     const std::filesystem::path file = flags.text("experiment");
     const Experiment& experiment = experiment_of(file, overrides);
     const Settings settings = read_ini(file, experiment.all_settings(), overrides);
-    std::vector<std::filesystem::path> inputs = flags.files();
-    for (const auto& input : settings.files())
-        inputs.push_back(input);
-    return carry_out(experiment, settings,
-                     {.command = line,
-                      .out = flags.text("out"),
-                      .name = file.stem().string(),
-                      .inputs = inputs,
-                      .page = "report.html",
-                      .pictures = flags.choice("pictures") == 0,
-                      .force = flags.is_on("force"),
-                      .resume = resumes(flags)});
+    return carry_out(experiment, settings, {line, flags, file.stem().string(), "report.html"});
 }
 
 } // namespace

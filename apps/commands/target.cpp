@@ -39,7 +39,7 @@ std::vector<Setting> target_settings() {
                  "last pressure (MPa) or displacement (mm) [last of the response; --formula needs it]"),
         positive("from", "",
                  "first pressure (MPa) or displacement (mm) [the last over the number of points]"),
-        ga::whole("points", "20", 1, "points of the target").up_to(1e6),
+        whole("points", "20", 1, 1e6, "points of the target"),
         Setting("spaced", "even", "spacing of the points: even, or log for a constant factor")
             .of({"even", "log"}),
         ga::number("band", "", 0, 1,
@@ -51,30 +51,22 @@ std::vector<Setting> target_settings() {
     return joined({settings, scale_settings(), scan_settings(), {resolution_setting()}, model_settings()});
 }
 
-/// The requested quantity. A conductance is an interface stiffness in other columns.
-struct RequestedQuantity {
-    rough::Quantity quantity;
-    std::optional<rough::WrittenColumns> written = {};
-};
-RequestedQuantity quantity_from(const Settings& settings, const rough::Model& model) {
+/// The requested quantity, and its columns if it is a conductance: an interface stiffness in other columns.
+std::pair<rough::Quantity, std::optional<rough::WrittenColumns>> quantity_from(const Settings& settings,
+                                                                               const rough::Model& model) {
     const std::size_t choice = settings.choice("quantity");
     if (choice < rough::quantity_names().size())
-        return {static_cast<rough::Quantity>(choice)};
+        return {static_cast<rough::Quantity>(choice), std::nullopt};
     return {rough::Quantity::interface_stiffness,
             placing(settings, "", [&] { return conductance_columns(scales_from(settings, model)); })};
 }
 
-rough::PointPlacement points_from(const Settings& settings) {
+/// Makes the target that --formula, --genome or --like describes, and the model that it is meant for.
+std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     rough::PointPlacement points{settings.whole<rough::Index>("points")};
     settings.take("to", points.last);
     settings.take("from", points.first);
     points.logarithmic = settings.choice("spaced") == 1;
-    return points;
-}
-
-/// Makes the target that --formula, --genome or --like describes, and the model that it is meant for.
-std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
-    const rough::PointPlacement points = points_from(settings);
     if (settings.has("formula")) {
         if (!points.last)
             rough::refuse("--to: missing; give the last pressure (MPa) or displacement (mm) of the formula");
@@ -88,23 +80,21 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         target.written = written;
         return {std::move(target), model}; // it records no body, because a formula belongs to none
     }
-    const MapScene scene = scene_from(settings, "like");
+    const Scene scene = scene_from(settings, "like");
     std::ranges::for_each(scene.notes, say);
     const auto [quantity, written] = quantity_from(settings, scene.model);
     rough::Model loaded = scene.model;
     (against_pressure(quantity) ? loaded.loading.to_pressure : loaded.loading.to_displacement) = points.last;
-    const bool has_band = !settings.has("genome") && !settings.has("band") &&
-                          (!scene.map.is_2d() || settings.given("resolution")); // that of a map takes long
-    std::pair made{placing(settings, "",
-                           [&, quantity = quantity] {
-                               return target_like(
-                                   scene.map, loaded,
-                                   settings.text(settings.has("genome") ? "genome" : "like"), quantity,
-                                   points, has_band ? resolution_from(settings) : rough::Resolution::off);
-                           }),
-                   scene.model};
-    made.first.written = written;
-    return made;
+    const bool has_band =
+        !settings.has("genome") && !settings.has("band") &&
+        (!scene.surface.is_2d() || settings.given("resolution")); // that of a map takes long
+    const std::string& name = settings.text(settings.has("genome") ? "genome" : "like");
+    rough::Target target = placing(settings, "", [&, quantity = quantity] {
+        return target_like(scene.surface, loaded, name, quantity, points,
+                           has_band ? resolution_from(settings) : rough::Resolution::off);
+    });
+    target.written = written;
+    return {std::move(target), scene.model};
 }
 
 /// Describes the target and returns the exit code: 3 if no profile can reach it.
@@ -160,8 +150,7 @@ int target(const Settings& settings, const std::string&) {
     if (source == "check") {
         const rough::Model model = surface_model_from(settings);
         const rough::Target target = target_from(settings, settings.text("check"), model);
-        for (const auto& note : notes_on(settings, model, {target}))
-            say(note);
+        std::ranges::for_each(notes_on(settings, model, {target}), say);
         return report(target, model, settings);
     }
     if (!settings.has("out"))
@@ -174,8 +163,7 @@ int target(const Settings& settings, const std::string&) {
     }
     validate(target);
     rough::write_atomically(out, to_csv(target));
-    for (const auto& note : notes_on(settings, model, {target}))
-        say(note);
+    std::ranges::for_each(notes_on(settings, model, {target}), say);
     return report(target, model, settings);
 }
 

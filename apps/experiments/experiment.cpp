@@ -13,13 +13,12 @@ const Experiment& experiment_named(const std::string& kind) {
 }
 
 std::vector<Setting> Experiment::all_settings() const {
-    return joined({{{"experiment.kind", "paper", "kind of the experiment"},
-                    ga::whole("experiment.seed", "1", 0,
-                              "seed of the random numbers; the first one if each variant runs several times")
-                        .up_to(0x1p53),
-                    ga::whole("experiment.threads", "0", 0, "threads, unless times are measured; 0 takes all")
-                        .up_to(1024)},
-                   settings});
+    return joined(
+        {{{"experiment.kind", "paper", "kind of the experiment"},
+          whole("experiment.seed", "1", 0, 0x1p53,
+                "seed of the random numbers; the first one if each variant runs several times"),
+          whole("experiment.threads", "0", 0, 1024, "threads, unless times are measured; 0 takes all")},
+         settings});
 }
 
 namespace {
@@ -51,32 +50,36 @@ void write(Findings& found, const Origin& origin, const std::filesystem::path& f
 
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request) {
     const ga::Stopwatch clock;
-    if (request.resume && !experiment.resumes)
+    const Settings& flags = request.flags;
+    const bool draws = !flags.knows("pictures") || flags.choice("pictures") == 0;
+    const bool resume = flags.knows("resume") && resumes(flags);
+    if (resume && !experiment.resumes)
         rough::refuse("--resume: experiments of kind ", experiment.kind,
                       " do not write checkpoints; omit it");
     std::vector<std::string> names = experiment.files;
     names.insert(names.end(), {"result.json", request.page});
     if (experiment.resumes)
         names.emplace_back("checkpoints");
-    const OutputFolder output(request.out, request.name,
-                              {names, request.inputs, request.force, request.resume});
+    std::vector<std::filesystem::path> inputs = settings.files();
+    std::ranges::copy(flags.files(), std::back_inserter(inputs));
+    const OutputFolder output(flags.text("out"), request.name, {names, inputs, flags.is_on("force"), resume});
     const std::filesystem::path& folder = output.path();
     const Origin origin{experiment.kind, request.command, settings.whole<std::uint64_t>("experiment.seed"),
                         ga::thread_count(settings.whole<int>("experiment.threads")),
                         inputs_json(settings.files())};
-    if (request.resume && says_finished(folder, "checkpoints", origin.inputs))
+    if (resume && says_finished(folder, "checkpoints", origin.inputs))
         return 0;
 
     const Interrupt interrupt;
     Findings found;
     {
         ProgressLine progress;
-        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, request.resume});
+        found = experiment.run(settings, {origin, progress, interrupt.flag(), folder, resume});
         output.restored();
         if (!found.result.is_null())
             write(found, origin, folder);
         const bool goes_on = interrupt.requested() && experiment.resumes;
-        if (!found.result.is_null() && request.pictures && !goes_on) {
+        if (!found.result.is_null() && draws && !goes_on) {
             progress.show("report");
             rough::write_atomically(folder / request.page, render(page_source(folder)));
         }

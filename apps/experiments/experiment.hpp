@@ -52,14 +52,18 @@ const Experiment& experiment_named(const std::string& kind);
 
 /// A requested run.
 struct Request {
-    std::string command;                       ///< as typed
-    std::string out, name;                     ///< --out; if it is empty, the name of a folder in out/
-    std::vector<std::filesystem::path> inputs; ///< files that must not be overwritten
-    std::string page;                          ///< file name of the page
-    bool pictures = true, force = false, resume = false;
+    std::string command;   ///< as typed
+    const Settings& flags; ///< its flags: out, force and, unless the name is short, pictures and resume
+    std::string name;      ///< folder in out/ if --out is not given
+    std::string page;      ///< file name of the page
 };
 
 /// Runs an experiment and writes its results; returns the program's exit code.
 int carry_out(const Experiment& experiment, const Settings& settings, const Request& request);
+
+/// Runs an experiment that is a Python script: experiments/KIND/KIND.py, built into the program. It gets the
+/// settings as JSON, and writes result.json and tables to the folder. Throws rough::InputError with the last
+/// line of its errors if it fails.
+Findings findings_of_script(const Settings& settings, const RunConditions& conditions);
 
 } // namespace app

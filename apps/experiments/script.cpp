@@ -1,7 +1,5 @@
-#include "apps/experiments/script.hpp"
-
+#include "apps/experiments/experiment.hpp"
 #include "apps/external/process.hpp"
-#include "apps/prompt/targets.hpp"
 #include "apps/report/render.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
@@ -44,9 +42,12 @@ Findings findings_of_script(const Settings& settings, const RunConditions& condi
         {"origin", origin_json(conditions.origin)}};
     for (const Setting& one : experiment_named(kind).settings)
         given["settings"][one.name] = settings.text(one.name);
-    if (settings.knows("targets.files"))
-        for (const auto& file : target_files(settings, "targets.files"))
+    if (settings.knows("targets.files")) {
+        for (const auto& file : settings.paths("targets.files"))
             given["targets"].push_back(std::filesystem::absolute(file).string());
+        if (!given.contains("targets"))
+            settings.refuse("targets.files", "none given; name target files (CSV)");
+    }
     setenv("PYTHONPATH", module_path(program.parent_path() / "python").c_str(), 1);
     const File nothing(std::fopen("/dev/null", "r+"), std::fclose), errors(std::tmpfile(), std::fclose),
         input(std::tmpfile(), std::fclose); // an argument has a limit of 128 KB

@@ -75,9 +75,7 @@ bool BestKnown::is_valid() const {
     return std::ranges::all_of(front_, [this](const Solution& solution) {
         try {
             const json genes = rough::parsed_json(solution.genes, "genes");
-            return genes.is_array() &&
-                   std::all_of(genes.begin(), genes.end(),
-                               [](const json& gene) { return gene.is_primitive(); }) &&
+            return genes.is_array() && std::ranges::all_of(genes, &json::is_primitive) &&
                    app::is_valid(solution.answer, minimise.size());
         } catch (const rough::InputError&) {
             return false;

@@ -52,10 +52,9 @@ Bindings bindings_of(ModelParameters& of) {
     auto& [grid, body, loading, contact, accuracy] = of.model;
     const rough::Model usual;
     return {
-        {Setting(ga::whole("nodes", "", 2,
-                           "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) +
-                               "; for a scan: its points]")
-                     .up_to(1e7))
+        {whole("nodes", "", 2, 1e7,
+               "nodes of the grid, 2 to 1e7 [" + std::to_string(usual.grid.nodes) +
+                   "; for a scan: its points]")
              .several('x'),
          grid.nodes},
         {positive("length", "",
@@ -84,7 +83,7 @@ Bindings bindings_of(ModelParameters& of) {
         {Setting("base", "elastic", "body under the layers; elastic: the half-space of modulus and poisson")
              .of({"elastic", "rigid"}),
          body.layering.rigid_base},
-        {ga::whole("steps", std::to_string(usual.loading.steps), 2, "load steps n_t, at least 2").up_to(1e6),
+        {whole("steps", std::to_string(usual.loading.steps), 2, 1e6, "load steps n_t, at least 2"),
          loading.steps},
         {ga::number("reach", "", ga::above_zero, 1,
                     "largest displacement over the height range [1; periodic: 0.95]"),
@@ -106,9 +105,8 @@ Bindings bindings_of(rough::ScanOptions& options) {
         {positive("spacing", "", "distance of the points of heights without x, in the given unit")
              .several('x'),
          options.spacing},
-        {ga::whole("row", "", 1,
-                   "row of an areal map to take as the profile, from 1 (a text matrix needs --spacing)")
-             .up_to(1e7),
+        {whole("row", "", 1, 1e7,
+               "row of an areal map to take as the profile, from 1 (a text matrix needs --spacing)"),
          options.row},
         {Setting("detrend", "line", "form that is removed from a scan's heights").of(rough::detrend_names()),
          options.detrend},
@@ -128,6 +126,20 @@ Bindings bindings_of(rough::ScanOptions& options) {
                     "largest share of the points that may be filled"),
          options.max_filled},
     };
+}
+
+/// The scan options that the settings describe.
+rough::ScanOptions scan_options(const Settings& settings, const std::string& prefix, bool keep_missing) {
+    rough::ScanOptions options;
+    take(settings.with({{prefix + "spacing", ""}}), bindings_of(options), prefix);
+    if (settings.has(prefix + "spacing")) {
+        options.spacing = settings.numbers(prefix + "spacing").front();
+        options.row_spacing = settings.numbers(prefix + "spacing").back();
+    }
+    for (const std::string& unit : rough::listed(options.unit))
+        rough::length_unit_named(unit, settings.place(prefix + "unit"));
+    options.keep_missing = keep_missing && !options.fill;
+    return options;
 }
 
 Bindings loading_bindings(rough::Model& model) {
@@ -187,8 +199,8 @@ std::string fit_note(const rough::Genome& genome, const rough::Grid& grid) {
 /// The model of a map on a grid that --nodes and --length may change.
 rough::Model map_model_on(const rough::Grid& usual, const Settings& settings,
                           const std::string& prefix = "") {
-    return model_on(map_grid(usual, settings, prefix),
-                    settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix);
+    return model_from(settings.with({{prefix + "nodes", ""}, {prefix + "length", ""}}), prefix,
+                      map_grid(usual, settings, prefix));
 }
 
 } // namespace
@@ -233,9 +245,8 @@ std::vector<Setting> model_settings(const std::string& prefix) {
 
 std::vector<Setting> cap_settings(const std::string& prefix) {
     return {
-        Setting(ga::whole(prefix + "asperities", "", 1,
-                          "spherical caps in an array, NXxNY, instead of a sum of cosines")
-                    .up_to(4096))
+        whole(prefix + "asperities", "", 1, 4096,
+              "spherical caps in an array, NXxNY, instead of a sum of cosines")
             .several('x'),
         positive(prefix + "pitch", "", "distance of neighbouring caps, mm [1.5]"),
         positive(prefix + "radius", "", "radius of all caps, mm [0.526]"),
@@ -251,7 +262,7 @@ Setting accuracy_setting(const std::string& against) {
                           " [none: no response is approximated]");
 }
 
-rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix) {
+rough::Model model_from(const Settings& settings, const std::string& prefix, const rough::Grid& grid) {
     ModelParameters given;
     given.model.grid = grid;
     take(settings, bindings_of(given), prefix);
@@ -270,12 +281,8 @@ rough::Model model_on(const rough::Grid& grid, const Settings& settings, const s
     return model;
 }
 
-rough::Model model_from(const Settings& settings, const std::string& prefix) {
-    return model_on({}, settings, prefix);
-}
-
 rough::Model model_from(const Settings& settings, const Source& source, const std::string& prefix) {
-    return model_on(source.grid(is_periodic(settings, prefix)), settings, prefix);
+    return model_from(settings, prefix, source.grid(is_periodic(settings, prefix)));
 }
 
 std::vector<Setting> loading_settings() {
@@ -319,24 +326,6 @@ rough::Resolution resolution_from(const Settings& settings) {
     return static_cast<rough::Resolution>(settings.choice("resolution"));
 }
 
-namespace {
-
-/// The options that the settings describe.
-rough::ScanOptions scan_options(const Settings& settings, const std::string& prefix, bool keep_missing) {
-    rough::ScanOptions options;
-    take(settings.with({{prefix + "spacing", ""}}), bindings_of(options), prefix);
-    if (settings.has(prefix + "spacing")) {
-        options.spacing = settings.numbers(prefix + "spacing").front();
-        options.row_spacing = settings.numbers(prefix + "spacing").back();
-    }
-    for (const std::string& unit : rough::listed(options.unit))
-        rough::length_unit_named(unit, settings.place(prefix + "unit"));
-    options.keep_missing = keep_missing && !options.fill;
-    return options;
-}
-
-} // namespace
-
 Source scan_from(const std::filesystem::path& file, const Settings& settings, rough::Index nodes,
                  const std::string& prefix, bool keep_missing) {
     rough::ScanOptions options = scan_options(settings, prefix, keep_missing);
@@ -345,12 +334,14 @@ Source scan_from(const std::filesystem::path& file, const Settings& settings, ro
 }
 
 Source source_from(const Settings& settings, const std::string& scan, bool keep_missing) {
+    if (settings.knows("genome") && settings.has("genome")) {
+        expect_none(settings, names_of(scan_settings()),
+                    "given with a genome; give it with --" + scan + " only");
+        return open_genome(settings.text("genome"));
+    }
     rough::Index nodes = 0;
     settings.take("nodes", nodes);
-    if (!settings.knows("genome") || !settings.has("genome"))
-        return scan_from(settings.text(scan), settings, nodes, "", keep_missing);
-    expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --" + scan + " only");
-    return open_genome(settings.text("genome"));
+    return scan_from(settings.text(scan), settings, nodes, "", keep_missing);
 }
 
 std::string fill_note(const rough::Profile& surface, const std::vector<rough::Index>& filled,
@@ -401,7 +392,7 @@ rough::Model model_of(const rough::Profile& surface, const Settings& settings) {
         grid.rows = rows;
         grid.width = length(surface.row_spacing, rows);
     }
-    return model_on(grid, settings);
+    return model_from(settings, "", grid);
 }
 
 rough::Model surface_model_from(const Settings& settings, const std::string& prefix) {
@@ -412,8 +403,7 @@ rough::Model surface_model_from(const Settings& settings, const std::string& pre
 }
 
 rough::Map sampled_from(const Settings& settings, bool periodic) {
-    expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
-    const Source source = open_genome(settings.text("genome"));
+    const Source source = source_from(settings, "surface");
     const rough::Grid grid = map_grid(source.grid(periodic), settings);
     const std::string note = fit_note(*source.genome, grid);
     return {sample(*source.genome, grid), source.name + ": " + std::to_string(grid.nodes) + " x " +
@@ -422,41 +412,39 @@ rough::Map sampled_from(const Settings& settings, bool periodic) {
                                               " mm" + (note.empty() ? "" : "; " + note)};
 }
 
-MapScene map_from(const Settings& settings, const std::string& map) {
+Scene map_from(const Settings& settings, const std::string& map) {
     expect_for_map(settings, "", {"profile", "friction", "datum", "strip-width"});
-    MapScene scene;
+    Scene scene;
     if (settings.knows(map) && settings.has(map)) {
         rough::Map read = surface_from(settings, map);
-        scene.map = std::move(read.heights);
-        scene.model = model_of(scene.map, settings);
+        scene.surface = std::move(read.heights);
+        scene.model = model_of(scene.surface, settings);
         const rough::Grid& grid = scene.model.grid;
         scene.missing = std::move(read.missing.nodes);
         scene.notes.push_back(read.account + "; " + readable(grid.length) + " x " + readable(grid.width) +
                               " mm");
     } else {
-        expect_none(settings, names_of(scan_settings()), "given with a genome; give it with --surface only");
-        const Source source = open_genome(settings.text("genome"));
+        const Source source = source_from(settings, "surface");
         scene.model = map_model_on(source.grid(is_periodic(settings)), settings);
-        scene.map = sample(*source.genome, scene.model.grid);
-        if (const std::string note = fit_note(*source.genome, scene.model.grid); !note.empty())
-            scene.notes.push_back(note);
+        scene.surface = sample(*source.genome, scene.model.grid);
+        scene.notes.push_back(fit_note(*source.genome, scene.model.grid));
     }
     if (scene.model.body.kernel == rough::Kernel::free)
         scene.notes.emplace_back(no_datum_note);
     return scene;
 }
 
-MapScene scene_from(const Settings& settings, const std::string& flag) {
-    MapScene scene;
+Scene scene_from(const Settings& settings, const std::string& flag) {
+    Scene scene;
     if (asks_for_map(settings)) {
         scene = map_from(settings, flag);
     } else {
         Source source = source_from(settings, flag);
         scene = {{}, model_from(settings, source), std::move(source.missing.nodes), {source.account}};
-        scene.map = source.on(scene.model.grid);
+        scene.surface = source.on(scene.model.grid);
     }
     if (!scene.missing.empty())
-        scene.notes.push_back(fill_note(scene.map, scene.missing, scene.model));
+        scene.notes.push_back(fill_note(scene.surface, scene.missing, scene.model));
     std::erase(scene.notes, "");
     return scene;
 }

@@ -21,7 +21,6 @@ struct Source : rough::Scan {
 /// Opens a genome file (JSON). Throws InputError as read_genome_file.
 Source open_genome(const std::filesystem::path& file);
 
-/// The note that pressures are in units of E.
 inline constexpr const char* modulus_note =
     "note: no --modulus or --material given: E is 1 MPa, so pressures and stiffness are in units of E";
 /// Whether a modulus is given, by --modulus or --material.
@@ -59,8 +58,8 @@ Setting accuracy_setting(const std::string& against);
 ///@{
 /// The complete model that the settings describe. Its grid is given, the default or that of a source;
 /// --nodes and --length may change it. Throws rough::InputError if the model has no solution.
-rough::Model model_on(const rough::Grid& grid, const Settings& settings, const std::string& prefix = "");
-rough::Model model_from(const Settings& settings, const std::string& prefix = "");
+rough::Model model_from(const Settings& settings, const std::string& prefix = "",
+                        const rough::Grid& grid = {});
 rough::Model model_from(const Settings& settings, const Source& source, const std::string& prefix = "");
 ///@}
 
@@ -83,7 +82,7 @@ Source scan_from(const std::filesystem::path& file, const Settings& settings, ro
 
 /// Opens the file of --genome, or else of --`scan`, resampled to --nodes if they are given. Throws
 /// rough::InputError if settings of a scan are given with a genome.
-Source source_from(const Settings& settings, const std::string& scan = "profile", bool keep_missing = false);
+Source source_from(const Settings& settings, const std::string& scan, bool keep_missing = false);
 
 /// The effect of filled points on the contact, in words, with a warning if they are more than 5 %.
 std::string fill_note(const rough::Profile& surface, const std::vector<rough::Index>& filled,
@@ -95,7 +94,6 @@ Setting map_setting();
 inline const std::vector<std::string> surface_names{"genome", "profile", "surface"};
 std::vector<Setting> surface_settings();
 
-/// The note on a map on the free body.
 inline constexpr const char* no_datum_note =
     "a map on a half-space needs no datum: displacements are measured to infinity";
 
@@ -118,16 +116,16 @@ rough::Map surface_from(const Settings& settings, const std::string& flag = "sur
 rough::Map sampled_from(const Settings& settings, bool periodic);
 
 /// A map or a profile, and the model under which it is pressed.
-struct MapScene {
-    rough::Profile map;                     ///< heights, mm
+struct Scene {
+    rough::Profile surface;                 ///< heights, mm
     rough::Model model;                     ///< complete, with the map's grid
     std::vector<rough::Index> missing = {}; ///< nodes whose heights were missing and are filled
-    std::vector<std::string> notes;         ///< how the map was read or sampled, one line each
+    std::vector<std::string> notes;         ///< how it was read or sampled, one line each; "": none
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
-MapScene map_from(const Settings& settings, const std::string& map = "surface");
+Scene map_from(const Settings& settings, const std::string& map);
 /// The profile of --genome or of the file that the flag names, or a map if the settings request one. Filled
 /// points have a note.
-MapScene scene_from(const Settings& settings, const std::string& flag);
+Scene scene_from(const Settings& settings, const std::string& flag);
 
 } // namespace app

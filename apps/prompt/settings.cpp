@@ -5,6 +5,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <ranges>
 #include <set>
 
 namespace app {
@@ -129,16 +130,20 @@ Setting Setting::of(std::vector<std::string> words) const {
     return copy;
 }
 
-Setting seed_setting() { return ga::whole("seed", "1", 0, "seed of the random numbers").up_to(0x1p53); }
+Setting seed_setting() { return whole("seed", "1", 0, 0x1p53, "seed of the random numbers"); }
 Setting threads_setting() {
-    return ga::whole("threads", "0", 0,
-                     "threads, or 0 for all; a profile's curve uses one, a map's all that are free")
-        .up_to(1024);
+    return whole("threads", "0", 0, 1024,
+                 "threads, or 0 for all; a profile's curve uses one, a map's all that are free");
 }
 Setting force_setting() { return {"force", "", "write over an existing result", true}; }
 Setting pictures_setting() {
     return Setting("pictures", "on", "off omits the page and its pictures").of({"on", "off"});
 }
+Setting whole(const std::string& name, const std::string& fallback, double lower, double upper,
+              const std::string& meaning) {
+    return ga::whole(name, fallback, lower, meaning).up_to(upper);
+}
+
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning) {
     return ga::number(name, fallback, ga::above_zero, ga::no_limit, meaning);
 }
@@ -244,7 +249,7 @@ std::vector<std::string> Settings::words(const std::string& name) const {
     if (between == ',')
         return rough::listed(text(name));
     std::vector<std::string> all;
-    std::istringstream in(text(name) + between);
+    std::istringstream in(text(name).empty() ? "" : text(name) + between);
     for (std::string word; std::getline(in, word, between);)
         all.push_back(word);
     return all;
@@ -282,19 +287,11 @@ std::size_t Settings::one_of(const std::string& name, const std::vector<std::str
     refuse(name, "\"", text(name), "\" given", ga::suggestion(text(name), words));
 }
 
-std::vector<std::string> Settings::names_under(const std::string& prefix) const {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : given_)
-        if (name.starts_with(prefix))
-            names.push_back(name.substr(prefix.size()));
-    return names;
-}
-
 std::vector<std::pair<std::string, std::string>> Settings::texts_under(const std::string& prefix) const {
     std::vector<std::pair<std::string, std::string>> texts;
-    for (const std::string& name : names_under(prefix))
-        if (const auto text = rough::trim(this->text(prefix + name)); !text.empty())
-            texts.emplace_back(name, text);
+    for (const auto& [name, value] : given_)
+        if (const auto text = rough::trim(value); name.starts_with(prefix) && !text.empty())
+            texts.emplace_back(name.substr(prefix.size()), text);
     return texts;
 }
 
@@ -381,10 +378,8 @@ Settings Settings::with(const std::map<std::string, std::string>& values,
 }
 
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
-    std::vector<Setting> all;
-    for (const auto& list : lists)
-        all.insert(all.end(), list.begin(), list.end());
-    return all;
+    const auto all = lists | std::views::join;
+    return {all.begin(), all.end()};
 }
 
 void expect_none(const Settings& settings, const std::vector<std::string>& names,

@@ -40,6 +40,9 @@ Setting force_setting();
 Setting pictures_setting();
 Setting max_pressure_setting(const std::string& prefix = "", const std::string& fallback = "");
 ///@}
+/// A whole number from `lower` to `upper`.
+Setting whole(const std::string& name, const std::string& fallback, double lower, double upper,
+              const std::string& meaning);
 /// A number above 0.
 Setting positive(const std::string& name, const std::string& fallback, const std::string& meaning);
 /// A pressure (MPa) whose squares fit double precision.
@@ -113,9 +116,10 @@ class Settings {
     /// A copy with some values changed, or removed by "". `described` replaces the descriptions of settings.
     Settings with(const std::map<std::string, std::string>& values,
                   const std::vector<Setting>& described = {}) const;
-    /// The given names that begin with `prefix`, without it, in alphabetical order.
-    std::vector<std::string> names_under(const std::string& prefix) const;
-    /// The names as by `names_under`, each with its text unless that is empty: variants and their pipelines.
+    /// The given values by name.
+    const std::map<std::string, std::string>& values() const { return given_; }
+    /// The given names that begin with `prefix`, without it, each with its text unless that is empty:
+    /// variants and their pipelines. In alphabetical order.
     std::vector<std::pair<std::string, std::string>> texts_under(const std::string& prefix) const;
 
   private:

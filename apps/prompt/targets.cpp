@@ -110,13 +110,6 @@ std::vector<std::string> notes_on(const Settings& settings, const rough::Model& 
     return notes;
 }
 
-std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name) {
-    std::vector<std::filesystem::path> files = settings.paths(name);
-    if (files.empty())
-        settings.refuse(name, "none given; name target files (CSV)");
-    return files;
-}
-
 std::function<double(double)> formula(const std::string& text, const std::string& name,
                                       const std::string& where) {
     constexpr std::size_t max_characters = 15'000; // muParser has a limit, too

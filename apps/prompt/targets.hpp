@@ -20,10 +20,6 @@ rough::Target target_from(const Settings& settings, const std::string& file, con
 std::vector<std::string> notes_on(const Settings& settings, const rough::Model& model,
                                   const std::vector<rough::Target>& targets = {});
 
-/// The target files of a setting, with commas between; those in an .ini file are relative to it. Throws
-/// rough::InputError if none is given.
-std::vector<std::filesystem::path> target_files(const Settings& settings, const std::string& name);
-
 /// The function that a formula describes. It has numbers, `x` (or `name`), + - * / ^, parentheses and pi. The
 /// functions are those of muParser, such as sqrt, exp, log (natural), log10, sin, tanh, abs, min and max.
 /// Throws rough::InputError that begins with `where` and names the column that it cannot read.

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <iostream>
 #include <unistd.h>
 
@@ -79,10 +78,6 @@ void say(const std::string& remark) {
 void tell(const std::string& detail) {
     if (verbosity == Verbosity::verbose)
         say(detail);
-}
-
-std::string error_mark() {
-    return isatty(STDERR_FILENO) && !std::getenv("NO_COLOR") ? "\033[31mrugosa:\033[0m " : "rugosa: ";
 }
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0 && verbosity != Verbosity::quiet) {}

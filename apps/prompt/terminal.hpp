@@ -18,9 +18,6 @@ std::string printable(const std::string& text);
 void say(const std::string& remark);  ///< prints a line on standard output, unless --quiet
 void tell(const std::string& detail); ///< prints a line on standard output, with --verbose only
 
-/// The beginning of an error's line: "rugosa: ", in red if stderr is a terminal and NO_COLOR is not set.
-std::string error_mark();
-
 /// A line on a terminal's stderr that shows the progress of a run of more than a second, cut at the
 /// terminal's width. Nothing is written to a pipe.
 class ProgressLine {
@@ -49,7 +46,6 @@ class Interrupt {
     Interrupt();
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
-    Interrupt& operator=(const Interrupt&) = delete;
 
     bool requested() const { return flag(); }
     static const std::atomic<bool>& flag(); ///< for the engine's budget

@@ -1,4 +1,5 @@
-#include "apps/experiments/script.hpp"
+#include "apps/experiments/experiment.hpp"
+
 #include "apps/prompt/model_settings.hpp"
 
 namespace app {

@@ -8,5 +8,5 @@ FUZZ(experiment) {
     const app::Settings settings = app::read_ini(fuzz::as_file(bytes), known, {});
     app::model_from(settings, "model.");
     settings.whole<std::uint64_t>("experiment.seed");
-    settings.names_under("surfaces.");
+    settings.texts_under("surfaces.");
 }

@@ -2,7 +2,6 @@
 #include "apps/prompt/model_settings.hpp"
 #include "apps/report/csv.hpp"
 #include "apps/report/surface.hpp"
-#include "domain/text/atomic_file.hpp"
 #include "ga/observers/progress.hpp"
 
 #include <numbers>
@@ -18,7 +17,6 @@ constexpr double base_depth = 0.25;        ///< depth of a tile's base, over the
 constexpr double solid_nodes = 90000;      ///< nodes of the tile
 constexpr int drawn_points = 60;           ///< points of a drawn curve
 
-/// "independent" or "interacting"
 std::string name_of(rough::CapModel model) {
     return model == rough::CapModel::independent ? "independent" : "interacting";
 }

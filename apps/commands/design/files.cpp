@@ -2,7 +2,6 @@
 #include "apps/report/csv.hpp"
 #include "apps/report/surface.hpp"
 #include "domain/numerics/statistics.hpp"
-#include "domain/text/atomic_file.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 
@@ -25,46 +24,6 @@ json answer_json(const rough::Answer& answer) {
             {"difference", answer.difference},
             {"genome", rough::genome_to_json(answer.genome)}};
 }
-
-} // namespace
-
-json trust_json(const rough::Trust& trust) {
-    const std::vector<double> checked = rough::column(trust.checks, &rough::Check::similarity);
-    return {{"checks", trust.checks},
-            {"median", rough::median(checked)},
-            {"tenth_percentile", rough::quantile(checked, 0.1)},
-            {"other_kernels", trust.kernels},
-            {"phases_redrawn",
-             {{"draws", trust.redrawn.size()},
-              {"best", rough::quantile(trust.redrawn, 1)},
-              {"median", rough::median(trust.redrawn)},
-              {"tenth_percentile", rough::quantile(trust.redrawn, 0.1)}}},
-            {"rms_slope", trust.rms_slope},
-            {"peak_pressure_MPa", trust.peak_pressure},
-            {"shortest_wave_nodes", trust.shortest_wave_nodes},
-            {"contact_at_ends", trust.contact_at_ends},
-            {"flags", trust.flags},
-            {"left_out_for_time", trust.left_out}};
-}
-
-json tolerance_json(const rough::Tolerance& tolerance) {
-    json levels = json::array();
-    for (const rough::ToleranceLevel& level : tolerance.levels)
-        levels.push_back({{"similarity", level.similarity},
-                          {"noise_rms_mm", level.noise_rms},
-                          {"tilt_mm", level.tilt},
-                          {"scale", level.scale}});
-    return {{"noise_length_mm", tolerance.noise_length},
-            {"share", rough::Tolerance::share},
-            {"share_from", tolerance.share_from},
-            {"share_to", tolerance.share_to},
-            {"draws", tolerance.draws},
-            {"similarity", tolerance.similarity},
-            {"complete", tolerance.complete},
-            {"levels", levels}};
-}
-
-namespace {
 
 json morph_json(const DesignRun& run) {
     const rough::Morphed& morphed = *run.morphed;
@@ -226,6 +185,42 @@ std::string labels_of(const rough::Target& target) {
 }
 
 } // namespace
+
+json trust_json(const rough::Trust& trust) {
+    const std::vector<double> checked = rough::column(trust.checks, &rough::Check::similarity);
+    return {{"checks", trust.checks},
+            {"median", rough::median(checked)},
+            {"tenth_percentile", rough::quantile(checked, 0.1)},
+            {"other_kernels", trust.kernels},
+            {"phases_redrawn",
+             {{"draws", trust.redrawn.size()},
+              {"best", rough::quantile(trust.redrawn, 1)},
+              {"median", rough::median(trust.redrawn)},
+              {"tenth_percentile", rough::quantile(trust.redrawn, 0.1)}}},
+            {"rms_slope", trust.rms_slope},
+            {"peak_pressure_MPa", trust.peak_pressure},
+            {"shortest_wave_nodes", trust.shortest_wave_nodes},
+            {"contact_at_ends", trust.contact_at_ends},
+            {"flags", trust.flags},
+            {"left_out_for_time", trust.left_out}};
+}
+
+json tolerance_json(const rough::Tolerance& tolerance) {
+    json levels = json::array();
+    for (const rough::ToleranceLevel& level : tolerance.levels)
+        levels.push_back({{"similarity", level.similarity},
+                          {"noise_rms_mm", level.noise_rms},
+                          {"tilt_mm", level.tilt},
+                          {"scale", level.scale}});
+    return {{"noise_length_mm", tolerance.noise_length},
+            {"share", rough::Tolerance::share},
+            {"share_from", tolerance.share_from},
+            {"share_to", tolerance.share_to},
+            {"draws", tolerance.draws},
+            {"similarity", tolerance.similarity},
+            {"complete", tolerance.complete},
+            {"levels", levels}};
+}
 
 void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
                 const Eigen::VectorXd& finer) {

@@ -4,10 +4,12 @@
 #include "apps/prompt/units.hpp"
 #include "apps/report/output.hpp"
 #include "apps/report/record.hpp"
+#include "apps/report/render.hpp"
 #include "domain/asperities/design.hpp"
 #include "domain/design/morph.hpp"
 #include "domain/design/tolerance.hpp"
 #include "domain/design/trust.hpp"
+#include "domain/text/atomic_file.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 
 /// A design from settings to files, for the program and Python.
@@ -64,38 +66,29 @@ inline std::string stop_reason(const std::string& reason, bool is_requested) {
 
 /// Targets of a design and the model in which they hold, from target files or a scan.
 struct DesignRequest {
-    ga::Stopwatch clock = {};
     rough::DesignSetup setup = {};          ///< with the targets, the model and the scan
     std::vector<std::string> accounts = {}; ///< how scans were read, and notes
     std::optional<Production> from = {};    ///< if it is given, it is morphed and nothing is searched
 };
 
 /// A design that the settings describe completely.
-struct DesignTask {
-    rough::DesignSetup setup;
+struct DesignTask : DesignRequest {
     rough::SearchOptions options;
     rough::TrustOptions trust_options;
     rough::ToleranceOptions tolerance_options;
-    std::vector<std::string> accounts;
-    std::string warning; ///< that the contact of a scan or map is not resolved; "" if it is
-    bool limits_given;   ///< whether a flag limits the shape
-    std::optional<Production> from;
+    std::string warning;       ///< that the contact of a scan or map is not resolved; "" if it is
+    bool limits_given = false; ///< whether a flag limits the shape
 };
 
-struct DesignAnswer {
+struct DesignRun : DesignRecord, DesignTask {
     rough::SearchResult found;
     std::optional<rough::Morphed> morphed;
     rough::DesignResponse response; ///< response of the answer
     std::vector<rough::Margin> margins;
-    std::optional<Shares> unrequested_errors; ///< nothing if the time did not suffice
-};
-
-struct AnswerChecks {
+    std::optional<Shares> unrequested_errors;  ///< nothing if the time did not suffice
     std::optional<rough::Tolerance> tolerance; ///< nothing if the run was interrupted
     std::optional<rough::Trust> trust;         ///< nothing if the time did not suffice
 };
-
-struct DesignRun : DesignRecord, DesignTask, DesignAnswer, AnswerChecks {};
 
 /// The parameters of a search for designs of any genome.
 template <class P>
@@ -105,12 +98,11 @@ Bindings bindings_of(rough::SearchOptionsOf<P>& options) {
                   "wall time of the whole design; a map without time to verify is reported as not verified "
                   "[until the pipeline ends]"),
          options.seconds},
-        {ga::whole("evaluations", "", 1, "maximum number of curves and gradients [none]").up_to(1e9),
+        {whole("evaluations", "", 1, 1e9, "maximum number of curves and gradients [none]"),
          options.evaluations},
-        {ga::whole("alternatives", "", 1,
-                   "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
-                       "; 1 for a map, because verifying takes long]")
-             .up_to(100),
+        {whole("alternatives", "", 1, 100,
+               "number of different answers [" + std::to_string(rough::SearchOptions().alternatives) +
+                   "; 1 for a map, because verifying takes long]"),
          options.alternatives},
         {seed_setting(), options.seed},
         {threads_setting(), options.threads},
@@ -142,8 +134,6 @@ nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Tar
 OutputFolder design_folder(const Settings& settings, bool resume);
 /// Prints the verdict of a design that was finished before, and returns its exit code.
 int repeat_verdict(const std::filesystem::path& result);
-/// Draws the page of a folder in the time that is left, but at least in some seconds.
-void write_page(const std::filesystem::path& folder, double seconds_left);
 
 /// Runs `work(output, interrupt)` in the folder of a design, with its checkpoints. Then draws the page,
 /// prints the summary and returns the exit code. If the design was finished, only prints the verdict.
@@ -163,8 +153,11 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
                                [&](auto& keeper) { keeper.keep("stages", run.stages); },
                                checkpoint_interval(), key_of(run.origin.inputs)};
     work(output, interrupt);
-    if (!run.interrupted && settings.choice("pictures") == 0)
-        write_page(folder, limit - run.clock.seconds());
+    if (!run.interrupted && settings.choice("pictures") == 0) {
+        constexpr double min_seconds = 3;
+        const double seconds = std::clamp(limit - run.clock.seconds(), min_seconds, 3600.);
+        rough::write_atomically(folder / "report.html", render(page_source(folder), {.seconds = seconds}));
+    }
     if (!run.interrupted && (run.found.stopped.empty() || run.summary.found))
         for (const char* kept : {"checkpoint.cbor", "checkpoint.cbor.before", "tolerance.cbor"})
             std::filesystem::remove(ga::held_path(folder / kept));
@@ -188,8 +181,8 @@ DesignRequest request_from(const Settings& settings);
 rough::DesignSetup setup_like(const rough::Profile& surface, const rough::Model& model,
                               const std::string& name, const Settings& settings,
                               rough::Resolution resolution = rough::Resolution::off);
-/// The run of a request, after the exact tests of its targets. Throws rough::InputError.
-DesignRun design_from(const Settings& settings, DesignRequest request);
+/// The run of a request since `clock` began, after the exact tests of its targets. Throws rough::InputError.
+DesignRun design_from(const Settings& settings, DesignRequest request, const ga::Stopwatch& clock = {});
 
 /// Whether an answer has the required similarity, verified, within the limits, and no target is out of reach.
 bool is_found(const DesignRun& run);

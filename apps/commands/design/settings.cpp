@@ -20,9 +20,8 @@ Bindings bindings_of(rough::DesignSetup& setup) {
                     "similarity that an answer must have in all checks. The variants default and like "
                     "restart a few times if it is not reached. Exit code 3 if no answer has it [0.99]"),
          setup.required_similarity},
-        {ga::whole("ridges", "", 1,
-                   "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]")
-             .up_to(64),
+        {whole("ridges", "", 1, 64,
+               "ridges of each chromosome of drawn genomes [1; for a map, their directions: 8]"),
          setup.ridges},
         {positive("shortest-wave", "", "shortest wavelength that can be made, mm [8 node spacings]"),
          limits.shortest_wave},
@@ -90,24 +89,6 @@ void expect_consistent(const Settings& settings, const rough::DesignSetup& setup
     placing(settings, "", [&] { validate(setup); });
 }
 
-rough::SearchOptions options_from(const Settings& settings, const rough::DesignSetup& setup) {
-    rough::SearchOptions options{.pipeline = pipeline_from(settings, rough::design_variants(),
-                                                           usual_variant(setup, settings.has("database")))};
-    if (setup.model.grid.is_2d())
-        options.alternatives = 1;
-    take(settings, app::bindings_of(options));
-    return options;
-}
-
-/// The warning on a scan or map whose contact the model does not resolve; "" otherwise.
-std::string warning_on(const rough::DesignSetup& setup) {
-    if (!setup.measured)
-        return "";
-    rough::Model model = setup.model;
-    model.contact.spots = true;
-    return resolution_warning(respond(*setup.measured, model));
-}
-
 } // namespace
 
 std::vector<Setting> search_settings() {
@@ -116,7 +97,7 @@ std::vector<Setting> search_settings() {
     const std::vector<Setting> settings{
         Setting("quantity", "both", "target from the response of --like; both: stiffness and contact area")
             .of(rough::names_of_likeness()),
-        ga::whole("points", "20", 2, "number of points of the target from --like").up_to(1e5),
+        whole("points", "20", 2, 1e5, "number of points of the target from --like"),
         {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
          "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
@@ -124,8 +105,8 @@ std::vector<Setting> search_settings() {
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
-        ga::whole("draws", "", 20, "draws of noise for the tolerance [as many as cost as much as the search]")
-            .up_to(1e6),
+        whole("draws", "", 20, 1e6,
+              "draws of noise for the tolerance [as many as cost as much as the search]"),
     };
     return joined(
         {settings, settings_of(bindings_of(options)), settings_of(bindings_of(setup)), model_settings()});
@@ -205,10 +186,10 @@ DesignRequest request_from(const Settings& settings) {
         rough::refuse("--from: given with a map; omit it, as it is for profiles only");
     if (is_like) {
         // The nodes of a profile are those of its design.
-        const MapScene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like");
+        const Scene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like");
         request.accounts = scene.notes;
         // The band of a map would take most of the time.
-        request.setup = setup_like(scene.map, scene.model, settings.text("like"), settings,
+        request.setup = setup_like(scene.surface, scene.model, settings.text("like"), settings,
                                    is_map && !settings.given("resolution") ? rough::Resolution::off
                                                                            : resolution_from(settings));
     } else {
@@ -221,9 +202,9 @@ DesignRequest request_from(const Settings& settings) {
         if (is_map && model.body.kernel == rough::Kernel::free)
             request.accounts.emplace_back(no_datum_note);
     }
-    for (const auto& note : notes_on(settings, request.setup.model,
-                                     is_like ? std::vector<rough::Target>() : request.setup.targets))
-        request.accounts.push_back(note);
+    const auto of_files = is_like ? std::vector<rough::Target>() : request.setup.targets;
+    std::ranges::copy(notes_on(settings, request.setup.model, of_files),
+                      std::back_inserter(request.accounts));
     return request;
 }
 
@@ -234,50 +215,54 @@ rough::ToleranceOptions priced_tolerance(const DesignRun& run) {
     return options;
 }
 
-DesignRun design_from(const Settings& settings, DesignRequest request) {
-    auto& [clock, setup, accounts, from] = request;
-    if (from) {
-        setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * from->largest_change};
+DesignRun design_from(const Settings& settings, DesignRequest request, const ga::Stopwatch& clock) {
+    DesignRun run;
+    run.clock = clock;
+    static_cast<DesignRequest&>(run) = std::move(request);
+    rough::DesignSetup& setup = run.setup;
+    if (run.from) {
+        setup.phases = rough::PhaseReach{0, 2 * std::numbers::pi * run.from->largest_change};
         setup.limits = {};
     }
     take(settings, bindings_of(setup));
     expect_consistent(settings, setup);
-    rough::SearchOptions options = options_from(settings, setup);
+    rough::SearchOptions& options = run.options;
+    options.pipeline =
+        pipeline_from(settings, rough::design_variants(), usual_variant(setup, settings.has("database")));
+    if (setup.model.grid.is_2d())
+        options.alternatives = 1;
+    take(settings, app::bindings_of(options));
     setup.model.contact.threads = ga::thread_count(options.threads);
     if (settings.has("database")) {
-        const auto store = rough::GenomeStore::open(settings.text("database"));
+        const std::string& database = settings.text("database");
+        const auto store = rough::GenomeStore::open(database);
         options.starts = rough::stored_starts(store, setup, 100, options.threads);
         if (options.starts.empty())
-            rough::refuse(
-                settings.text("database"),
-                ": no stored curve reaches the end of the target; use a database with more genomes");
-        accounts.push_back(settings.text("database") + ": " + std::to_string(store.stored()) +
-                           " stored curves screened, the search begins from the nearest " +
-                           std::to_string(options.starts.size()));
+            rough::refuse(database, ": no stored curve reaches the end of the target; "
+                                    "use a database with more genomes");
+        run.accounts.push_back(database + ": " + std::to_string(store.stored()) +
+                               " stored curves screened, the search begins from the nearest " +
+                               std::to_string(options.starts.size()));
     }
-    auto unreachable = rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity
-                                                                                  : rough::exact_enough);
-    if (!unreachable.reasons.empty())
+    run.unreachable = rough::unreachable(setup, settings.has("reach-similarity") ? setup.required_similarity
+                                                                                 : rough::exact_enough);
+    if (!run.unreachable.reasons.empty())
         options.evaluations = std::min(options.evaluations, rough::enough_for_the_nearest);
-    rough::TrustOptions trust{.seed = options.seed, .threads = options.threads};
-    settings.take("hardness", trust.hardness);
-    if (from)
-        trust.phase_draws = 0; // with other phases it is another surface
-    rough::ToleranceOptions tolerance{
-        .seed = options.seed, .threads = options.threads, .fixed_draws = settings.has("evaluations")};
-    settings.take("draws", tolerance.draws);
-    return {{.clock = clock, .unreachable = std::move(unreachable)},
-            {.setup = setup,
-             .options = std::move(options),
-             .trust_options = trust,
-             .tolerance_options = tolerance,
-             .accounts = std::move(accounts),
-             .warning = warning_on(setup),
-             .limits_given = settings.has("shortest-wave") || settings.has("max-slope") ||
-                             settings.has("max-height") || settings.has("min-radius"),
-             .from = std::move(from)},
-            {},
-            {}};
+    run.trust_options.seed = run.tolerance_options.seed = options.seed;
+    run.trust_options.threads = run.tolerance_options.threads = options.threads;
+    settings.take("hardness", run.trust_options.hardness);
+    if (run.from)
+        run.trust_options.phase_draws = 0; // with other phases it is another surface
+    run.tolerance_options.fixed_draws = settings.has("evaluations");
+    settings.take("draws", run.tolerance_options.draws);
+    if (setup.measured) {
+        rough::Model model = setup.model;
+        model.contact.spots = true;
+        run.warning = resolution_warning(respond(*setup.measured, model));
+    }
+    for (const char* limit : {"shortest-wave", "max-slope", "max-height", "min-radius"})
+        run.limits_given |= settings.has(limit);
+    return run;
 }
 
 } // namespace app

@@ -31,9 +31,6 @@ std::string in_unit(double length) {
     return readable(unit.factor * length) + " " + unit.name;
 }
 
-/// Whether noise, tilt or a hardness was given, under which the answer must hold.
-bool has_conditions(const DesignRun& run) { return run.setup.errors.any() || run.trust_options.hardness; }
-
 /// The similarity that the verdict is about, under all conditions; -infinity if one of them has no response.
 /// That of a surface in production is on the grid and in the load steps of its target.
 double verified_of(const DesignRun& run) {
@@ -46,8 +43,10 @@ double verified_of(const DesignRun& run) {
     return std::isnan(run.trust->under) ? -HUGE_VAL : std::min(lowest, run.trust->under);
 }
 
+/// Whether the answer was checked under the noise, tilt and hardness that were given.
 bool is_verified(const DesignRun& run) {
-    return !has_conditions(run) || (run.trust && run.trust->all_decided);
+    const bool has_conditions = run.setup.errors.any() || run.trust_options.hardness;
+    return !has_conditions || (run.trust && run.trust->all_decided);
 }
 
 std::string verdict_of(const DesignRun& run) {
@@ -88,33 +87,29 @@ std::string verdict_of(const DesignRun& run) {
     return line + (run.found.best.within_limits ? "" : "; no answer meets all limits on shape");
 }
 
-/// The largest misfit of an answer to a target with its estimated error, relative to the target.
-struct LargestMisfit {
-    double misfit = 0;
-    rough::Index point = 0; ///< index of the target's point
-};
+/// Whether misfits are those on the search grid, without an estimated error.
+bool as_designed(const DesignRun& run) { return run.morphed || !run.found.best.is_verified(); }
 
-LargestMisfit largest_misfit(const DesignRun& run, std::size_t t) {
-    const bool as_designed = run.morphed || !run.found.best.is_verified();
+/// The largest misfit of an answer to a target with its estimated error, relative to the target, and the
+/// index of its point.
+std::pair<double, rough::Index> largest_misfit(const DesignRun& run, std::size_t t) {
     const Eigen::VectorXd misfits =
-        (as_designed ? misfits_of(run.setup, run.response) : run.found.best.largest)[t];
-    LargestMisfit largest;
-    misfits.cwiseAbs().maxCoeff(&largest.point);
-    largest.misfit = misfits[largest.point] / run.setup.targets[t].weight;
-    return largest;
+        (as_designed(run) ? misfits_of(run.setup, run.response) : run.found.best.largest)[t];
+    rough::Index point = 0;
+    misfits.cwiseAbs().maxCoeff(&point);
+    return {misfits[point] / run.setup.targets[t].weight, point};
 }
 
 std::string matched(const DesignRun& run) {
-    const bool as_designed = run.morphed || !run.found.best.is_verified();
     std::string all;
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t) {
         const rough::Target& target = run.setup.targets[t];
-        const double error = std::abs(largest_misfit(run, t).misfit);
+        const double error = std::abs(largest_misfit(run, t).first);
         const std::string band = !target.has_band() ? "off" : "outside the band";
         join(all, in_words(target.quantity) + ": similarity " + readable(1 - target.weight * error, 4) +
                       (target.has_band() && error == 0 ? ", within the band"
                                                        : ", " + band + " by up to " + percent(error)) +
-                      (as_designed ? " on the search grid" : " with the estimated error"));
+                      (as_designed(run) ? " on the search grid" : " with the estimated error"));
     }
     return all;
 }
@@ -269,18 +264,18 @@ std::string obstacles(const DesignRun& run) {
     const auto& targets = run.setup.targets;
     std::size_t worst = 0;
     const auto weighted = [&](std::size_t t) {
-        return targets[t].weight * std::abs(largest_misfit(run, t).misfit);
+        return targets[t].weight * std::abs(largest_misfit(run, t).first);
     };
     for (std::size_t t = 1; t < targets.size(); ++t)
         if (weighted(t) > weighted(worst))
             worst = t;
     const rough::Target& target = targets[worst];
-    const LargestMisfit largest = largest_misfit(run, worst);
+    const auto [misfit, point] = largest_misfit(run, worst);
     const double allowed = 1 - run.setup.required_similarity;
     std::string all;
     if (weighted(worst) > allowed)
-        join(all, "the largest misfit is " + percent(largest.misfit) + " of the " +
-                      in_words(target.quantity) + at(target, target.x[largest.point]));
+        join(all, "the largest misfit is " + percent(misfit) + " of the " + in_words(target.quantity) +
+                      at(target, target.x[point]));
     if (run.morphed) {
         const std::size_t missed = run.morphed->missed.size();
         join(all, missed == 0 ? ""
@@ -295,11 +290,11 @@ std::string obstacles(const DesignRun& run) {
                               : "",
                           "has a similarity above ", readable(run.unreachable.bound, 4)));
     const double nodes = static_cast<double>(run.setup.model.grid.shape().nodes()),
-                 wanted = target.y[largest.point] * nodes;
+                 wanted = target.y[point] * nodes;
     if (is_contact_fraction(target.quantity) && 0.5 / wanted > allowed)
-        join(all, "the requested area" + at(target, target.x[largest.point]) + " is " + readable(wanted) +
-                      " of " + brief(nodes, 9) + " nodes, so half a node changes it by " +
-                      percent(0.5 / wanted) + ": use more --nodes");
+        join(all, "the requested area" + at(target, target.x[point]) + " is " + readable(wanted) + " of " +
+                      brief(nodes, 9) + " nodes, so half a node changes it by " + percent(0.5 / wanted) +
+                      ": use more --nodes");
     for (const rough::Margin& margin : run.margins)
         if (margin.is_limited() && margin.margin() < 0.05)
             join(all, in_words(margin) + (margin.holds() ? " is close to its limit" : " violates its limit"));

@@ -243,7 +243,7 @@ Children::Answer Children::answer_of(std::unique_ptr<Child>& child, const std::s
 Children::Answer Children::read(const std::string& line, long id, std::string& fault) const {
     static const std::regex not_finite("-?\\b(NaN|nan|Infinity|Inf|inf)\\b");
     const auto has_null = [](const nlohmann::json& value) {
-        return value.is_null() || std::ranges::any_of(value, [](const auto& each) { return each.is_null(); });
+        return value.is_null() || std::ranges::any_of(value, &nlohmann::json::is_null);
     };
     try {
         const nlohmann::json j =

@@ -55,8 +55,8 @@ class Children {
     /// @param command  the program, split by split_command
     /// @param count    maximum number of copies
     /// @param seconds  maximum time for one evaluation
-    /// @param log      file for what they write to standard error; removed if it stays empty; beyond 10 MB,
-    ///                 only its end is kept
+    /// @param log      file for what they write to standard error. It is removed if it stays empty. Beyond
+    ///                 10 MB only its end is kept.
     Children(const std::string& command, int count, double seconds, std::filesystem::path log);
     ~Children();
     Children(const Children&) = delete;

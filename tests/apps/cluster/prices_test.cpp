@@ -47,7 +47,7 @@ ContactCurve solve_counted(const Profile& profile, const Body& body, const std::
 
 namespace {
 
-/// A small design; of a scan, of two targets, or with an amplitude that Eq. 11 does not set.
+/// A small design. It may have a scan, two targets, or an amplitude that Eq. 11 does not set.
 DesignSetup setup_for(bool is_map, const std::string& variant, bool free_amplitude) {
     DesignSetup setup = testing::drawn(is_map ? 16 : 48, is_map);
     setup.model.loading.steps = 5;
@@ -132,7 +132,7 @@ TEST_CASE("a search that is stopped and resumed pays once for each curve") {
         const Paid resumed = run_of(variant, setup, options);
         INFO(variant);
         CHECK(resumed.reported == whole.reported);
-        // A block on another grid begins again, because its evaluations are not stored.
+        // A block on another grid restarts, because its evaluations are not stored.
         CHECK(before + resumed.solved >= resumed.reported * (1 - 1e-9));
         if (variant != std::string("maps"))
             CHECK(before + resumed.solved <= resumed.reported * (1 + 1e-9));

@@ -160,7 +160,7 @@ TEST_CASE("a run out of evaluations resumes to the result of an uninterrupted on
     CHECK(timeless(desk.found(words + "--evaluations 900 --resume", "cut")) == timeless(whole));
 }
 
-TEST_CASE("a failed evaluation of any kind is a failure of its genome, and the run goes on") {
+TEST_CASE("a failed evaluation of any kind is a failure of its genome, and the run continues") {
     const Desk desk;
     for (const std::string fault :
          {"echo '{\"id\":'$n',\"failed\":\"mesh failed\"}'", "echo '{\"id\":'$n',\"objectives\":[NaN]}'",
