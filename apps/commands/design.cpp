@@ -66,12 +66,14 @@ void find_answer(DesignRun& run, double limit, ProgressLine& progress) {
         run.unrequested_errors = unrequested_errors(run.setup, best.genome);
 }
 
-/// The tolerance from the file of an interrupted run with the same answer, or else the result of `compute`.
-/// If that did not depend on the time, it is stored.
-template <class Compute>
-rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file, Compute compute) {
+/// The tolerance from the file of an interrupted run with the same answer and the same number of draws, or
+/// else computed. If that did not depend on the time, it is stored.
+rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::path& file,
+                                const rough::ToleranceOptions& options) {
+    const rough::Genome& genome = run.found.best.genome;
     const std::string key = rough::json_text({run.origin.inputs, rough::description(run.setup),
-                                              rough::genome_to_json(run.found.best.genome), run.options.seed},
+                                              rough::genome_to_json(genome), run.options.seed, options.price,
+                                              options.draws ? nlohmann::json(*options.draws) : nullptr},
                                              true);
     if (run.options.checkpoints->resume && std::filesystem::exists(ga::held_path(file)))
         try {
@@ -82,7 +84,7 @@ rough::Tolerance kept_tolerance(const DesignRun& run, const std::filesystem::pat
         } catch (const ga::UsageError&) { // damaged: computed again
         } catch (const nlohmann::json::exception&) {
         }
-    const rough::Tolerance tolerance = compute();
+    const rough::Tolerance tolerance = tolerance_of(run.setup, genome, options);
     const auto bytes = nlohmann::json::to_cbor({{"key", key}, {"tolerance", tolerance}});
     if (tolerance.complete && !tolerance.shortened) // without the file a resumed run computes it again
         ga::seal(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -97,8 +99,7 @@ void check_answer(DesignRun& run, double limit, const std::filesystem::path& fol
     tolerance.stop = trust.stop = run.options.stop;
     progress.show("tolerance");
     tolerance.seconds = tolerance_by * limit - run.clock.seconds();
-    run.tolerance = kept_tolerance(run, folder / "tolerance.cbor",
-                                   [&] { return tolerance_of(run.setup, best.genome, tolerance); });
+    run.tolerance = kept_tolerance(run, folder / "tolerance.cbor", tolerance);
     progress.show("verifying");
     trust.seconds = checked_by * limit - run.clock.seconds();
     run.trust = trust_in(run.setup, best.genome, trust, &best, &run.response);
