@@ -198,6 +198,8 @@ std::string map_csv(const rough::Profile& map, const std::vector<std::string>& n
                 out << ",";
                 if (finite.any())
                     out << finite.select(nodes, 0).sum() / static_cast<double>(finite.count());
+                else
+                    out << "\"\""; // gnuplot 5.4 may stop at an empty last field
             }
         }
     out << "\n";

@@ -113,5 +113,9 @@ TEST_CASE("a large map is drawn as block means, at most 256 along an axis") {
     map.heights.segment(1200, 3) << 2, 5, NAN;
     const std::string table = map_csv(map, {"height_mm"}, {map.heights});
     CHECK_THAT(table, Catch::StartsWith("x_mm,y_mm,height_mm\n0.5,1,3.5\n2,1,2\n"));
+    map.heights.segment(0, 2).setConstant(NAN);
+    map.heights.segment(600, 2).setConstant(NAN);
+    map.heights.segment(1200, 2).setConstant(NAN);
+    CHECK_THAT(map_csv(map, {"height_mm"}, {map.heights}), Catch::Contains("\n0.5,1,\"\"\n"));
     CHECK(std::ranges::count(table, '\n') == 1 + 200);
 }
