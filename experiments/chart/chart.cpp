@@ -85,27 +85,32 @@ ChartScene random_scene(const std::string& name, const std::string& words, bool 
     return scene;
 }
 
+/// The answers of load steps, followed by NaN up to this number of loads.
+ChartCurve curve_of(const std::vector<rough::LoadStep>& steps, std::size_t loads) {
+    const VectorXd none = VectorXd::Constant(static_cast<Index>(loads), NAN);
+    ChartCurve curve{none, none, none};
+    for (std::size_t j = 0; j < steps.size(); ++j) {
+        const auto at = static_cast<Index>(j);
+        curve.displacement[at] = steps[j].displacement;
+        curve.contact_fraction[at] = steps[j].contact_fraction;
+        curve.stiffness[at] = steps[j].tangent_stiffness;
+    }
+    return curve;
+}
+
 /// Solves a surface at pressures. Those beyond full contact have no answer, and neither have those after
 /// them.
 ChartCurve solved(const Profile& surface, const rough::Body& body, const std::vector<double>& pressures,
                   const rough::ContactOptions& options, long* iterations = nullptr) {
-    const VectorXd none = VectorXd::Constant(static_cast<Index>(pressures.size()), NAN);
-    ChartCurve curve{none, none, none};
     std::vector<double> loads = pressures;
     if (body.kernel == rough::Kernel::periodic)
         std::erase_if(loads, [full = full_contact_load(surface, body)](double load) { return load >= full; });
     if (loads.empty())
-        return curve;
+        return curve_of({}, pressures.size());
     const rough::ContactCurve found = solve_contact_at_pressures(surface, body, loads, options);
-    for (std::size_t j = 0; j < loads.size(); ++j) {
-        const auto at = static_cast<Index>(j);
-        curve.displacement[at] = found.steps[j].displacement;
-        curve.contact_fraction[at] = found.steps[j].contact_fraction;
-        curve.stiffness[at] = found.steps[j].tangent_stiffness;
-    }
     if (iterations)
         *iterations = found.iterations;
-    return curve;
+    return curve_of(found.steps, pressures.size());
 }
 
 /// Values at the loads `at`, interpolated linearly in the logarithms of loads and values.
@@ -129,18 +134,22 @@ VectorXd differences(const ChartScene& scene, const VectorXd& found, const Vecto
     return off.unaryExpr([](double one) { return std::isfinite(one) ? one : 1; });
 }
 
-/// Solves the reference again with twice the nodes along each side, four times for a line.
-struct GridSequence {
-    ChartReference reference = {};
-    std::vector<ChartCurve> curves = {}; ///< one per grid
-
-    void refine(const ChartScene& scene, const rough::ContactOptions& options) {
+/// The reference of a scene from at least three grids. Each has twice the nodes of the last one along each
+/// side, on a line four times. A further grid is solved only if it is useful and its time is within a limit.
+/// This time is at most eight times that of the last grid.
+ChartReference refined_reference(const ChartScene& scene, const rough::ContactOptions& options,
+                                 double limit) {
+    ChartReference reference;
+    std::vector<ChartCurve> curves;
+    double seconds = 0;
+    const auto is_worth = [&] {
+        return reference.side < (scene.is_map ? 1024 : 131072) && 8 * seconds < limit &&
+               std::max(reference.floor_stiffness, reference.floor_contact) > 1e-4;
+    };
+    while (curves.size() < 3 || is_worth()) {
         const ga::Stopwatch clock;
-        const Index side =
-            curves.empty() ? (scene.is_map ? 32 : 512) : reference.side * (scene.is_map ? 2 : 4);
-        curves.push_back(solved(scene.on(side), scene.body, scene.pressures, options));
-        reference.curve = curves.back();
-        reference.side = side;
+        reference.side = curves.empty() ? (scene.is_map ? 32 : 512) : reference.side * (scene.is_map ? 2 : 4);
+        curves.push_back(solved(scene.on(reference.side), scene.body, scene.pressures, options));
         if (const std::size_t n = curves.size(); n > 2) {
             const auto change = [&](std::size_t grid, auto value) {
                 return root_mean_square(differences(scene, curves[grid].*value, curves[grid + 1].*value));
@@ -151,44 +160,18 @@ struct GridSequence {
             reference.floor_stiffness = remaining(&ChartCurve::stiffness);
             reference.floor_contact = remaining(&ChartCurve::contact_fraction);
         }
-        reference.seconds = clock.seconds();
+        seconds = clock.seconds();
     }
-    /// Whether another grid is useful and its time, at most eight times the last one, is within a limit.
-    bool is_worth(const ChartScene& scene, double limit) const {
-        return reference.side < (scene.is_map ? 1024 : 131072) && 8 * reference.seconds < limit &&
-               std::max(reference.floor_stiffness, reference.floor_contact) > 1e-4;
-    }
-};
-
-Findings run_chart_experiment(const Settings& settings, const RunConditions& conditions) {
-    ga::Stopwatch since_written;
-    const auto watch = [&](const ChartData& so_far, const std::string& where) {
-        conditions.progress.show(where);
-        if (so_far.runs.empty() || since_written.seconds() < 3)
-            return;
-        rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
-        since_written = {};
-    };
-    const double minutes = settings.is_on("chart.quick") ? std::min(1.0, settings.number("chart.minutes"))
-                                                         : settings.number("chart.minutes");
-    const ChartData data = charted(
-        chart_scenes(), 60 * minutes, [&] { return conditions.stop.load(); }, conditions.origin.threads,
-        watch);
-    return data.runs.empty() ? Findings() : findings_of(data);
+    reference.curve = curves.back();
+    return reference;
 }
 
 } // namespace
 
 ChartReference exact_reference(const ChartScene& scene) {
-    const auto count = static_cast<Index>(scene.pressures.size());
-    ChartReference reference{{VectorXd(count), VectorXd(count), VectorXd(count)}};
-    for (Index j = 0; j < count; ++j) {
-        const rough::LoadStep step = scene.exact(scene.pressures[static_cast<std::size_t>(j)]);
-        reference.curve.displacement[j] = step.displacement;
-        reference.curve.contact_fraction[j] = step.contact_fraction;
-        reference.curve.stiffness[j] = step.tangent_stiffness;
-    }
-    return reference;
+    std::vector<rough::LoadStep> steps;
+    std::ranges::transform(scene.pressures, std::back_inserter(steps), scene.exact);
+    return {curve_of(steps, steps.size())};
 }
 
 double remaining_error(double before, double last) {
@@ -294,8 +277,7 @@ ChartRun run_chart(const ChartScene& scene, const ChartReference& reference, con
     for (std::size_t j = 0; j < counted; j += (counted - 1) / static_cast<std::size_t>(setting.loads - 1))
         at.push_back(loads[j]);
     try {
-        const VectorXd none = VectorXd::Constant(static_cast<Index>(scene.pressures.size()), NAN);
-        run.curve = {none, none, none};
+        run.curve = curve_of({}, scene.pressures.size());
         if (scene.is_map && setting.loads == counted && setting.tolerance == 0 &&
             (setting.method == "auto" || setting.family != "map"))
             run.curve = answer(scene.pressures); // lighter and heavier loads, too
@@ -314,6 +296,9 @@ ChartRun run_chart(const ChartScene& scene, const ChartReference& reference, con
     return run;
 }
 
+namespace {
+
+/// All settings of a scene whose reference has `side` nodes along each side (0: exact).
 std::vector<ChartSetting> chart_plan(const ChartScene& scene, std::size_t index, Index side) {
     std::vector<ChartSetting> plan;
     const std::string family = scene.is_map ? "map" : "profile";
@@ -345,6 +330,9 @@ std::vector<ChartSetting> chart_plan(const ChartScene& scene, std::size_t index,
     return plan;
 }
 
+/// Refines the reference of each scene for at most half of `seconds` of wall time, then measures settings
+/// from coarse to fine on all scenes. Three coarse grids of a reference are always solved, and the first
+/// setting is always measured. `watch` gets the results so far and words about the next step.
 ChartData charted(const std::vector<ChartScene>& scenes, double seconds, const Stop& stop, int threads,
                   const std::function<void(const ChartData&, const std::string&)>& watch) {
     const ga::Stopwatch clock;
@@ -357,20 +345,17 @@ ChartData charted(const std::vector<ChartScene>& scenes, double seconds, const S
     options.stop = stop;
     for (std::size_t s = scenes.size(); s-- > 0 && !stop();) { // maps last: they take what lines leave
         tell("reference of " + scenes[s].name);
-        GridSequence refinement;
-        if (scenes[s].exact)
-            refinement.reference = exact_reference(scenes[s]);
-        else
-            try {
-                const double limit =
-                    (0.5 * seconds - clock.seconds()) / static_cast<double>(std::min<std::size_t>(s + 1, 3));
-                while (refinement.curves.size() < 3 || refinement.is_worth(scenes[s], limit))
-                    refinement.refine(scenes[s], options);
-            } catch (const rough::NotConverged&) {
-                break; // stopped
-            }
+        ChartReference reference;
+        try {
+            const double limit =
+                (0.5 * seconds - clock.seconds()) / static_cast<double>(std::min<std::size_t>(s + 1, 3));
+            reference =
+                scenes[s].exact ? exact_reference(scenes[s]) : refined_reference(scenes[s], options, limit);
+        } catch (const rough::NotConverged&) {
+            break; // stopped
+        }
         data.scenes.insert(data.scenes.begin(), scenes[s]);
-        data.references.insert(data.references.begin(), refinement.reference);
+        data.references.insert(data.references.begin(), std::move(reference));
     }
     std::vector<ChartSetting> plan; // in turns, one setting of each scene
     for (std::size_t turn = 0, left = 1; left > 0; ++turn) {
@@ -393,6 +378,25 @@ ChartData charted(const std::vector<ChartScene>& scenes, double seconds, const S
     data.interrupted = stop();
     return data;
 }
+
+Findings run_chart_experiment(const Settings& settings, const RunConditions& conditions) {
+    ga::Stopwatch since_written;
+    const auto watch = [&](const ChartData& so_far, const std::string& where) {
+        conditions.progress.show(where);
+        if (so_far.runs.empty() || since_written.seconds() < 3)
+            return;
+        rough::write_atomically(conditions.folder / "chart.csv", chart_table(so_far).text());
+        since_written = {};
+    };
+    const double minutes = settings.is_on("chart.quick") ? std::min(1.0, settings.number("chart.minutes"))
+                                                         : settings.number("chart.minutes");
+    const ChartData data = charted(
+        chart_scenes(), 60 * minutes, [&] { return conditions.stop.load(); }, conditions.origin.threads,
+        watch);
+    return data.runs.empty() ? Findings() : findings_of(data);
+}
+
+} // namespace
 
 Experiment chart_experiment() {
     return {.kind = "chart",

@@ -40,7 +40,6 @@ struct ChartReference {
     ChartCurve curve;
     rough::Index side = 0;                         ///< nodes along each side; 0: exact
     double floor_stiffness = 0, floor_contact = 0; ///< estimated root mean square errors, relative
-    double seconds = 0;                            ///< wall time of the finest grid
 };
 ChartReference exact_reference(const ChartScene& scene); ///< that of an exact solution
 /// The error beyond the finest of three grids, from the changes `before` and `last`. The ratio q is taken as
@@ -86,17 +85,6 @@ struct ChartData {
     std::size_t not_measured = 0; ///< number of settings for which the time did not suffice
     bool interrupted = false;
 };
-
-/// All settings of a scene whose reference has `side` nodes along each side (0: exact).
-std::vector<ChartSetting> chart_plan(const ChartScene& scene, std::size_t index, rough::Index side);
-
-/// Refines the reference of each scene for at most half of `seconds` of wall time, then measures settings
-/// from coarse to fine on all scenes. Three coarse grids of a reference are always solved, and the first
-/// setting is always measured. `watch` gets the results so far and words about the next step.
-ChartData charted(
-    const std::vector<ChartScene>& scenes, double seconds, const Stop& stop = never, int threads = 1,
-    const std::function<void(const ChartData&, const std::string&)>& watch = [](const ChartData&,
-                                                                                const std::string&) {});
 
 Csv chart_table(const ChartData& data); ///< chart.csv: one row per run
 /// All tables, and everything else on the page.

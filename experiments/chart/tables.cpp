@@ -153,7 +153,7 @@ struct Axes {
 /// Positions of labels near dots such that no label covers a dot or another label. Lengths are in pixels.
 class Labels {
   public:
-    static constexpr double width = 410, height = 424; ///< of the plot, as chart-error.gp draws it
+    static constexpr double width = 410, height = 424; ///< size of the plot that chart-error.gp draws
 
     Labels(const Axes& axes, const std::vector<std::pair<double, double>>& points) : axes_(axes) {
         for (const auto& [seconds, error] : points) {

@@ -225,14 +225,6 @@ void add_problems(Findings& found, const Group& group, const Contest& contest) {
     }
 }
 
-double similarity_of(const Reached& run) { return run.surface.at("similarity_worst"); }
-
-/// The run whose lowest similarity is the median of all runs, or the next below.
-const Reached& median_run(const std::vector<Reached>& runs) {
-    const auto order = rough::ascending(rough::column(runs, similarity_of));
-    return runs[order[(runs.size() - 1) / 2]];
-}
-
 /// The median over the runs of the best precision so far, with its interval, against the evaluations.
 void add_progress(Findings& found, const ProblemResults& results) {
     constexpr int moments = 60;
@@ -290,25 +282,31 @@ void add_surfaces(Findings& found, const ProblemResults& results) {
     found.result["problems"][problem].update(of_problem);
     of_problem["problem"] = problem;
     found.result["surfaces"].push_back(of_problem);
-    const auto medians = rough::column(results.runs, [](const std::vector<Reached>& runs) {
-        return -rough::median(rough::column(runs, similarity_of));
-    });
-    const auto order = rough::ascending(medians);
+    std::vector<std::vector<double>> similarities; // [variant][seed]
+    for (const std::vector<Reached>& runs : results.runs)
+        similarities.push_back(rough::column(
+            runs, [](const Reached& run) { return run.surface.at("similarity_worst").get<double>(); }));
+    // The surface of the run with the median of the similarities, or the next below.
+    const auto median_surface = [&](std::size_t v) -> const json& {
+        return results.runs[v][rough::ascending(similarities[v])[(similarities[v].size() - 1) / 2]].surface;
+    };
+    const auto order =
+        rough::ascending(rough::column(similarities, [](const auto& of) { return -rough::median(of); }));
     for (const std::size_t v : order) {
         const std::string& name = results.variants[v].first;
-        const auto similarities = rough::column(results.runs[v], similarity_of);
-        const rough::Interval interval = rough::median_interval(similarities);
-        const json& middle = median_run(results.runs[v]).surface;
+        const double median = rough::median(similarities[v]);
+        const rough::Interval interval = rough::median_interval(similarities[v]);
+        const json& middle = median_surface(v);
         json& one = found.result["problems"][problem]["variants"][name];
         one.update(middle);
-        one["median_lowest"] = rough::median(similarities);
+        one["median_lowest"] = median;
         one["median_lowest_interval"] = {interval.lower, interval.upper};
-        table.row(problem, name, rough::median(similarities), interval.lower, interval.upper,
-                  middle["curves"], middle["gradients"], middle["seconds"]);
+        table.row(problem, name, median, interval.lower, interval.upper, middle["curves"],
+                  middle["gradients"], middle["seconds"]);
     }
     add_progress(found, results);
     if (setup.model.grid.is_2d())
-        add_map(found, results, median_run(results.runs[order[0]]).surface);
+        add_map(found, results, median_surface(order[0]));
 }
 
 } // namespace

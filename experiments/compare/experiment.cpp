@@ -76,7 +76,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 Contestants contestants_of(const Settings& settings, const std::string& kind) {
     const Contestants& usual = usual_contestants().at(kind);
     const auto meaning = [&](const std::string& text) {
-        const auto found = std::ranges::find_if(usual, [&](const auto& each) { return each.first == text; });
+        const auto found = std::ranges::find(usual, text, &Contestants::value_type::first);
         return found == usual.end() ? text : found->second;
     };
     Contestants given;
@@ -89,9 +89,8 @@ Contestants contestants_of(const Settings& settings, const std::string& kind) {
                 name = text = std::string(rough::trim(part));
             if (name.empty() || text.empty())
                 settings.refuse("compare.variants", "\"", part, "\" is not a variant; give NAME=PIPELINE");
-            for (const auto& other : given)
-                if (other.first == name)
-                    settings.refuse("compare.variants", "'", name, "' is given twice; give it once");
+            if (std::ranges::find(given, name, &Contestants::value_type::first) != given.end())
+                settings.refuse("compare.variants", "'", name, "' is given twice; give it once");
             given.emplace_back(name, meaning(text));
         }
         return given;

@@ -9,6 +9,7 @@ namespace {
 using Run = const PaperRun&;
 using Target = const TargetRun&;
 using All = const Studies&;
+using Variant = const VariantRun&;
 /// A number of the run, or one for each target.
 using Measure = std::variant<std::function<Finding(Run, All)>, std::function<Finding(Run, Target)>>;
 
@@ -24,16 +25,15 @@ double lowest(const Numbers& numbers) {
     return is_known ? std::ranges::min(numbers) : unknown;
 }
 double highest(const Numbers& numbers) { return -lowest(column(numbers, std::negate<>())); }
+double sum(const Numbers& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.0); }
 double spread(const Numbers& numbers) { return highest(numbers) - lowest(numbers); }
 
-/// A column of the variant's rows in thresholds.csv, or |U3|.
+/// A column of the variant's rows of thresholds.
 Numbers over_thresholds(Target target, const std::string& variant, const char* name) {
     Numbers numbers;
     for (const json& row : target.thresholds)
         if (row.at("variant") == variant)
-            numbers.push_back(name == std::string("U3")
-                                  ? row.at("U1").get<double>() * row.at("U2").get<double>()
-                                  : row.at(name).get<double>());
+            numbers.push_back(row.at(name));
     return numbers;
 }
 
@@ -56,12 +56,12 @@ Finding over_alloys(All all, double FractalStudy::*value) {
     return {median(numbers), {{"least", lowest(numbers)}, {"greatest", highest(numbers)}}};
 }
 
-Finding in_part(Target target, bool low) {
-    const auto best = best_in_part(target, low);
+Finding in_part(Target target, double Scores::*part) {
+    const auto best = best_in_part(target, part);
     if (!best)
         return {};
     const Scores& scores = target.database[*best];
-    return {low ? scores.low : scores.high, {{"over all pressures", scores.all}}};
+    return {scores.*part, {{"over all pressures", scores.all}}};
 }
 
 /// Warnock's formula for the L2 star discrepancy of points of the unit square: 0 would be perfectly even.
@@ -108,11 +108,11 @@ Finding among_curves(Run run, Target target) {
 }
 
 /// How much the best candidate of an algorithm gains from both refinements.
-double gain(const VariantRun& variant) {
-    Numbers before, after;
-    for (const Refinement& candidate : refinements(variant))
-        before.push_back(candidate.similarity[0]), after.push_back(candidate.similarity[2]);
-    return highest(after) - highest(before);
+double gain(Run, Variant variant) {
+    const auto best = [candidates = refinements(variant)](std::size_t stage) {
+        return highest(column(candidates, [&](const Refinement& one) { return one.similarity[stage]; }));
+    };
+    return best(2) - best(0);
 }
 
 /// log10 of the power in each octave. Octave o has the bins 2^o to 2^(o+1) - 1. Octaves make series of
@@ -122,7 +122,7 @@ struct Octaves {
     rough::Index half() const { return continuous.size() / 2; }
 };
 
-Octaves octaves_of(Run run, const VariantRun& variant) {
+Octaves octaves_of(Run run, Variant variant) {
     const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
     const double first = spectrum.wave_number[0];
     const auto lines = discrete_spectrum(variant.answer.genome);
@@ -142,7 +142,7 @@ Octaves octaves_of(Run run, const VariantRun& variant) {
 
 /// Factor between a genome's continuous and discrete spectrum. It is the geometric mean over the octaves of
 /// the upper or lower half that have a wave.
-double off_its_waves(Run run, const VariantRun& variant, bool high) {
+double off_its_waves(Run run, Variant variant, bool high) {
     const Octaves octaves = octaves_of(run, variant);
     const Eigen::VectorXd apart = (octaves.continuous - octaves.discrete).cwiseAbs();
     const auto half = high ? apart.tail(octaves.half()) : apart.head(apart.size() - octaves.half());
@@ -150,7 +150,7 @@ double off_its_waves(Run run, const VariantRun& variant, bool high) {
 }
 
 /// Exponent of the power law of wavenumber that fits the upper half of the octaves' densities best.
-double high_exponent(Run run, const VariantRun& variant) {
+double high_exponent(Run run, Variant variant) {
     const Octaves octaves = octaves_of(run, variant);
     const Eigen::Index half = octaves.half();
     if (half < 2)
@@ -178,7 +178,7 @@ Finding proportion(Run run, Target target) {
 
 /// Number of peaks of a continuous spectrum without a wave of the genome within two wavenumbers (the width of
 /// the window). A peak is at least twice as high as two wavenumbers to either side.
-double peaks_without_waves(Run run, const VariantRun& variant) {
+double peaks_without_waves(Run run, Variant variant) {
     const rough::Spectrum spectrum = continuous_spectrum(sample(variant.answer.genome, run.model.grid));
     const Eigen::VectorXd& density = spectrum.density;
     const double floor = 1e-12 * density.maxCoeff(); // below it is rounding
@@ -198,11 +198,10 @@ double peaks_without_waves(Run run, const VariantRun& variant) {
 /// The value of an expression like "least similarity of sog gco cco". After "of" stand answers; "pairs" is
 /// each two of the three. The quantity of each is reduced to one number.
 Finding over_answers(const std::string& words, Run run, Target target) {
-    using Variant = const VariantRun&;
     static const std::map<std::string, double (*)(const Numbers&)> reductions{
         {"least", lowest},
         {"greatest", highest},
-        {"sum", [](const Numbers& n) { return std::accumulate(n.begin(), n.end(), 0.0); }},
+        {"sum", sum},
         {"ratio", [](const Numbers& n) { return n[1] / n[0]; }},
         {"last", [](const Numbers& n) { return n.back(); }},
         {"nearer", [](const Numbers& n) {
@@ -212,7 +211,7 @@ Finding over_answers(const std::string& words, Run run, Target target) {
         {"similarity", [](Run, Variant one) { return one.similarity; }},
         {"error", [](Run, Variant one) { return 1 - one.similarity; }},
         {"seconds", [](Run, Variant one) { return one.seconds; }},
-        {"gain", [](Run, Variant one) { return gain(one); }},
+        {"gain", gain},
         {"chromosomes",
          [](Run, Variant one) { return static_cast<double>(waves(one.answer.genome).size()); }},
         {"off-high", [](Run of, Variant one) { return off_its_waves(of, one, true); }},
@@ -260,10 +259,8 @@ const std::map<std::string, Measure>& measures() {
     static const std::map<std::string, Measure> all{
         {"nesting",
          [](Run, All all) {
-             double nodes = 0, lost = 0;
-             for (const GenomeStudy& one : all.genomes)
-                 nodes += static_cast<double>(one.contacts.nodes),
-                     lost += static_cast<double>(one.contacts.lost);
+             const double nodes = sum(genome_column(all, &GenomeStudy::contacts, &Contacts::nodes)),
+                          lost = sum(genome_column(all, &GenomeStudy::contacts, &Contacts::lost));
              return Finding(nodes > 0 ? lost : unknown, {{"nodes in contact", nodes}});
          }},
         {"one-wave",
@@ -294,8 +291,8 @@ const std::map<std::string, Measure>& measures() {
         {"fine-area", [](Run, All all) { return governed(all, &Removal::area, false); }},
         {"alloy-stiffness", [](Run, All all) { return over_alloys(all, &FractalStudy::similarity); }},
         {"alloy-area", [](Run, All all) { return over_alloys(all, &FractalStudy::area_gap); }},
-        {"low-part", [](Run, Target target) { return in_part(target, true); }},
-        {"high-part", [](Run, Target target) { return in_part(target, false); }},
+        {"low-part", [](Run, Target target) { return in_part(target, &Scores::low); }},
+        {"high-part", [](Run, Target target) { return in_part(target, &Scores::high); }},
         {"even-pairs", evenness},
         {"trend", among_curves},
         {"max-pressure",
@@ -453,10 +450,8 @@ void add_claims(Findings& found, const PaperRun& run, const Studies& studies) {
 }
 
 const VariantRun* find_variant(const TargetRun& target, const std::string& name) {
-    for (const VariantRun& variant : target.variants)
-        if (variant.name == name)
-            return &variant;
-    return nullptr;
+    const auto found = std::ranges::find(target.variants, name, &VariantRun::name);
+    return found == target.variants.end() ? nullptr : &*found;
 }
 
 std::vector<Refinement> refinements(const VariantRun& variant) {
@@ -465,34 +460,28 @@ std::vector<Refinement> refinements(const VariantRun& variant) {
         return stage.path.compare(stage.path.rfind('/') + 1, 6, "refine") == 0;
     };
     const auto similarity_of = [](const StageRecord& stage, std::uint64_t id) {
-        for (const Candidate& candidate : stage.candidates)
-            if (candidate.id == id)
-                return candidate.similarity;
-        return unknown;
+        const auto found = std::ranges::find(stage.candidates, id, &Candidate::id);
+        return found == stage.candidates.end() ? unknown : found->similarity;
     };
     const auto first = std::ranges::find_if(stages, is_refinement);
     if (first == stages.end() || first == stages.begin())
         return {};
     const auto second = std::find_if(first + 1, stages.end(), is_refinement);
+    const StageRecord& last = second == stages.end() ? *first : *second;
     std::vector<Refinement> result;
-    for (const Candidate& start : (first - 1)->candidates) {
-        const double once = similarity_of(*first, start.id);
+    for (const Candidate& start : (first - 1)->candidates)
         result.push_back(
-            {start.id,
-             {start.similarity, once, second == stages.end() ? once : similarity_of(*second, start.id)}});
-    }
+            {start.id, {start.similarity, similarity_of(*first, start.id), similarity_of(last, start.id)}});
     std::ranges::stable_sort(result, std::greater<>(),
                              [](const Refinement& one) { return one.similarity[0]; });
     return result;
 }
 
-std::optional<std::size_t> best_in_part(const TargetRun& target, bool low) {
+std::optional<std::size_t> best_in_part(const TargetRun& target, double Scores::*part) {
+    const std::vector<Scores>& scores = target.database;
     std::optional<std::size_t> best;
-    const auto part = [&](std::size_t genome) {
-        return low ? target.database[genome].low : target.database[genome].high;
-    };
-    for (std::size_t genome = 0; genome < target.database.size(); ++genome)
-        if (target.database[genome].all <= 0.95 && (!best || part(genome) > part(*best)))
+    for (std::size_t genome = 0; genome < scores.size(); ++genome)
+        if (scores[genome].all <= 0.95 && (!best || scores[genome].*part > scores[*best].*part))
             best = genome;
     return best;
 }

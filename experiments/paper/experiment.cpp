@@ -142,25 +142,21 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
     return variants;
 }
 
-/// The first record at the path, or null.
-const StageRecord* stage_at(const std::vector<StageRecord>& stages, const std::string& path) {
-    const auto found = std::ranges::find(stages, path, &StageRecord::path);
-    return found == stages.end() ? nullptr : &*found;
-}
-
 /// A run of gco or cco at one threshold (MPa).
 nlohmann::json threshold_row(const VariantRun& run, double p_bar) {
-    const auto size = [&](const std::string& path) {
-        const StageRecord* stage = stage_at(run.stages, run.name + "/" + path);
-        return stage ? stage->candidates.size() : 0;
+    const auto candidates = [&](const std::string& path) {
+        const auto stage = std::ranges::find(run.stages, run.name + "/" + path, &StageRecord::path);
+        return stage == run.stages.end() ? std::vector<Candidate>() : stage->candidates;
     };
-    const auto children =
-        rough::column(stage_at(run.stages, run.name + "/score.1")->candidates, &Candidate::similarity);
+    const auto children = rough::column(candidates("score.1"), &Candidate::similarity);
     const auto is_above = [](double similarity) { return similarity > 0.95; };
+    const std::size_t U1 = candidates("pair.1/left/above.1").size(),
+                      U2 = candidates("pair.1/right/above.1").size();
     return {{"p_bar_MPa", p_bar},
             {"variant", run.name},
-            {"U1", size("pair.1/left/above.1")},
-            {"U2", size("pair.1/right/above.1")},
+            {"U1", U1},
+            {"U2", U2},
+            {"U3", U1 * U2},
             {"at_least_used", !run.notes.empty()},
             {"children", children.size()},
             {"share_above", rough::mean(rough::column(children, is_above))},

@@ -25,10 +25,10 @@ struct TargetRun {
     rough::Target target;
     std::vector<Scores> database = {};     ///< one per database genome, in the same order
     std::vector<VariantRun> variants = {}; ///< the paper's three, then their minimax forms
-    /// Rows of thresholds.csv with the answer's `parents`: p_bar ascending, gco and cco at each. U1 and U2
-    /// are the sizes of the sets of parents when pairs are formed. `at_least_used`: one of them had fewer
-    /// than "at least" genomes above 0.95. `children` is |U4|, the number of distinct children; |U3| = U1 U2
-    /// counts twins. `share_above` is the share of the distinct children above 0.95, and `best_child` the
+    /// Rows of thresholds.csv with U3 and the answer's `parents`: p_bar ascending, gco and cco at each. U1
+    /// and U2 are the sizes of the sets of parents when pairs are formed. `at_least_used`: one of them had
+    /// fewer than "at least" genomes above 0.95. `children` is |U4|, the number of distinct children; U3 = U1
+    /// U2 counts twins. `share_above` is the share of the distinct children above 0.95, and `best_child` the
     /// best similarity among them before any GCMMA. `similarity` is the answer's after the last GCMMA.
     std::vector<nlohmann::json> thresholds = {};
 };
@@ -87,7 +87,7 @@ struct Removal {
 
 /// Nodes in contact, summed over the load steps of a database, and the nodes that left contact later.
 struct Contacts {
-    long nodes = 0, lost = 0;
+    double nodes = 0, lost = 0;
 };
 
 /// The studies of one genome of the database.
@@ -116,8 +116,6 @@ std::vector<double> genome_column(const Studies& studies, Part GenomeStudy::*par
     return rough::column(studies.genomes, [&](const GenomeStudy& one) { return one.*part.*value; });
 }
 
-/// Mean relative difference |b - a|/a at the points of `a` within the range of `b`; NaN without such points.
-double relative_gap(const rough::Curve& a, const rough::Curve& b);
 /// Largest difference |b - a| at the points of `a` within the range of `b`; NaN without such points.
 double gap(const rough::Curve& a, const rough::Curve& b);
 
@@ -170,8 +168,8 @@ struct Refinement {
 /// refinement only (CCO). Empty if the variant has none.
 std::vector<Refinement> refinements(const VariantRun& variant);
 
-/// Figure 4: among genomes whose similarity over all pressures is at most 0.95, the one that is best over the
-/// low (or high) pressures.
-std::optional<std::size_t> best_in_part(const TargetRun& target, bool low);
+/// Figure 4: the genome that is best in a part of the pressures, `low` or `high`. Only genomes whose
+/// similarity over all pressures is at most 0.95 are compared.
+std::optional<std::size_t> best_in_part(const TargetRun& target, double Scores::*part);
 
 } // namespace app

@@ -18,6 +18,12 @@ std::vector<double> differences(const rough::Curve& a, const rough::Curve& b, Di
     return all;
 }
 
+/// Mean relative difference |b - a|/a at the points of `a` within the range of `b`; NaN without such points.
+double relative_gap(const rough::Curve& a, const rough::Curve& b) {
+    return rough::mean(
+        differences(a, b, [](double here, double there) { return std::abs(there / here - 1); }));
+}
+
 constexpr double g1_rounding = 1e-12; ///< times M: if |g1| = R, rounding must not affect the result
 
 bool holds(double g1, double radicand, double ridges) {
@@ -114,7 +120,7 @@ Contacts contacts_of(const Answered& member, const rough::Model& model) {
     Contacts contacts;
     for (std::size_t j = 0; j + 1 < states.size(); ++j) {
         const std::set<int> next(states[j + 1].nodes.begin(), states[j + 1].nodes.end());
-        contacts.nodes += static_cast<long>(states[j].nodes.size());
+        contacts.nodes += static_cast<double>(states[j].nodes.size());
         for (const int node : states[j].nodes)
             contacts.lost += !next.contains(node);
     }
@@ -198,11 +204,6 @@ Studies studies_of(const PaperRun& run) {
                               contacts_of(member, run.model)};
     });
     return studies;
-}
-
-double relative_gap(const Curve& a, const Curve& b) {
-    return rough::mean(
-        differences(a, b, [](double here, double there) { return std::abs(there / here - 1); }));
 }
 
 double gap(const Curve& a, const Curve& b) {

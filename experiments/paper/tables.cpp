@@ -13,7 +13,7 @@ using nlohmann::json;
 bool is_papers(const std::string& name) { return name == "sog" || name == "gco" || name == "cco"; }
 
 /// Whether figures show an answer: all except the minimax forms.
-bool is_shown(const std::string& name) { return is_papers(name) || !name.ends_with("-minimax"); }
+bool is_shown(const std::string& name) { return !name.ends_with("-minimax"); }
 
 /// "SOG, minimax" for "sog-minimax"; the name itself for a variant of the .ini file.
 std::string shown_name(const std::string& name) {
@@ -137,14 +137,14 @@ json target_page(const TargetRun& target, const std::string& folder) {
         sog && gco &&
         gap(area_against_pressure(sog->answer.response), area_against_pressure(gco->answer.response)) < 1e-9;
     std::string parts = folder;
-    for (const bool low : {true, false})
-        if (const auto genome = best_in_part(target, low)) {
+    for (const auto& [place, part] : {std::pair("below", &Scores::low), {"above", &Scores::high}})
+        if (const auto genome = best_in_part(target, part)) {
             const Scores& scores = target.database[*genome];
             parts += " " + std::to_string(*genome);
             result["parts"].push_back({{"genome", *genome},
-                                       {"part", low ? "below" : "above"},
+                                       {"part", place},
                                        {"similarity_all", scores.all},
-                                       {"similarity_part", low ? scores.low : scores.high}});
+                                       {"similarity_part", scores.*part}});
         }
     result["part_figure"] = parts;
     return result;

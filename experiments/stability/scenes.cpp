@@ -40,28 +40,22 @@ struct SceneList {
     /// Adds a scene with five steps to 0.9 of the reach, unless displacements are given.
     ContactScene& add(const std::string& name, const VectorXd& heights,
                       const std::vector<double>& displacements = {}) {
-        ContactScene scene;
-        scene.name = name;
         const Index nodes = heights.size();
-        scene.profile = {heights,
-                         length / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1)};
-        scene.body.kernel = kernel;
-        scene.body.datum = length;
-        scene.body.strip_width = length / 511;
-        scene.displacements = displacements.empty() ? even_steps(0.9 * reach_of(heights), 5) : displacements;
-        scenes.push_back(scene);
-        return scenes.back();
+        return scenes.emplace_back(ContactScene{
+            .name = name,
+            .profile = {heights,
+                        length / static_cast<double>(kernel == Kernel::periodic ? nodes : nodes - 1)},
+            .body = completed(Body{.kernel = kernel}, length),
+            .displacements = displacements.empty() ? even_steps(0.9 * reach_of(heights), 5) : displacements});
     }
 
     ContactScene& add_map(const std::string& name, rough::Extent shape, double contact,
                           MapShape kind = MapShape::rough, double stretch = 1) {
-        Body body;
-        body.kernel = kernel;
-        scenes.push_back(
-            map_scene(name, body, shape,
+        return scenes.emplace_back(
+            map_scene(name, {.kernel = kernel}, shape,
                       {.hurst = 0.8, .shortest = 6, .seed = 7, .shape = kind, .stretch = stretch}, contact));
-        return scenes.back();
     }
+
     /// Adds a line under loads that are shares of the load at 0.9 of the reach.
     ContactScene& add_loads(const std::string& name, const VectorXd& heights,
                             const std::vector<double>& shares) {
@@ -95,14 +89,14 @@ void add_loaded_lines(SceneList& list) {
     if (list.kernel != Kernel::periodic)
         return;
     press_nearly_flat(list.add("line-near-full-load", rough));
-    for (const auto& layer : layers) {
-        const std::string name = "line-" + layer.first;
-        list.add_loads(name, rough, {0.01, 0.1, 0.5}).body.layering = layer.second;
+    for (const auto& [layer, layering] : layers) {
+        const std::string name = "line-" + layer;
+        list.add_loads(name, rough, {0.01, 0.1, 0.5}).body.layering = layering;
         ContactScene& hard = list.add_loads(name + "-hardness", rough, {0.01, 0.1});
-        hard.body.layering = layer.second;
+        hard.body.layering = layering;
         hard.body.hardness = 2 * hard.pressures.back();
         ContactScene& full = list.add(name + "-near-full-load", rough);
-        full.body.layering = layer.second;
+        full.body.layering = layering;
         press_nearly_flat(full);
     }
 }
@@ -181,14 +175,12 @@ void add_numbers(SceneList& list) {
 void add_bodies(SceneList& list) {
     const VectorXd rough = rough_heights(usual_nodes);
     list.kernel = Kernel::free;
-    auto with_datum = [&](const char* name, auto datum) -> ContactScene& {
-        ContactScene& scene = list.add(name, rough);
-        scene.body.datum = datum(rough::datum_limit(scene.profile));
-        return scene;
-    };
-    with_datum("datum-above-limit", [](double limit) { return limit * (1 + 1e-6); });
-    with_datum("datum-below-limit", [](double limit) { return limit * (1 - 1e-6); }).has_solution = false;
-    with_datum("datum-below-L", [](double) { return 0.5 * length; });
+    const double limit = rough::datum_limit({rough, length / (usual_nodes - 1)});
+    list.add("datum-above-limit", rough).body.datum = limit * (1 + 1e-6);
+    ContactScene& below = list.add("datum-below-limit", rough);
+    below.body.datum = limit * (1 - 1e-6);
+    below.has_solution = false;
+    list.add("datum-below-L", rough).body.datum = 0.5 * length;
     list.kernel = Kernel::strip;
     ContactScene& narrow = list.add("narrow-strip", rough);
     narrow.body.strip_width = 1e-6 * narrow.profile.spacing;
@@ -260,17 +252,17 @@ ContactScene map_scene(const std::string& name, const Body& body, rough::Extent 
     constexpr double slope = 0.1;
     const double spacing = length / static_cast<double>(shape.columns),
                  width = roughness.stretch * spacing * static_cast<double>(shape.rows);
-    ContactScene scene;
-    scene.name = name;
-    scene.body = body;
-    scene.profile =
-        rough::realised(rough::SelfAffine{.hurst = roughness.hurst,
-                                          .longest = 0.5 * length,
-                                          .shortest = roughness.shortest * spacing,
-                                          .rms_slope = slope},
-                        rough::Grid{shape.columns, length, true, 0, shape.rows, width}, roughness.seed);
+    ContactScene scene{.name = name,
+                       .profile = rough::realised(
+                           rough::SelfAffine{.hurst = roughness.hurst,
+                                             .longest = 0.5 * length,
+                                             .shortest = roughness.shortest * spacing,
+                                             .rms_slope = slope},
+                           rough::Grid{shape.columns, length, true, 0, shape.rows, width}, roughness.seed),
+                       .body = body,
+                       .displacements = {},
+                       .pressures = {persson_load(contact, slope)}};
     reshape(scene.profile.heights, roughness.shape);
-    scene.pressures = {persson_load(contact, slope)};
     if (body.kernel == Kernel::periodic)
         scene.pressures[0] =
             std::min(scene.pressures[0], 0.999 * full_contact_load(scene.profile, scene.body));

@@ -214,8 +214,8 @@ TEST_CASE("verdicts on formulas and parts of a genome turn when their numbers do
 TEST_CASE("a part of the target is met better than the whole by a genome that is poor over all pressures") {
     TargetRun target;
     target.database = {{0.96, 0.99, 0.97}, {0.95, 0.96, 0.9}, {0.88, 0.89, 0.94}};
-    CHECK(best_in_part(target, true) == 1);
-    CHECK(best_in_part(target, false) == 2);
+    CHECK(best_in_part(target, &Scores::low) == 1);
+    CHECK(best_in_part(target, &Scores::high) == 2);
     CHECK(verdict("low-part", target) == yes);
     CHECK(verdict("high-part", target) == no);
     target.database.resize(1);

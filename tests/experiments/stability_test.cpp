@@ -172,7 +172,7 @@ TEST_CASE("a bred scene is pressed again from its name, and wrong names are refu
     const std::string name = app::bred_name(genes);
     CHECK(name == "bred 0.3,0.35,0.9,0.6,0.5,0.123,0.4,0.7,0.5,0.3,0.8,0,0,0");
     const app::ContactScene scene = app::bred_scene(name),
-                            again = app::bred_scene(name.substr(0, name.size() - 6)); // of an earlier version
+                            again = app::bred_scene(name.substr(0, name.size() - 6)); // a name with 11 genes
     CHECK(again.profile.heights == scene.profile.heights);
     CHECK(again.pressures == scene.pressures);
     CHECK(again.body.hardness == scene.body.hardness);

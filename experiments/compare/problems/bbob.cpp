@@ -18,7 +18,7 @@ constexpr long modulus = 2147483647;
 // BBOB's random generator of 2009, which gives instances the optima, rotations and peaks of COCO.
 
 /// n numbers in (0, 1): Park and Miller's generator (1988) through a table of 32 (Bays and Durham 1976).
-std::vector<double> unif(std::size_t n, long seed) {
+Array unif(Index n, long seed) {
     long state = std::max(1L, std::labs(seed));
     const auto step = [&] { return state = 16807 * state % modulus; };
     std::array<long, 32> table{};
@@ -26,7 +26,7 @@ std::vector<double> unif(std::size_t n, long seed) {
         step();
     for (std::size_t i = table.size(); i-- > 0;)
         table[i] = step();
-    std::vector<double> numbers(n);
+    Array numbers(n);
     long out = table[0];
     for (double& number : numbers) {
         long& slot = table[static_cast<std::size_t>(out / 67108865)];
@@ -38,21 +38,18 @@ std::vector<double> unif(std::size_t n, long seed) {
 }
 
 /// n normal numbers (Box and Muller 1958).
-std::vector<double> gauss(std::size_t n, long seed) {
-    const std::vector<double> u = unif(2 * n, seed);
-    std::vector<double> numbers(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        numbers[i] = std::sqrt(-2 * std::log(u[i])) * std::cos(tau * u[n + i]);
-        if (numbers[i] == 0)
-            numbers[i] = next_to_nothing;
-    }
-    return numbers;
+Array gauss(Index n, long seed) {
+    const Array u = unif(2 * n, seed);
+    return u.head(n).binaryExpr(u.tail(n), [](double size, double turn) {
+        const double number = std::sqrt(-2 * std::log(size)) * std::cos(tau * turn);
+        return number == 0 ? next_to_nothing : number;
+    });
 }
 
 /// An orthogonal matrix by Gram and Schmidt from normal columns.
 Eigen::MatrixXd rotation(int dimension, long seed) {
-    const std::vector<double> drawn = gauss(static_cast<std::size_t>(dimension * dimension), seed);
-    Eigen::MatrixXd columns = Eigen::Map<const Eigen::MatrixXd>(drawn.data(), dimension, dimension);
+    const Array drawn = gauss(dimension * dimension, seed);
+    Eigen::MatrixXd columns = drawn.matrix().reshaped(dimension, dimension);
     for (int i = 0; i < dimension; ++i) {
         for (int j = 0; j < i; ++j)
             columns.col(i) -= columns.col(i).dot(columns.col(j)) * columns.col(j);
@@ -62,15 +59,11 @@ Eigen::MatrixXd rotation(int dimension, long seed) {
 }
 
 /// The optimum, on a lattice of 8e-4 in [-4, 4]^n.
-Eigen::VectorXd place_of_optimum(int dimension, long seed) {
-    const std::vector<double> u = unif(static_cast<std::size_t>(dimension), seed);
-    Eigen::VectorXd place(dimension);
-    for (int i = 0; i < dimension; ++i) {
-        place[i] = 8 * std::floor(1e4 * u[static_cast<std::size_t>(i)]) / 1e4 - 4;
-        if (place[i] == 0)
-            place[i] = -1e-5;
-    }
-    return place;
+Array place_of_optimum(int dimension, long seed) {
+    return unif(dimension, seed).unaryExpr([](double u) {
+        const double place = 8 * std::floor(1e4 * u) / 1e4 - 4;
+        return place == 0 ? -1e-5 : place;
+    });
 }
 
 /// The seed of a function's instance; 3 and 4, 17 and 18 share theirs.
@@ -159,8 +152,8 @@ double katsuura(const Array& z) {
 }
 
 /// Indices in ascending order of the numbers.
-std::vector<double> order_of(const std::vector<double>& numbers) {
-    const auto order = rough::ascending(numbers);
+std::vector<double> order_of(const Array& numbers) {
+    const auto order = rough::ascending({numbers.begin(), numbers.end()});
     return {order.begin(), order.end()};
 }
 
@@ -173,7 +166,7 @@ Bbob::Bbob(int function, int dimension, int instance)
       ramp_(Array::LinSpaced(dimension, 0, 1)) {
     const long seed = seed_of(function, instance);
     constexpr long other = 1000000; // between the seeds of the two rotations
-    shift_ = place_of_optimum(dimension, function == 12 ? seed + other : seed).array();
+    shift_ = place_of_optimum(dimension, function == 12 ? seed + other : seed);
     first_ = rotation(dimension, seed + other);
     second_ = rotation(dimension, seed);
     const double condition = function == 23 ? 100 : function == 16 ? 0.01 : 10;
@@ -194,12 +187,10 @@ Bbob::Bbob(int function, int dimension, int instance)
             (second_.transpose() * Eigen::VectorXd::Constant(dimension, 0.5 / (stretch * stretch))).array();
     }
     if (function == 20 || function == 24) {
-        const auto n = static_cast<std::size_t>(dimension);
-        const std::vector<double> drawn = function == 20 ? unif(n, seed) : gauss(n, seed);
+        const Array drawn = function == 20 ? unif(dimension, seed) : gauss(dimension, seed);
         const double middle = function == 20 ? 0.5 : 0,
                      distance = function == 20 ? 4.2096874637 / 2 : 2.5 / 2;
-        for (Index i = 0; i < dimension; ++i)
-            shift_[i] = drawn[static_cast<std::size_t>(i)] < middle ? -1 : 1;
+        shift_ = drawn.unaryExpr([&](double number) { return number < middle ? -1.0 : 1.0; });
         best = distance * shift_;
     }
     if (function == 21 || function == 22) {
@@ -210,29 +201,25 @@ Bbob::Bbob(int function, int dimension, int instance)
 }
 
 void Bbob::draw_peaks(long seed) {
-    const int count = function_ == 21 ? 101 : 21;
-    const double width = function_ == 21 ? 10 : 9.8;
-    const auto n = static_cast<std::size_t>(dimension_), peaks = static_cast<std::size_t>(count);
-    const std::vector<double> levels = order_of(unif(peaks - 1, seed));
-    const std::vector<double> places = unif(n * peaks, seed);
+    const Index count = function_ == 21 ? 101 : 21;
+    const double width = function_ == 21 ? 10 : 9.8, below = static_cast<double>(count - 2);
+    const std::vector<double> levels = order_of(unif(count - 1, seed));
+    const Array places = unif(dimension_ * count, seed);
     heights_.resize(count);
     peaks_.resize(dimension_, count);
     widths_.resize(dimension_, count);
     for (Index k = 0; k < count; ++k) {
-        const auto peak = static_cast<std::size_t>(k);
-        const double below = count - 2;
         heights_[k] = k == 0 ? 10 : 1.1 + 8 * static_cast<double>(k - 1) / below;
-        const double condition = k > 0             ? std::pow(1000, levels[peak - 1] / below)
+        const double condition = k > 0 ? std::pow(1000, levels[static_cast<std::size_t>(k - 1)] / below)
                                  : function_ == 21 ? std::sqrt(1000)
                                                    : 1000;
-        const std::vector<double> order = order_of(unif(n, seed + 1000 * k));
-        Eigen::VectorXd place(dimension_);
-        for (Index i = 0; i < dimension_; ++i) {
-            widths_(i, k) = std::pow(condition, order[static_cast<std::size_t>(i)] / (dimension_ - 1) - 0.5);
-            place[i] =
-                (k == 0 ? 0.8 : 1) * (width * places[peak * n + static_cast<std::size_t>(i)] - width / 2);
-        }
-        peaks_.col(k) = (second_ * place).array();
+        const std::vector<double> order = order_of(unif(dimension_, seed + 1000 * k));
+        std::ranges::transform(order, widths_.col(k).begin(), [&](double place) {
+            return std::pow(condition, place / (dimension_ - 1) - 0.5);
+        });
+        const Array place =
+            (k == 0 ? 0.8 : 1) * (width * places.segment(k * dimension_, dimension_) - width / 2);
+        peaks_.col(k) = (second_ * place.matrix()).array();
     }
 }
 

@@ -1,5 +1,6 @@
 #include "domain/text/words.hpp"
 #include "experiments/compare/problems/problems.hpp"
+#include "ga/pareto/many_objectives.hpp"
 
 #include <map>
 #include <numbers>
@@ -69,8 +70,8 @@ Evaluation dtlz7(const Reals& x) {
     return {{x[0], x[1], (1 + g) * h}};
 }
 
-constexpr int along = 500; // points of a curve
-constexpr int across = 31; // divisions of an edge of a surface: 528 points
+constexpr int along = 500;         // points of a curve
+constexpr std::size_t across = 31; // divisions of an edge of a surface: 528 points
 
 /// The points that no other one dominates; lower is better.
 Points undominated(const Points& points) {
@@ -88,17 +89,14 @@ Points curve(double (*f2)(double, double), double from = 0) {
     }
     return undominated(points);
 }
-/// Points of the triangle of three shares whose sum is 1 (Das and Dennis 1998), each over its size.
+/// Points of the triangle of three shares whose sum is 1, each over its size.
 Points shares(double (*size)(const ga::Point&)) {
-    Points points;
-    for (int i = 0; i <= across; ++i)
-        for (int j = 0; i + j <= across; ++j) {
-            ga::Point point{i / double(across), j / double(across), (across - i - j) / double(across)};
-            const double divisor = size(point);
-            for (double& f : point)
-                f /= divisor;
-            points.push_back(point);
-        }
+    Points points = ga::reference_directions(3, across, 0);
+    for (ga::Point& point : points) {
+        const double divisor = size(point);
+        for (double& f : point)
+            f /= divisor;
+    }
     return points;
 }
 Points plane() {
