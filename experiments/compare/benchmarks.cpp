@@ -29,7 +29,7 @@ struct Roughness {
     std::shared_ptr<rough::ResponseMemory> memory;
 };
 
-/// A search for a surface: evaluations are curves and gradients, precision is 1 less the similarity. It
+/// A search for a surface: evaluations are the price of its curves, precision is 1 less the similarity. It
 /// continues after its last target, so that all answers are verified alike.
 Reached raced(const Roughness& roughness, const std::string& variant, const std::vector<double>& targets,
               const Attempt& attempt) {
@@ -43,16 +43,19 @@ Reached raced(const Roughness& roughness, const std::string& variant, const std:
     options.alternatives = options.verifying = 1;
     options.memory = roughness.memory;
     const ga::Name similarity("similarity");
+    const auto note = [&](const ga::Counters& counters, double precision) {
+        tally.note(std::min(attempt.budget, std::lround(counters.requested_price)), precision);
+    };
     const auto watch = [&](const ga::Event<rough::Genome>& event) {
         double best = -HUGE_VAL;
         for (const auto& individual : event.population)
             if (individual.fitness.known(similarity) && !individual.fitness.has_failed())
                 best = std::max(best, individual.fitness.value());
-        tally.note(std::min(attempt.budget, event.counters.requested), 1 - best);
+        note(event.counters, 1 - best);
     };
     const ga::Stopwatch clock;
     const rough::SearchResult found = rough::search(roughness.setup, options, {watch});
-    tally.note(std::min(attempt.budget, found.counters.requested), 1 - found.best.similarity);
+    note(found.counters, 1 - found.best.similarity);
     Reached reached = tally.reached();
     reached.surface = variant_run("", found, {}, clock.seconds());
     reached.surface["genome"] = genome_to_json(found.best.genome);

@@ -270,8 +270,8 @@ void add_map(Findings& found, const ProblemResults& results, const json& designe
 
 /// Adds the set-up of a roughness problem and the answers of its variants, the best median first.
 void add_surfaces(Findings& found, const ProblemResults& results) {
-    Csv& table = found.table("answers.csv",
-                             "problem,variant,similarity_worst,lower,upper,curves,gradients,seconds", 6);
+    Csv& table = found.table(
+        "answers.csv", "problem,variant,similarity_worst,lower,upper,price,curves,gradients,seconds", 6);
     const std::string& problem = results.problem.name;
     const rough::DesignSetup& setup = *results.problem.setup;
     json of_problem = model_json(setup.model);
@@ -301,7 +301,7 @@ void add_surfaces(Findings& found, const ProblemResults& results) {
         one.update(middle);
         one["median_lowest"] = median;
         one["median_lowest_interval"] = {interval.lower, interval.upper};
-        table.row(problem, name, median, interval.lower, interval.upper, middle["curves"],
+        table.row(problem, name, median, interval.lower, interval.upper, middle["price"], middle["curves"],
                   middle["gradients"], middle["seconds"]);
     }
     add_progress(found, results);

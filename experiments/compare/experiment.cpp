@@ -20,7 +20,9 @@ std::vector<Setting> compare_settings() {
          "fronts, bits, tours and surfaces of the file, or the usual variants]"},
         ga::whole("compare.seeds", "", 1, "runs of each variant on each problem [15]").up_to(1000),
         {"compare.budget", "", "evaluations of a run: 20000, or 1e4*D of a genome of D genes [1e4*D]"},
-        ga::whole("compare.curves", "1000", 1, "budget of a run on roughness: curves and gradients")
+        ga::whole("compare.curves", "1000", 1,
+                  "budget of a run on roughness: the price of its curves and gradients, in curves of the "
+                  "search grid")
             .up_to(1e9),
         {"compare.target", "", "target curves (CSV) of roughness, separated by commas"},
         max_pressure_setting("compare."),
