@@ -66,10 +66,10 @@ struct Rows {
 
 /// The rows of a genome. Under Eq. 11 its scale must be 1. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
-/// The rows of a profile under the targets' loadings. `in_genes` converts derivatives with respect to heights
+/// The rows of a profile under the targets' loadings. `pull` converts derivatives with respect to heights
 /// (rows x N) into derivatives with respect to genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
-                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
+                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& pull);
 /// Returns every `part`-th load step. Steps are equally spaced, so a coarser curve has exactly these
 /// displacements.
 Response every(Index part, Response response);
