@@ -75,19 +75,6 @@ WrittenColumns columns_of(const Target& target);
 /// excludes y. The message names the point (from 1) and the value.
 void validate(const Target& target);
 
-/// The contents of a target file.
-struct TargetTable {
-    std::map<std::string, std::string> recorded; ///< the lines "# key: value"
-    std::vector<std::string> header;             ///< names of the columns, trimmed
-    std::vector<std::vector<double>> rows;       ///< as wide as the header, finite
-
-    /// The index of a column in the header, from 0, or -1 if it does not exist.
-    int place_of(const std::string& name) const;
-};
-/// Reads a target file: comments, a header and rows of numbers. The header determines the separator: comma,
-/// semicolon or tab. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
-TargetTable read_target_table(const std::filesystem::path& file);
-
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
     std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
@@ -106,7 +93,8 @@ struct TargetScales {
 /// have neither or both.
 WrittenColumns conductance_columns(const TargetScales& scales);
 
-/// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
+/// Reads a target file: CSV, header first, columns in any order. The header determines the separator: comma,
+/// semicolon or tab. Semicolons and tabs allow decimal commas. It has one x column (pressure_MPa or
 /// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, a
 /// conductance; with displacement_mm also pressure_MPa) and optionally lower and upper. A column name may
 /// state another unit. A pressure may be in Pa, kPa, MPa, GPa, bar or psi. A load in uN, mN, N or kN is
@@ -191,8 +179,8 @@ Target target_at(Quantity quantity, const std::string& name, const Eigen::Vector
                  const std::function<double(double)>& y);
 
 /// A profile's response as a target, with its recorded model. If the last point is not given or beyond the
-/// last load step, the last load step is used. PointPlacement at which the curve is continued to 0 or less
-/// are omitted. Unless `resolution` is `off`, the band spans the curves of the given heights and of heights
+/// last load step, the last load step is used. Points at which the curve is continued to 0 or less are
+/// omitted. Unless `resolution` is `off`, the band spans the curves of the given heights and of heights
 /// interpolated linearly and by a spline. Throws InputError if an interface stiffness is infinite at full
 /// contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
