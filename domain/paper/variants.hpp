@@ -4,6 +4,8 @@
 #include "domain/problem/problem.hpp"
 #include "ga/text/compiled_once.hpp"
 
+#include <memory>
+
 namespace rough {
 
 /// A pipeline on a design's problem, e.g. the paper's.
