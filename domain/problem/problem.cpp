@@ -199,13 +199,8 @@ bool DesignProblem::valid(const Genome& genome) const {
 }
 
 bool DesignProblem::valid_outcome(const Outcome& outcome) const {
-    const std::size_t targets = setup_->targets.size(), found = outcome.misfits.size();
-    if (!(outcome.scale > 0) || !std::isfinite(outcome.scale) || found != targets)
-        return false;
-    for (std::size_t t = 0; t < found; ++t)
-        if (outcome.misfits[t].size() != setup_->targets[t].points())
-            return false;
-    return true;
+    return outcome.scale > 0 && std::isfinite(outcome.scale) &&
+           std::ranges::equal(outcome.misfits, setup_->targets, {}, &Eigen::VectorXd::size, &Target::points);
 }
 
 std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }
@@ -237,15 +232,14 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
     std::vector<ga::Variable> variables;
     for (std::size_t g = 0; g < places.size(); ++g) {
         const Series& series = genome.series[places[g].series];
-        int last = 1;
-        for (const Chromosome& chromosome : series.chromosomes)
-            last = std::max(last, chromosome.n);
+        const int last = std::ranges::max(series.chromosomes, {}, &Chromosome::n).n;
         const double slack =
             setup_->limits.shortest_wave > 0
                 ? std::max(0.0, std::log(wave_length(series, last) / setup_->limits.shortest_wave))
                 : 10;
         double from = 0, to = 0;
-        switch (places[g].kind) {
+        const GenePlace::Kind kind = places[g].kind;
+        switch (kind) {
         case GenePlace::Kind::A:
             std::tie(from, to) = std::minmax({0.1 * values[g], 10 * values[g]});
             break;
@@ -267,14 +261,12 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             break;
         }
         // On a periodic grid every wave stays a harmonic of its length.
-        const GenePlace::Kind kind = places[g].kind;
         const bool harmonic = setup_->model.grid.periodic &&
                               (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
         // In a single chromosome, H has the effect of A, and gamma that of lambda.
         const bool redundant =
             series.chromosomes.size() == 1 && (kind == GenePlace::Kind::H || kind == GenePlace::Kind::gamma);
-        const bool fixed = harmonic || redundant;
-        if (!fixed && from <= values[g] && values[g] <= to)
+        if (!harmonic && !redundant && from <= values[g] && values[g] <= to)
             variables.push_back({g, from, to});
     }
     return variables;
