@@ -68,21 +68,21 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
     return shorter;
 }
 
-/// A block that runs `body` under the problem of a changed set-up.
-template <class Change>
-DesignPipeline under(const std::string& name, const DesignPipeline& body, Change change) {
+/// A block that runs `body` under the problem of the set-up change(setup, n).
+DesignPipeline under(const std::string& name, int n, const DesignPipeline& body,
+                     DesignSetup (*change)(DesignSetup, int)) {
     return ga::derived_stage<DesignProblem>(
-        name, body,
-        [change](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
+        name + " " + std::to_string(n), body,
+        [=](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
             const DesignProblem& problem = context.problem();
-            return run_derived(stages, problem.with(change(problem.setup())), std::move(designs), context);
+            return run_derived(stages, problem.with(change(problem.setup(), n)), std::move(designs), context);
         });
 }
 
 /// The set-up with half the nodes along each side. The nodes are halved as often as requested, unless the
 /// grid becomes too coarse.
-DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
-    for (std::size_t i = 0; i < halvings; ++i) {
+DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
+    for (int i = 0; i < halvings; ++i) {
         Grid grid = setup.model.grid;
         grid.nodes /= 2;
         if (grid.is_2d())
@@ -96,15 +96,11 @@ DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
 }
 
 DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {
-    const std::size_t halvings = arguments.count("n");
-    return under("coarser " + std::to_string(halvings), body,
-                 [=](const DesignSetup& setup) { return on_coarser_grid(setup, halvings); });
+    return under("coarser", static_cast<int>(arguments.count("n")), body, on_coarser_grid);
 }
 
 DesignPipeline in_more_steps(const ga::Arguments& arguments, const DesignPipeline& body) {
-    const auto times = static_cast<int>(arguments.count("n"));
-    return under("more-steps " + std::to_string(times), body,
-                 [=](const DesignSetup& setup) { return in_finer_steps(setup, times); });
+    return under("more-steps", static_cast<int>(arguments.count("n")), body, in_finer_steps);
 }
 
 /// The set-up with targets corrected by the difference of two curves of one genome: that of the problem, with
