@@ -170,17 +170,16 @@ std::vector<Compromise> compromises(const DesignSetup& given, const std::vector<
     std::erase_if(all, [&](const Compromise& one) {
         return one.similarity.empty() || !holds_limits(setup, one.genome);
     });
-    std::vector<ga::Point> points;
-    for (const Compromise& one : all)
-        points.push_back(one.similarity);
+    std::vector<ga::Point> points(all.size());
+    std::ranges::transform(all, points.begin(), &Compromise::similarity);
     const std::vector<std::size_t> ranks = ga::pareto_ranks(points);
     std::vector<Compromise> front;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (ranks[i] == 0)
             front.push_back(all[i]);
     std::ranges::stable_sort(front, {}, &Compromise::similarity);
-    const auto equal = [](const Compromise& a, const Compromise& b) { return a.similarity == b.similarity; };
-    front.erase(std::unique(front.begin(), front.end(), equal), front.end());
+    const auto repeated = std::ranges::unique(front, {}, &Compromise::similarity);
+    front.erase(repeated.begin(), repeated.end());
     if (front.size() > max_count) {
         std::vector<Compromise> spread;
         for (std::size_t i = 0; i < max_count; ++i)
