@@ -39,8 +39,7 @@ inline bool only_areas(const CapSetup& setup) {
     return std::ranges::all_of(
         setup.targets, [](const Target& target) { return target.quantity == Quantity::area_at_pressure; });
 }
-/// The caps of a genome.
-Caps caps_of(const CapSetup& setup, const CapGenome& genome);
+Caps caps_of(const CapSetup& setup, const CapGenome& genome); ///< the caps of a genome
 
 /// The value of a target's quantity, in the target's unit, for caps under a load (N) with an area (mm^2) and
 /// a stiffness (N/mm).
@@ -66,9 +65,8 @@ CapSetup with_independent_caps(CapSetup setup, const CapGenome* like = nullptr);
 /// similarity over all targets, and `goal1`, `goal2`, ..., the similarity to one target.
 class CapProblem {
   public:
-    using Genome = CapGenome; ///< heights, and radii if they are genes
-    /// Weighted misfits, one vector per target.
-    using Outcome = std::vector<Eigen::VectorXd>;
+    using Genome = CapGenome;                     ///< heights, and radii if they are genes
+    using Outcome = std::vector<Eigen::VectorXd>; ///< weighted misfits, one vector per target
 
     /// The problem of a set-up. Throws InputError on an invalid array, range or target.
     explicit CapProblem(CapSetup setup);
@@ -90,8 +88,7 @@ class CapProblem {
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
     const CapSetup& setup() const { return setup_; } ///< the set-up that was given
-    /// The range of a gene.
-    const GeneRange& range(std::size_t gene) const;
+    const GeneRange& range(std::size_t gene) const;  ///< the range of a gene
 
   private:
     CapSetup setup_;

@@ -44,8 +44,7 @@ struct DatabaseSetup {
     GenomeDistribution law = {};      ///< distribution of the genomes
 };
 
-/// A set-up as names with units and values, the model first.
-NamedValues named_values(const DatabaseSetup& setup);
+NamedValues named_values(const DatabaseSetup& setup); ///< names with units and values, the model first
 /// The inverse of named_values(). Throws InputError that begins with `where` on a missing or unreadable
 /// field.
 DatabaseSetup setup_from(const NamedValues& fields, const std::string& where);
@@ -100,8 +99,7 @@ class GenomeStore {
     /// genomes are removed from the beginning of `wanted`.
     std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
-    /// The spans of these genomes that are not stored, in order.
-    std::vector<Span> gaps(const Span& of) const;
+    std::vector<Span> gaps(const Span& of) const; ///< spans of these genomes that are not stored, in order
     /// Stores the genomes of a span and their responses. Returns false if another builder has already stored
     /// them; the earlier copy is then kept.
     bool add(const Span& span, const std::vector<Response>& responses);

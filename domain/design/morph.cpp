@@ -12,8 +12,7 @@ namespace rough {
 
 namespace {
 
-/// Maximum numbers of curves with derivatives.
-constexpr int first_try = 20, second_try = 12;
+constexpr int first_try = 20, second_try = 12; ///< maximum numbers of curves with derivatives
 /// A try that has not met the targets ends after this many curves without a better worst misfit. Tries that
 /// cannot meet the targets would otherwise take longest.
 constexpr int patient_gradients = 6;

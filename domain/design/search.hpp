@@ -89,7 +89,6 @@ Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
 /// can have the similarity `required`.
 Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
 
-/// Limit on the evaluations of a search if the target is out of reach.
-constexpr long enough_for_the_nearest = 3000;
+constexpr long enough_for_the_nearest = 3000; ///< maximum number of evaluations if the target is out of reach
 
 } // namespace rough

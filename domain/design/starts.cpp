@@ -115,12 +115,9 @@ std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
     return all;
 }
 
-/// Weight of a node that does not touch; the weight of one that touches is 1.
-constexpr double unseen = 0.02;
-/// Rounds of fitting; after each, the nodes below the sum get the weight 1.
-constexpr int rounds = 4;
-/// Damping of the waves, relative to the sum of the nodes' weights.
-constexpr double damping = 1e-4;
+constexpr double unseen = 0.02; ///< weight of a node that does not touch; the weight of one that touches is 1
+constexpr int rounds = 4;       ///< rounds of fitting; after each, the nodes below the sum get the weight 1
+constexpr double damping = 1e-4; ///< damping of the waves, relative to the sum of the nodes' weights
 /// Longer scans are divided into parts, whose highest nodes are fitted, because contact is on peaks.
 constexpr Index max_points = 2048;
 

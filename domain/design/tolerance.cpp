@@ -125,8 +125,7 @@ class ErrorTrials {
     std::vector<Draw> draws_;
 };
 
-/// The similarity under some sizes of an error, by size.
-using KeptBySize = std::map<double, double>;
+using KeptBySize = std::map<double, double>; ///< the similarity under some sizes of an error, by size
 
 /// Sizes up to `cap`, each `ratio` times the one before, from one that keeps `high` to one below `low`.
 template <class KeptAt>

@@ -71,7 +71,7 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
 
 /// One similarity to compute. It refers to the set-up, the genome and the options.
 struct Job {
-    std::vector<Check>* list; ///< where the result belongs; null: to the redrawn phases
+    std::vector<Check>* list; ///< receives the similarity; null: the redrawn phases do
     std::string name;
     std::function<double()> similarity;
     bool decides = false;

@@ -35,8 +35,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
 /// (n - 1)^2 golden angles.
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count);
 
-/// A sum of waves at x, both in mm, without their offsets.
-double height_at(const std::vector<Wave>& waves, double x);
+double height_at(const std::vector<Wave>& waves, double x); ///< sum of the waves at x without offsets, mm
 
 /// The heights (mm) that a formula gives at the grid's nodes, x in mm from the first node.
 Profile sampled(const Grid& grid, const std::function<double(double)>& height);

@@ -8,8 +8,7 @@
 
 namespace rough {
 
-/// A pipeline on a design's problem, e.g. the paper's.
-using DesignPipeline = ga::Pipeline<DesignProblem>;
+using DesignPipeline = ga::Pipeline<DesignProblem>; ///< a pipeline on a design's problem, e.g. the paper's
 
 /// Parameters of the operators that the domain of roughness adds to the engine.
 struct Vocabulary {

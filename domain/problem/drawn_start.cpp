@@ -11,8 +11,7 @@ namespace {
 
 double within(double value, double from, double to) { return std::clamp(value, from, std::max(from, to)); }
 
-/// Higher harmonics hardly change stiffness and cost genes.
-constexpr int max_harmonic = 32;
+constexpr int max_harmonic = 32; ///< higher harmonics hardly change stiffness and cost genes
 
 /// Curves of maps are expensive, and a start does not need finer load steps.
 Model fitting_model(Model model) {

@@ -17,8 +17,7 @@ std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 /// displacement counts from their first touch. The surface is loaded as far as in the search.
 class SurfaceWithErrors {
   public:
-    /// The surface of a genome from in_final_form().
-    SurfaceWithErrors(DesignSetup setup, Genome genome);
+    SurfaceWithErrors(DesignSetup setup, Genome genome); ///< the surface of a genome from in_final_form()
 
     const Profile& surface() const { return surface_; } ///< the surface without errors
     /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws

@@ -22,8 +22,7 @@ struct CurveTimes {
 constexpr CurveTimes of_lines{128, 2, {0.092, 0.21, 0.48, 1.02, 3.0, 12, 50, 165}, 0.75};
 constexpr CurveTimes of_maps{256, 4, {1.1, 3.1, 60, 180, 760, 3300, 14000, 60000}, 0.6};
 
-/// Price of a derivative of a curve in such curves.
-constexpr double gradient_price = 1.4;
+constexpr double gradient_price = 1.4; ///< price of a derivative of a curve in such curves
 
 /// The time of a model's curve, ms. Between entries and beyond them it is a power of the number of nodes.
 double curve_time(const Model& model) {

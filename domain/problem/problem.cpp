@@ -12,8 +12,7 @@ namespace {
 
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.
 constexpr double limit_guard = 2e-3;
-/// A limit's excess in units of misfit.
-constexpr double limit_weight = 30;
+constexpr double limit_weight = 30; ///< a limit's excess in units of misfit
 
 /// The work's result. Throws Stopped if the set-up's stop ended it, which is not the genome's fault.
 template <class Work>

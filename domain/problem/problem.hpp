@@ -69,8 +69,7 @@ class DesignProblem {
     /// Whether the outcome has a misfit for each point of each target.
     bool valid_outcome(const Outcome& outcome) const;
 
-    /// The bits of the genome on which its outcome depends (key_of).
-    std::string key(const Genome& genome) const;
+    std::string key(const Genome& genome) const; ///< bits of the genome that its outcome depends on (key_of)
     /// The genome in its final form. Under Eq. 11 it gets the scale of its outcome.
     Genome final_genome(Genome genome, const Outcome& outcome) const;
 
@@ -106,8 +105,7 @@ class DesignProblem {
 
     /// The features of surface_descriptors().
     const std::vector<ga::Descriptor<Genome>>& descriptors() const { return descriptors_; }
-    /// The difference() of the surfaces of two genomes, 0 to 2.
-    double distance(const Genome& a, const Genome& b) const;
+    double distance(const Genome& a, const Genome& b) const; ///< difference() of the two surfaces, 0 to 2
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
     const Verifier& verifier() const { return *verifier_; }   ///< verifies under as_reported(setup())

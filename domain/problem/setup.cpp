@@ -12,13 +12,11 @@ constexpr Index max_exactly_reported = 16385; ///< nodes of the finer grid
 /// reported_tolerance.
 constexpr Index max_factored = 2049;
 constexpr double reported_tolerance = 1e-10;
-/// A target's last pressure may be rounded.
-constexpr double rounded_up = 1 + 1e-9;
+constexpr double rounded_up = 1 + 1e-9; ///< a target's last pressure may be rounded
 
 /// Minimum number of nodes in contact at a target's first point, because contact fractions are counts.
 constexpr double first_nodes = 32;
-/// Range of the default number of nodes for contact area.
-constexpr double min_area_nodes = 512, max_area_nodes = 4096;
+constexpr double min_area_nodes = 512, max_area_nodes = 4096; ///< limits of the default for contact area
 /// Largest distance of a band's edges from the measured curve, relative to this curve.
 constexpr double max_band_share = 0.05;
 

@@ -33,8 +33,7 @@ constexpr std::array<QuantityRow, 5> quantities{
 const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<std::size_t>(quantity)); }
 
 constexpr std::size_t max_bytes = 16'000'000, max_points = 1'000'000;
-/// A ratio K_i/K that only rounding next to full contact reaches.
-constexpr double nearly_rigid = 1e9;
+constexpr double nearly_rigid = 1e9; ///< a ratio K_i/K that only rounding next to full contact reaches
 constexpr const char* pressure_units = "Pa, kPa, MPa, GPa, bar or psi";
 constexpr const char* expected_columns =
     "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction, "

@@ -19,8 +19,7 @@ enum class Quantity {
 
 /// The names in the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.
 const std::vector<std::string>& quantity_names();
-/// The name of a quantity.
-const std::string& name_of(Quantity quantity);
+const std::string& name_of(Quantity quantity); ///< the name of a quantity
 /// The quantity of that name. Throws InputError on another word.
 Quantity quantity_named(const std::string& name);
 
@@ -50,9 +49,8 @@ struct Target {
     Eigen::VectorXd lower = {};              ///< lower end of the band at each x, or empty
     Eigen::VectorXd upper = {};              ///< upper end of the band at each x, or empty
     double weight = 1;                       ///< factor on each misfit, in (0, 1]
-    /// The model that the file states: "kernel", "datum_mm", ...
-    std::map<std::string, std::string> recorded = {};
-    std::optional<WrittenColumns> written = {}; ///< as the file has them; none: those of the quantity
+    std::map<std::string, std::string> recorded = {}; ///< model that the file states: "kernel", ...
+    std::optional<WrittenColumns> written = {};       ///< as the file has them; none: those of the quantity
 
     Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
@@ -66,10 +64,8 @@ struct Columns {
     const char* x; ///< name of the column of x
     const char* y; ///< name of the column of y
 };
-/// The names of a quantity's columns in a target file.
-Columns columns_of(Quantity quantity);
-/// The columns of a target's file.
-WrittenColumns columns_of(const Target& target);
+Columns columns_of(Quantity quantity);           ///< the names of a quantity's columns in a target file
+WrittenColumns columns_of(const Target& target); ///< the columns of a target's file
 
 /// Throws InputError if points are missing, x is not positive and increasing, y is out of range, or a band
 /// excludes y. The message names the point (from 1) and the value.
@@ -79,8 +75,7 @@ void validate(const Target& target);
 struct TargetScales {
     std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
     double effective_modulus = 1;            ///< E* of the bodies that conduct, MPa
-    /// rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
-    std::optional<double> resistivity = {};
+    std::optional<double> resistivity = {}; ///< rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
     /// 1/k_1 + 1/k_2 of both bodies, with the thermal conductivities k (W/(m K)), m K/W
     std::optional<double> thermal_resistivity = {};
     /// Shear strength sigma, MPa: the friction is sigma times the contact area.
@@ -132,8 +127,7 @@ Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const 
 /// Similarity (Eq. 12) for these misfits: 1 - the largest |misfit|. Without band and weight it is
 /// s = 1 - max_k |y_k - y(x_k)|/|y_k|. Equal curves have similarity 1. It may be negative.
 inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cwiseAbs().maxCoeff(); }
-/// Similarity of a curve to the target.
-double similarity(const Target& target, const Curve& curve);
+double similarity(const Target& target, const Curve& curve); ///< similarity of a curve to the target
 
 /// Similarity of `curve` to `reference`. x of `curve` is first multiplied by a factor, so that both curves
 /// end at the same x (Eq. 11).
