@@ -247,8 +247,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
         Answer answer = answer_of(reported, genome, known ? std::move(*known) : verifier.of(genome));
         if (answer.is_verified() && chooses_by_errors(setup))
             answer.similarity_made = similarity_under_errors(
-                reported, answer.genome, {.seed = ga::fold(0, "compared draws"), .threads = 1},
-                compared_draws);
+                reported, answer.genome,
+                {.seed = ga::fold(0, "compared draws"), .threads = 1, .draws = compared_draws});
         return answer;
     };
     std::vector<Genome> candidates =

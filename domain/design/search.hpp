@@ -78,16 +78,13 @@ struct Unreachable {
     double bound = 1;                ///< upper bound on the similarity of any profile
 };
 
-/// Default similarity for unreachable(): a target is reported as out of reach if no profile can have this
-/// similarity.
-constexpr double exact_enough = 0.999;
+constexpr double exact_enough = 0.999; ///< usual similarity for unreachable()
 
-/// The reasons, and the lowest of their bounds.
+/// The reasons, and the lowest of their bounds. The targets are out of reach if no profile can have the
+/// similarity `required`.
 Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
-
-/// The reasons and the bound for a set-up. The targets are out of reach if no profile
-/// can have the similarity `required`.
-Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
+/// The reasons and the bound for a set-up.
+Unreachable unreachable(const DesignSetup& setup, double required);
 
 constexpr long enough_for_the_nearest = 3000; ///< maximum number of evaluations if the target is out of reach
 

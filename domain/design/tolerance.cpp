@@ -299,13 +299,13 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
 }
 
 double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
-                               const ToleranceOptions& options, int draws) {
+                               const ToleranceOptions& options) {
     try {
         ErrorTrials trials(setup, genome, options);
         const double tilted = trials.lowest(unit_tilts(setup.model.grid), {setup.errors.tilt}).front();
         if (!(setup.errors.noise > 0))
             return tilted;
-        const int count = draws > 0 ? draws : draws_for(setup.model.grid);
+        const int count = options.draws.value_or(draws_for(setup.model.grid));
         return std::min(tilted, trials.with_noise(setup.errors.noise, count)[may_lose(count)]);
     } catch (const ga::Stopped&) {
         return std::numeric_limits<double>::quiet_NaN();
