@@ -28,20 +28,10 @@ auto unless_stopped(const ContactOptions& contact, Work work) {
 
 /// All residuals r as r |r/unit|^(power - 1). The sum of their squares depends mostly on the largest ones,
 /// as the similarity that 95 % of the draws keep does.
-ga::Sensitivity in_power(const std::vector<ga::Sensitivity>& all) {
+ga::Sensitivity in_power(const ga::Sensitivity& rows) {
     constexpr double power = 2.5, unit = 0.05;
-    Index count = 0;
-    for (const ga::Sensitivity& each : all)
-        count += each.residuals.size();
-    ga::Sensitivity rows{Eigen::VectorXd(count), Eigen::MatrixXd(count, all.front().jacobian.cols())};
-    for (Index at = 0; const ga::Sensitivity& each : all) {
-        const Index n = each.residuals.size();
-        const Eigen::VectorXd factor = (each.residuals / unit).cwiseAbs().array().pow(power - 1);
-        rows.residuals.segment(at, n) = each.residuals.cwiseProduct(factor);
-        rows.jacobian.middleRows(at, n) = power * factor.asDiagonal() * each.jacobian;
-        at += n;
-    }
-    return rows;
+    const Eigen::VectorXd factor = (rows.residuals / unit).cwiseAbs().array().pow(power - 1);
+    return {rows.residuals.cwiseProduct(factor), power * factor.asDiagonal() * rows.jacobian};
 }
 
 std::string target_objective(std::size_t target) { return "goal" + std::to_string(target + 1); }
@@ -286,16 +276,16 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
         shape.scale = all.factor;
     if (objective == "made") {
         const SurfaceWithErrors made(*setup_, shape);
-        std::vector<ga::Sensitivity> parts{std::move(rows)};
+        std::vector<ga::Sensitivity> parts{in_power(rows)};
         for (const auto* errors : {&errors_->noise, &errors_->tilts})
             for (const Eigen::VectorXd& heights : *errors)
-                parts.push_back(made.misfits(heights, all));
-        rows = in_power(parts);
+                parts.push_back(in_power(made.misfits(heights, all)));
+        rows = stacked(parts);
     }
     if (setup_->limits.any_shape()) {
         const ga::Sensitivity limits =
             limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all.d_factor);
-        rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});
+        rows = stacked({rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian}});
     }
     return rows;
 }

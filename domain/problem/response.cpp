@@ -194,13 +194,17 @@ Response every(Index part, Response response) {
     return response;
 }
 
-ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below) {
-    ga::Sensitivity both{
-        Eigen::VectorXd(above.residuals.size() + below.residuals.size()),
-        Eigen::MatrixXd(above.jacobian.rows() + below.jacobian.rows(), above.jacobian.cols())};
-    both.residuals << above.residuals, below.residuals;
-    both.jacobian << above.jacobian, below.jacobian;
-    return both;
+ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts) {
+    Index rows = 0;
+    for (const ga::Sensitivity& part : parts)
+        rows += part.residuals.size();
+    ga::Sensitivity all{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, parts.front().jacobian.cols())};
+    for (Index at = 0; const ga::Sensitivity& part : parts) {
+        all.residuals.segment(at, part.residuals.size()) = part.residuals;
+        all.jacobian.middleRows(at, part.residuals.size()) = part.jacobian;
+        at += part.residuals.size();
+    }
+    return all;
 }
 
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
@@ -229,8 +233,8 @@ Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::ve
         result.factor = eq_11(setup, responses[0]);
         result.d_factor = -result.factor / responses[0].pressure[last] * jacobians[0].pressure.row(last);
     }
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        const Target& target = setup.targets[t];
+    std::vector<ga::Sensitivity> parts;
+    for (const Target& target : setup.targets) {
         const std::size_t l = loading_of(target, responses.size());
         Curve curve = curve_of(target.quantity, responses[l]);
         CurveJacobian jacobian = curve_jacobian(target.quantity, responses[l], jacobians[l]);
@@ -240,9 +244,9 @@ Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::ve
         }
         continue_beyond_full_contact(setup, target, curve, &jacobian);
         const Eigen::VectorXd misfits = misfit(target, curve);
-        const ga::Sensitivity rows{misfits, misfit_jacobian(target, curve, jacobian, misfits)};
-        result.misfits = t == 0 ? rows : stacked(result.misfits, rows);
+        parts.push_back({misfits, misfit_jacobian(target, curve, jacobian, misfits)});
     }
+    result.misfits = stacked(parts);
     return result;
 }
 

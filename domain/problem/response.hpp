@@ -74,7 +74,7 @@ Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::ve
 /// displacements.
 Response every(Index part, Response response);
 
-/// The rows of `above`, followed by the rows of `below`.
-ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below);
+/// The rows of all parts, at least one, in order.
+ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts);
 
 } // namespace rough
