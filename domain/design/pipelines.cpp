@@ -244,12 +244,16 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           "if no individual keeps the limits on shape, runs the pipeline on each without its shortest waves",
           {}, within_limits);
     const double length = setup.model.grid.length;
+    // The phases of waves whose wavelength (mm) is at least `from` and below `to`.
     const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
                            const std::string& meaning) {
-        registry.add(
-            ga::Variables<Genome>{
-                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
-            meaning);
+        const auto phases = [=](const Genome& genome) {
+            return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
+                const double wave = wave_length(genome.series[s], genome.series[s].chromosomes[c].n);
+                return wave >= from && wave < to;
+            });
+        };
+        registry.add(ga::Variables<Genome>{name, phases}, meaning);
     };
     waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
     waves("micro", 0, length / 8, {}, "phases of shorter waves");

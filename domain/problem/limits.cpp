@@ -159,13 +159,6 @@ std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach
     return variables;
 }
 
-std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to, PhaseReach reach) {
-    return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
-        const double length = wave_length(genome.series[s], genome.series[s].chromosomes[c].n);
-        return length >= from && length < to;
-    });
-}
-
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits) {
     const auto all = waves_on(grid, genome);
     return {{"shortest_wave_mm", limits.shortest_wave, shortest_wave(genome) * (1 + 1e-12), true},

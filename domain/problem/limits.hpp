@@ -29,10 +29,6 @@ using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chr
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
                                           const ChosenChromosomes& chosen = {});
 
-/// A variable for each phase of the waves whose wavelength (mm) is at least `from` and below `to`.
-std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to,
-                                          PhaseReach reach = {});
-
 /// Limits of manufacturing. By default nothing is limited.
 struct MakingLimits {
     static constexpr double none = std::numeric_limits<double>::infinity(); ///< no upper limit

@@ -57,9 +57,7 @@ class DesignProblem {
 
     /// The genome's misfits to all targets at a level. Throws InputError or NotConverged if the genome has no
     /// response, and ga::Stopped if ContactOptions::stop ends the solution.
-    Outcome evaluate(const Genome& genome, ga::Level level) const;
-    /// The same at the level `search`.
-    Outcome evaluate(const Genome& genome) const { return evaluate(genome, level::search); }
+    Outcome evaluate(const Genome& genome, ga::Level level = level::search) const;
     /// Names and prices of the levels, in curves of the unit's model.
     const std::vector<ga::LevelPrice>& levels() const { return levels_; }
     /// The objectives above.
