@@ -83,8 +83,7 @@ void stretch(std::optional<double>& length, double factor, std::optional<double>
         length = std::abs(*length * factor - *wanted) <= 1e-12 * *wanted ? *wanted : *length * factor;
 }
 
-/// Factors that convert a database's responses to a model of another length and modulus, exactly (README.md,
-/// "The file").
+/// Exact factors from a database's responses to another length and modulus (README.md, "The file").
 struct DatabaseScale {
     double length;   ///< factor on lengths; heights are kept
     double pressure; ///< factor on pressures, and on stiffness

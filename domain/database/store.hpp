@@ -14,8 +14,7 @@ namespace rough {
 
 /// The distribution of the genomes of a database. Each genome is a sum of `series` series. H and gamma of a
 /// series are uniform in their ranges, and phases are uniform in [0, 2 pi). Chromosomes are n = 1 .. n_f (Eq.
-/// 4, wavelengths down to `shortest`). The first series has A = 1. A of all further series is uniform in (0,
-/// 1].
+/// 4, wavelengths down to `shortest`). A is 1 in the first series, and uniform in (0, 1] in others.
 struct GenomeDistribution {
     int series = 1;           ///< number of series, >= 1
     int ridges = 1;           ///< number of ridges M of each chromosome, >= 1
@@ -28,8 +27,7 @@ struct GenomeDistribution {
     std::uint64_t seed = 1;   ///< seed; genome i depends only on the distribution and on i
 };
 
-/// Throws InputError on ranges in the wrong order, gamma <= 1, no wave between shortest and lambda, or
-/// genomes of more than a million phases.
+/// Throws InputError on a range in the wrong order, gamma <= 1, no wave, or more than a million phases.
 void validate(const GenomeDistribution& law);
 
 /// The largest number of phases that a genome of the distribution can have.
@@ -45,8 +43,7 @@ struct DatabaseSetup {
 };
 
 NamedValues named_values(const DatabaseSetup& setup); ///< names with units and values, the model first
-/// The inverse of named_values(). Throws InputError that begins with `where` on a missing or unreadable
-/// field.
+/// The inverse of named_values(). Throws InputError that begins with `where` on a missing or wrong field.
 DatabaseSetup setup_from(const NamedValues& fields, const std::string& where);
 
 /// The first difference in words, e.g. "nodes is 512, not 256"; empty if `there` has all fields of `wanted`.

@@ -22,8 +22,7 @@ constexpr double worth_another_try = 0.01;
 /// Share of the allowed misfit that is aimed at, as a step ends near its bounds and not on them.
 constexpr double aim = 0.98;
 constexpr double min_aim = 1e-6; ///< minimum misfit that is aimed at, by which misfits are divided
-/// Cost of a misfit above the allowed one, relative to a change of every phase by its whole range. It is so
-/// large that misfits always come first.
+/// Cost of misfits above the allowed one over a change of every phase by its range: misfits come first.
 constexpr double cost_of_misfit = 100;
 
 /// "1:1 to 1:13, 2:1 to 2:9"

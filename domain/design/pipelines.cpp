@@ -79,8 +79,7 @@ DesignPipeline under(const std::string& name, int n, const DesignPipeline& body,
         });
 }
 
-/// The set-up with half the nodes along each side. The nodes are halved as often as requested, unless the
-/// grid becomes too coarse.
+/// The set-up whose nodes along each side are halved this often, unless the grid becomes too coarse.
 DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
     for (int i = 0; i < halvings; ++i) {
         Grid grid = setup.model.grid;

@@ -18,8 +18,7 @@ constexpr int compared_draws = 200;            ///< draws of noise under which a
 /// Whether answers are compared by their similarity under the set-up's errors; too long on a map.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
-/// A map's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.
-/// A line's set-up is returned as it is.
+/// A map's set-up whose contact solutions end after this time or when `stop` is true; a line's as it is.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
     if (setup.model.grid.is_2d())
         setup.model.contact.stop = ending_after(seconds, stop);

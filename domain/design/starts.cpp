@@ -72,8 +72,7 @@ std::vector<int> tips_order(const Grid& grid, double finest, ga::Stream& random)
 }
 
 constexpr Index shaping_nodes = 256, shaping_side = 24;
-/// Depth of the valleys below contact, relative to the last displacement, for a start in free amplitude on a
-/// periodic body.
+/// Depth of valleys below contact over the last displacement, in free amplitude on a periodic body.
 constexpr double valley_depth = 0.5;
 
 /// The series with A = 1 and chromosomes 1 to n_f, whose phases are 0.

@@ -142,8 +142,7 @@ KeptBySize ladder(double cap, double ratio, double high, double low, KeptAt kept
     return all;
 }
 
-/// The largest size before the first below the level, or 0, and that first size; if none is below, twice the
-/// last.
+/// The largest size before the first below the level, or 0, and that first size; if none is, twice the last.
 std::pair<double, double> bracket(const KeptBySize& all, double level) {
     const auto lost =
         std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second < level; });

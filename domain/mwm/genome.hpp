@@ -41,8 +41,7 @@ void validate(const Genome& genome, const std::string& where);
 Genome folded(Genome genome); ///< the surface with scale 1; each A is multiplied by the scale
 
 /// The sum of the two parents' surfaces, with scale 1. Series that differ only in amplitude become one, and
-/// series whose amplitudes cancel are removed. The order of the parents does not matter, not even to the last
-/// bit.
+/// series whose amplitudes cancel are removed. The parents' order does not affect any bit.
 Genome sum(const Genome& left, const Genome& right);
 
 /// A key of a genome's shape: the bits of all numbers except the scale. The responses of genomes with equal
@@ -82,8 +81,7 @@ void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 /// {"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]}.
 nlohmann::json genome_to_json(const Genome& genome);
 
-/// The genome in such JSON. Throws InputError that begins with `where` on a missing or unknown key or a bad
-/// value.
+/// The genome in such JSON. Throws InputError that begins with `where` on a wrong key or value.
 Genome genome_from_json(const nlohmann::json& json, const std::string& where);
 
 constexpr double standard_length = 0.84942; ///< the default length of a profile, mm (the paper's)

@@ -16,8 +16,7 @@ struct DominantParts {
 /// defined, all parts are dominant.
 DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts);
 
-/// The length scales that dominate a genome's stiffness curve K. The correlation is NaN if a length scale is
-/// flat at the nodes or its K does not vary.
+/// The length scales that dominate a genome's K. The correlation is NaN for a flat scale or constant K.
 struct Dominance : DominantParts {
     std::vector<LengthScale> scales; ///< the genome's length scales, in the order of the parts
     double price = 0; ///< price of the curves that were compared, in curves of the rule's model

@@ -67,8 +67,7 @@ struct Extremes {
     double range() const { return max - min + 2 * between; }
 };
 
-/// Extremes of heights, slopes or curvatures; on a map of the gradient's size or of the curvatures in their
-/// principal directions.
+/// Extremes of heights, slopes or curvatures; on a map of gradients or of principal curvatures.
 Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
     const Grid fine = search_grid(grid);
     const auto field = [&](int along_x) {

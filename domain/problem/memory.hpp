@@ -9,8 +9,7 @@
 
 namespace rough {
 
-/// Values that are stored by their keys. Several threads may use it. A value must depend only on its key, so
-/// that the memory does not affect results.
+/// Values by keys, for several threads. A value depends only on its key, so no result depends on the memory.
 template <class Value>
 class KeyedMemory {
   public:

@@ -51,8 +51,7 @@ class DesignProblem {
     /// Answers are verified on `threads` threads. Prices are in curves of the set-up's model.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
                            int threads = 1);
-    /// The problem of a changed set-up, for example on a coarser grid. Prices and the level `verified` stay
-    /// those of this problem.
+    /// The problem of a changed set-up, e.g. on a coarser grid, with this one's prices and level `verified`.
     DesignProblem with(DesignSetup setup) const;
 
     /// The genome's misfits to all targets at a level. Throws InputError or NotConverged if the genome has no

@@ -10,8 +10,7 @@ namespace {
 /// The share of the displacement of full contact at which a curve ends if it cannot be continued.
 constexpr double nearly_full = 0.999;
 
-/// A map's load is found to its solver's tolerance and solved again there. With this factor, no load ends
-/// below the target.
+/// A map's load is found to its solver's tolerance. With this factor, no load ends below the target.
 double load_slack(const Model& model) { return model.grid.is_2d() ? 1 + 3 * model.contact.tolerance : 1; }
 
 /// Whether a profile may reach full contact before the load steps end: on an elastic periodic body.

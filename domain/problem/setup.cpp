@@ -8,8 +8,7 @@ namespace rough {
 namespace {
 
 constexpr Index max_exactly_reported = 16385; ///< nodes of the finer grid
-/// Nodes of the finer grid up to which a factor takes a third of the time of the iterative solver at
-/// reported_tolerance.
+/// Nodes up to which a factor takes a third of the time of the iterative solver at reported_tolerance.
 constexpr Index max_factored = 2049;
 constexpr double reported_tolerance = 1e-10;
 constexpr double rounded_up = 1 + 1e-9; ///< a target's last pressure may be rounded

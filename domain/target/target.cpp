@@ -462,8 +462,7 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
         const bool reaches = points.last && *points.last <= curve.to * (1 + 1e-9);
         Target target = target_at(quantity, name, points.up_to(reaches ? *points.last : curve.to),
                                   [&](double x) { return curve.at(x); });
-        // The line through the first two secants may fall below 0 before the first one; points there are
-        // omitted.
+        // The line through the first two secants may be below 0 before the first; points there are omitted.
         Index omitted = 0;
         while (omitted + 1 < points.count && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0])
             ++omitted;

@@ -101,8 +101,7 @@ WrittenColumns conductance_columns(const TargetScales& scales);
 /// that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
-/// The text of a target's file: the recorded lines, the header, and one row per point with 17 digits, in the
-/// units of columns_of(target).
+/// The text of a target's file, in the units of columns_of(target), with 17 digits.
 std::string to_csv(const Target& target);
 
 /// The curve of `response` that is compared with a target of this quantity.
@@ -129,8 +128,7 @@ Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const 
 inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cwiseAbs().maxCoeff(); }
 double similarity(const Target& target, const Curve& curve); ///< similarity of a curve to the target
 
-/// Similarity of `curve` to `reference`. x of `curve` is first multiplied by a factor, so that both curves
-/// end at the same x (Eq. 11).
+/// Similarity of `curve` to `reference`, after x of `curve` is scaled so that both end at one x (Eq. 11).
 double similarity(const Curve& reference, const Curve& curve);
 
 /// The model's values on which a target's curve depends. Keys are names with units.
@@ -173,10 +171,9 @@ Target target_at(Quantity quantity, const std::string& name, const Eigen::Vector
                  const std::function<double(double)>& y);
 
 /// A profile's response as a target, with its recorded model. If the last point is not given or beyond the
-/// last load step, the last load step is used. Points at which the curve is continued to 0 or less are
-/// omitted. Unless `resolution` is `off`, the band spans the curves of the given heights and of heights
-/// interpolated linearly and by a spline. Throws InputError if an interface stiffness is infinite at full
-/// contact.
+/// last load step, this step is used. Points at which the curve is continued to 0 or less are omitted. Unless
+/// `resolution` is `off`, the band spans the curves of the given heights and of heights interpolated linearly
+/// and by a spline. Throws InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, const PointPlacement& points = {},
                    Resolution resolution = Resolution::off);
