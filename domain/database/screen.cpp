@@ -99,8 +99,7 @@ DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
     stretch(stored.body.strip_width, length, wanted.body.strip_width);
     const std::string differs = difference(named_values(stored), named_values(wanted));
     if (!differs.empty())
-        throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
-                         "; use another");
+        refuse(store.file().string(), ": a database of another set-up: its ", differs, "; use another");
     return scale;
 }
 

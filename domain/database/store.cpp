@@ -343,8 +343,7 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
         index);
     if (index < span.first + span.count)
         return span;
-    throw InputError(file().string() + ": genome " + std::to_string(index) +
-                     " is not stored; give a smaller number");
+    refuse(file().string(), ": genome ", index, " is not stored; give a smaller number");
 }
 
 /// A batch's row in a table: one column of numbers for each of its genomes.

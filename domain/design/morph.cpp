@@ -157,7 +157,7 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
     for (const std::string& word : listed(text)) {
         const auto expect = [&](bool holds, const std::string& problem) {
             if (!holds)
-                throw InputError("control: " + word + problem, "control");
+                refuse_value("control", word, problem);
         };
         int series = 0, n = 0, end = 0;
         expect(word.find_first_not_of("0123456789:") == std::string::npos &&
@@ -172,7 +172,7 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
         names.push_back(name);
     }
     if (names.empty())
-        throw InputError("control: no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3", "control");
+        refuse_value("control", "no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3");
     return names;
 }
 

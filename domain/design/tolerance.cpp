@@ -5,6 +5,7 @@
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 
+#include <set>
 #include <span>
 
 namespace rough {
@@ -247,10 +248,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
     Tolerance result;
     result.noise_length = setup.errors.noise_length;
     result.similarity = unknown;
-    std::vector<double> levels{0.99, 0.95, 0.9, setup.required_similarity};
-    std::sort(levels.rbegin(), levels.rend());
-    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    for (const double level : levels)
+    for (const double level : std::set<double, std::greater<>>{0.99, 0.95, 0.9, setup.required_similarity})
         result.levels.push_back({level, unknown, unknown, unknown});
     try {
         result.similarity = trials.similarity();

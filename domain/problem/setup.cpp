@@ -62,9 +62,8 @@ void validate(const DesignSetup& setup) {
             refuse(target.name, ": its pressures up to ", target.last(), " MPa exceed max-pressure, ",
                    *setup.max_pressure, " MPa; raise max-pressure");
         if (setup.max_pressure && !target.against_pressure())
-            throw InputError(target.name +
-                             ": is a curve against displacement, which Eq. 11 does not fix; omit "
-                             "max-pressure");
+            refuse(target.name,
+                   ": is a curve against displacement, which Eq. 11 does not fix; omit max-pressure");
     }
     for (const bool high : {false, true})
         if (setup.threshold && points_of_half(setup, high).empty())

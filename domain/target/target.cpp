@@ -426,8 +426,8 @@ std::string in_words(const std::vector<RecordedDifference>& differences) {
 
 void expect_recorded(const Target& target, const Model& model) {
     if (const auto differences = recorded_differences(target, model); !differences.empty())
-        throw InputError(target.name + ": recorded with " + in_words(differences) +
-                         ", on which the target depends; use the same");
+        refuse(target.name, ": recorded with ", in_words(differences),
+               ", on which the target depends; use the same");
 }
 
 Eigen::VectorXd PointPlacement::up_to(double end) const {
