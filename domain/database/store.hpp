@@ -66,9 +66,8 @@ struct StoredCurves {
 /// A checksum of 64 bits. It changes if one byte of `bytes` changes, and with nearly every other change.
 std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 
-/// A genome database: an SQLite file with the genomes of a distribution and their responses, in batches. A
-/// batch is written completely or not at all, even if the program is killed. Several programs may read and
-/// build one file at the same time.
+/// A genome database (README.md): an SQLite file with the genomes of a distribution and their responses, in
+/// batches. A batch is written as a whole or not at all. Several programs may read and build one file.
 class GenomeStore {
   public:
     /// Opens an existing database, or makes a new one. Throws InputError on a file of another set-up, naming
