@@ -23,7 +23,7 @@ auto guarded(const std::filesystem::path& file, const Work& work) {
     }
 }
 
-/// Opens a file, read-only if it may not be written; `flags`: SQLite::OPEN_CREATE also makes a new one.
+/// Opens the file, read-only if it may not be written. The flag SQLite::OPEN_CREATE also makes a new one.
 std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file, int flags = 0) {
     const std::string name = file.string();
     if (name.empty() || name == ":memory:" || name.starts_with("file:"))

@@ -25,8 +25,8 @@ Series drawn_series(const DesignSetup& setup, double H, double gamma, double lam
 /// instead, see plane_waves.)
 Genome drawn_start(const DesignSetup& setup, ga::Stream random);
 
-/// The genome with the amplitude at which its curve is the most similar to the first target, at most 2^16
-/// times the one at which full approach just reaches the target's last load. No change under Eq. 11.
+/// The genome with the amplitude at which its curve is the most similar to the first target. It is at most
+/// 2^16 times the one at which full approach just reaches the target's last load. No change under Eq. 11.
 Genome with_fitting_amplitude(const DesignSetup& setup, const Genome& genome);
 /// The price of with_fitting_amplitude() in curves of the set-up's model; 0 under Eq. 11.
 double fitting_price(const DesignSetup& setup);

@@ -9,9 +9,9 @@ namespace rough {
 
 namespace {
 
-/// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor, and
-/// the exponent with which it grows with the number of load steps. Measured and smoothed on a busy machine.
-/// Maps of 16 x 16 and above 256 x 256 nodes are extrapolated. benchmark_prices measures them again.
+/// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor. It
+/// grows with a power of the number of load steps. Measured and smoothed on a busy machine. Maps of 16 x 16
+/// and above 256 x 256 nodes are extrapolated. benchmark_prices measures them again.
 struct CurveTimes {
     double nodes;                ///< number of nodes of the first entry
     double factor;               ///< factor of nodes from one entry to the next

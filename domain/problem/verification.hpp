@@ -35,8 +35,8 @@ struct Verification {
     double seconds = 0;             ///< wall time of the verification
     /// Misfits of each target, in the order of the four similarities.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
-    /// For each target, the misfits from which `worst` follows: those of the curve's values moved by their
-    /// estimated error, up or down, whichever is larger in size.
+    /// For each target, the misfits from which `worst` follows. They are those of the curve's values moved by
+    /// their estimated error, up or down, whichever is larger in size.
     std::vector<Eigen::VectorXd> largest = {};
 };
 
@@ -85,9 +85,9 @@ class Verifier {
     /// interpolated unless the same interpolation on the set-up's grid has an error above 2e-3 times a
     /// secant.
     ///
-    /// The estimated error (domain/README.md) is the sum of two changes: that by the finer grid over the
-    /// factor less 1, and that from half of the load steps to all. A point takes the largest change of its
-    /// neighbours and itself.
+    /// The estimated error (domain/README.md) has two parts. One is the change by the finer grid over the
+    /// factor less 1, the other that from half of the load steps to all. A point takes the largest change of
+    /// its neighbours and itself.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.
