@@ -66,8 +66,7 @@ enum class CapModel { independent, interacting };
 /// Solves the contact of caps with the positions of one array, under one model.
 class CapContact {
   public:
-    /// `effective_modulus` is E*, MPa.
-    CapContact(const CapArray& array, double effective_modulus, CapModel model);
+    CapContact(const CapArray& array, double effective_modulus, CapModel model); ///< E* in MPa
 
     /// The contact under a load (N, > 0), by Newton's method. `start` is the contact under a similar load.
     /// Throws NotConverged if caps are so near to each other that point loads do not describe them.

@@ -131,7 +131,7 @@ CapProblem::Outcome CapProblem::evaluate(const Genome& genome) const {
 }
 
 ga::Sensitivity CapProblem::sensitivity(const Genome& genome, const std::string& objective) const {
-    ga::Sensitivity all;
+    std::vector<ga::Sensitivity> parts;
     for (std::size_t t = 0; t < setup_.targets.size(); ++t) {
         if (objective != "similarity" && objective != objectives_[t + 1].name)
             continue;
@@ -141,9 +141,9 @@ ga::Sensitivity CapProblem::sensitivity(const Genome& genome, const std::string&
         for (Index k = 0; k < target.points(); ++k)
             rows.jacobian.row(k) *=
                 target.has_band() && rows.residuals[k] == 0 ? 0 : target.weight / target.y[k];
-        all = all.residuals.size() == 0 ? rows : stacked(all, rows);
+        parts.push_back(std::move(rows));
     }
-    return all;
+    return stacked(parts);
 }
 
 CapGenome CapProblem::sample(ga::Stream& random) const {

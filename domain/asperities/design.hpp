@@ -39,11 +39,9 @@ inline bool only_areas(const CapSetup& setup) {
     return std::ranges::all_of(
         setup.targets, [](const Target& target) { return target.quantity == Quantity::area_at_pressure; });
 }
-/// The caps of a genome.
-Caps caps_of(const CapSetup& setup, const CapGenome& genome);
+Caps caps_of(const CapSetup& setup, const CapGenome& genome); ///< the caps of a genome
 
-/// The value of a target's quantity, in the target's unit, for caps under a load (N) with an area (mm^2) and
-/// a stiffness (N/mm).
+/// The value of a target's quantity, in its unit, for caps with a load (N), area (mm^2) and stiffness (N/mm).
 double value_of(const CapSetup& setup, Quantity quantity, double load, double area, double stiffness);
 
 /// The values of the caps' curve at a target's points, and their derivatives.
@@ -51,8 +49,7 @@ struct CapCurve {
     Eigen::VectorXd values;   ///< value at each point, in the target's unit
     Eigen::MatrixXd by_genes; ///< derivatives d value/dgene, points x genes; empty unless requested
 };
-/// The curve of caps that is compared with a target. Stiffness is the tangent dP/dDelta, which for caps is a
-/// smooth function of the heights.
+/// The curve that is compared with a target. Stiffness is the tangent dP/dDelta, smooth in the heights.
 CapCurve curve_of(const CapSetup& setup, const Target& target, const CapGenome& genome, CapModel model,
                   bool with_derivatives = false);
 
@@ -66,9 +63,8 @@ CapSetup with_independent_caps(CapSetup setup, const CapGenome* like = nullptr);
 /// similarity over all targets, and `goal1`, `goal2`, ..., the similarity to one target.
 class CapProblem {
   public:
-    using Genome = CapGenome; ///< heights, and radii if they are genes
-    /// Weighted misfits, one vector per target.
-    using Outcome = std::vector<Eigen::VectorXd>;
+    using Genome = CapGenome;                     ///< heights, and radii if they are genes
+    using Outcome = std::vector<Eigen::VectorXd>; ///< weighted misfits, one vector per target
 
     /// The problem of a set-up. Throws InputError on an invalid array, range or target.
     explicit CapProblem(CapSetup setup);
@@ -90,8 +86,7 @@ class CapProblem {
     ga::Sensitivity sensitivity(const Genome& genome, const std::string& objective) const;
 
     const CapSetup& setup() const { return setup_; } ///< the set-up that was given
-    /// The range of a gene.
-    const GeneRange& range(std::size_t gene) const;
+    const GeneRange& range(std::size_t gene) const;  ///< the range of a gene
 
   private:
     CapSetup setup_;
@@ -142,12 +137,10 @@ CapSearch search(const CapSetup& setup, const SearchOptionsOf<CapProblem>& optio
 
 /// The reasons why no caps of the set-up can match a target A(F), each with a bound on the similarity. The
 /// area of each cap follows from its force (hertz_area). So the area of all caps is smallest if one cap of
-/// the smallest radius carries the whole force. It is largest if all have the largest radius and equal
-/// forces.
+/// the smallest radius carries the whole force. It is largest with the largest radii and equal forces.
 std::vector<OutOfReach> out_of_reach(const CapSetup& setup);
 
-/// Largest standard deviation found for independent normal height errors under which, in 95 % of draws, no
-/// |misfit| exceeds `error`.
+/// Largest rms found for independent normal height errors with which 95 % of draws keep |misfit| <= `error`.
 struct HeightTolerance {
     double error = 0; ///< limit on the largest |misfit|: 0.02, 0.05 or 0.1
     double rms = 0;   ///< standard deviation, mm; 0 if the misfit is larger even without errors

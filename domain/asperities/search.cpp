@@ -122,8 +122,7 @@ struct ExchangeCaps : ga::NoParameters {
     }
 };
 
-/// Runs `body` under independent caps (with_independent_caps). `corrected`: the targets are corrected for the
-/// first individual.
+/// Runs `body` with_independent_caps(), with targets corrected for the first individual if `corrected`.
 CapPipeline independent_stage(const std::string& name, const CapPipeline& body, bool corrected) {
     return ga::derived_stage<CapProblem>(
         name, body,
@@ -196,8 +195,7 @@ ga::Registry<CapProblem> cap_registry() {
 
 ga::Variants cap_variants(const CapSetup& setup) {
     ga::Variants variants;
-    // Random caps, refined by least squares and then for the smallest largest misfit, first as independent
-    // caps, on the steps at last.
+    // Random caps, refined by least squares, then for the smallest largest misfit; at last on the steps.
     variants["pass"] = "independent { sample 1000 | score | best 30 | refine lm 60 | best 8 | "
                        "refine lm 150 sharpen=30 } | score | best 3 | refine lm 30 sharpen=1 | round 200 | "
                        "score | best 1";

@@ -6,8 +6,7 @@
 
 namespace rough {
 
-/// The genomes that a build requests, and the functions that receive their responses. One thread at a time
-/// may call any of these functions.
+/// The genomes that a build requests. One thread at a time may call any of these functions.
 struct Orders {
     std::uint64_t count = 0;                            ///< number of genomes that are missing
     std::function<std::optional<std::uint64_t>()> next; ///< next genome's number; nothing after the last one
@@ -16,8 +15,7 @@ struct Orders {
     std::function<bool()> ended; ///< whether the build has ended and ignores further responses
 };
 
-/// A function that computes the responses of a set-up's genomes by response_for(), in this process or on
-/// other machines.
+/// Computes the responses of a set-up's genomes by response_for(), in this process or on other machines.
 using Computing = std::function<void(const DatabaseSetup& setup, const Orders& orders)>;
 
 /// Options of a build.

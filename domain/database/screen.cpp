@@ -58,8 +58,7 @@ Match with_best_scale(Match match, const std::vector<Curve>& curves, const std::
 }
 
 bool need_fractions(const std::vector<Target>& targets) {
-    return std::any_of(targets.begin(), targets.end(),
-                       [](const Target& target) { return is_contact_fraction(target.quantity); });
+    return std::ranges::any_of(targets, is_contact_fraction, &Target::quantity);
 }
 
 void check(const StoredCurves& curves, const std::vector<Target>& targets, const ScreenOptions& options) {
@@ -76,6 +75,75 @@ void check(const StoredCurves& curves, const std::vector<Target>& targets, const
         throw InputError("genome database: holds no genomes; build it first");
     if (need_fractions(targets) && curves.fraction.size() != curves.pressure.size())
         throw InputError("genome database: the target needs contact fractions; read the curves with them");
+}
+
+/// Multiplies a length by `factor`. Sets it to the wanted length if the two then differ only by rounding.
+void stretch(std::optional<double>& length, double factor, std::optional<double> wanted) {
+    if (length && wanted)
+        length = std::abs(*length * factor - *wanted) <= 1e-12 * *wanted ? *wanted : *length * factor;
+}
+
+/// Exact factors from a database's responses to another length and modulus (README.md, "The file").
+struct DatabaseScale {
+    double length;   ///< factor on lengths; heights are kept
+    double pressure; ///< factor on pressures, and on stiffness
+};
+
+DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
+    Model stored = store.setup().model;
+    const double length = wanted.grid.length / stored.grid.length;
+    const DatabaseScale scale{length, wanted.body.effective_modulus / stored.body.effective_modulus / length};
+    stored.grid.length = wanted.grid.length;
+    stored.body.effective_modulus = wanted.body.effective_modulus;
+    stretch(stored.body.datum, length, wanted.body.datum);
+    stretch(stored.body.strip_width, length, wanted.body.strip_width);
+    const std::string differs = difference(named_values(stored), named_values(wanted));
+    if (!differs.empty())
+        refuse(store.file().string(), ": a database of another set-up: its ", differs, "; use another");
+    return scale;
+}
+
+/// A target in the units of the database's model.
+Target unscaled(Target target, const DatabaseScale& scale) {
+    if (target.against_pressure())
+        target.x /= scale.pressure;
+    if (!is_contact_fraction(target.quantity))
+        for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
+            *values /= scale.pressure;
+    return target;
+}
+
+/// A genome stretched to `factor` times its wavelengths, with its heights kept.
+Genome drawn_out(Genome genome, double factor) {
+    for (Series& series : genome.series) {
+        series.lambda *= factor;
+        series.A *= std::pow(factor, -series.H); // Eq. 2: G_n ~ A lambda^H
+    }
+    return genome;
+}
+
+/// A match and its genome, stretched and with the match's amplitude.
+struct Stored {
+    Match match;
+    Genome genome;
+};
+
+std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
+                            int threads) {
+    const DatabaseScale scale = scale_to(store, setup.model);
+    std::vector<Target> targets;
+    for (const Target& target : setup.targets)
+        targets.push_back(unscaled(target, scale));
+    ScreenOptions options{setup.max_pressure, count, threads};
+    if (options.max_pressure)
+        *options.max_pressure /= scale.pressure;
+    std::vector<Stored> all;
+    for (const Match& match :
+         screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
+        all.push_back({match, drawn_out(store.genome(match.index), scale.length)});
+        all.back().genome.scale *= match.scale;
+    }
+    return all;
 }
 
 } // namespace
@@ -167,81 +235,6 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
     return matches;
 }
 
-namespace {
-
-/// Multiplies a length by `factor`. Sets it to the wanted length if the two then differ only by rounding.
-void stretch(std::optional<double>& length, double factor, std::optional<double> wanted) {
-    if (length && wanted)
-        length = std::abs(*length * factor - *wanted) <= 1e-12 * *wanted ? *wanted : *length * factor;
-}
-
-/// Factors that convert a database's responses to a model of another length and modulus, exactly (README.md,
-/// "The file").
-struct DatabaseScale {
-    double length;   ///< factor on lengths; heights are kept
-    double pressure; ///< factor on pressures, and on stiffness
-};
-
-DatabaseScale scale_to(const GenomeStore& store, const Model& wanted) {
-    Model stored = store.setup().model;
-    const double length = wanted.grid.length / stored.grid.length;
-    const DatabaseScale scale{length, wanted.body.effective_modulus / stored.body.effective_modulus / length};
-    stored.grid.length = wanted.grid.length;
-    stored.body.effective_modulus = wanted.body.effective_modulus;
-    stretch(stored.body.datum, length, wanted.body.datum);
-    stretch(stored.body.strip_width, length, wanted.body.strip_width);
-    const std::string differs = difference(named_values(stored), named_values(wanted));
-    if (!differs.empty())
-        throw InputError(store.file().string() + ": a database of another set-up: its " + differs +
-                         "; use another");
-    return scale;
-}
-
-/// A target in the units of the database's model.
-Target unscaled(Target target, const DatabaseScale& scale) {
-    if (target.against_pressure())
-        target.x /= scale.pressure;
-    if (!is_contact_fraction(target.quantity))
-        for (Eigen::VectorXd* values : {&target.y, &target.lower, &target.upper})
-            *values /= scale.pressure;
-    return target;
-}
-
-/// A genome stretched to `factor` times its wavelengths, with its heights kept.
-Genome drawn_out(Genome genome, double factor) {
-    for (Series& series : genome.series) {
-        series.lambda *= factor;
-        series.A *= std::pow(factor, -series.H); // Eq. 2: G_n ~ A lambda^H
-    }
-    return genome;
-}
-
-/// A match and its genome, stretched and with the match's amplitude.
-struct Stored {
-    Match match;
-    Genome genome;
-};
-
-std::vector<Stored> nearest(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
-                            int threads) {
-    const DatabaseScale scale = scale_to(store, setup.model);
-    std::vector<Target> targets;
-    for (const Target& target : setup.targets)
-        targets.push_back(unscaled(target, scale));
-    ScreenOptions options{setup.max_pressure, count, threads};
-    if (options.max_pressure)
-        *options.max_pressure /= scale.pressure;
-    std::vector<Stored> all;
-    for (const Match& match :
-         screen(store.curves(need_fractions(targets)), store.setup().model, targets, options)) {
-        all.push_back({match, drawn_out(store.genome(match.index), scale.length)});
-        all.back().genome.scale *= match.scale;
-    }
-    return all;
-}
-
-} // namespace
-
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads) {
     std::vector<Genome> genomes;
@@ -269,9 +262,8 @@ std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignS
     for (auto& one : verified)
         if (one)
             answers.push_back(std::move(*one));
-    std::stable_sort(answers.begin(), answers.end(), [](const StoredAnswer& a, const StoredAnswer& b) {
-        return a.answer.lowest() > b.answer.lowest();
-    });
+    std::ranges::stable_sort(answers, std::ranges::greater{},
+                             [](const StoredAnswer& one) { return one.answer.lowest(); });
     answers.resize(std::min(answers.size(), count));
     return answers;
 }

@@ -28,9 +28,8 @@ std::vector<Match> screen(const StoredCurves& curves, const Model& model, const 
                           const ScreenOptions& options);
 
 /// The stored genomes nearest to a design's targets, best first, at most `count`. They are stretched to the
-/// design's length, and each has its best amplitude. They serve as starts for refinement if an answer is
-/// needed at once. Throws InputError naming the first difference if database and design differ in more than
-/// length and modulus.
+/// design's length, and each has its best amplitude. They are starts for refinement. Throws InputError naming
+/// the first difference if database and design differ in more than length and modulus.
 std::vector<Genome> stored_starts(const GenomeStore& store, const DesignSetup& setup, std::size_t count,
                                   int threads = 0);
 
@@ -43,9 +42,8 @@ struct StoredAnswer {
 
 /// The stored genomes whose stored curves are nearest to a design's targets. Unlike in stored_starts(), the
 /// genomes are verified before they are ranked, because stored load steps may be too few for a target. At
-/// least 16 genomes are verified. At most `count` are returned, the highest `worst()` first. Genomes
-/// without a response on a finer grid are omitted. Throws what stored_starts() and validate() of the set-up
-/// throw.
+/// least 16 genomes are verified. At most `count` are returned, the highest `worst()` first. Genomes without
+/// a response on a finer grid are omitted. Throws what stored_starts() and validate() throw.
 std::vector<StoredAnswer> stored_answers(const GenomeStore& store, const DesignSetup& setup,
                                          std::size_t count, int threads = 0);
 

@@ -88,8 +88,7 @@ DatabaseSetup setup_from(const NamedValues& fields, const std::string& where) {
         const std::string& word = text(name);
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (error != std::errc{} || end != word.data() + word.size())
-            throw InputError(where + ": " + name + ": '" + word +
-                             "' is not a number; give a genome database");
+            refuse(where, ": ", name, ": '", word, "' is not a number; give a genome database");
     };
     DatabaseSetup setup;
     Model& model = setup.model;

@@ -23,8 +23,7 @@ auto guarded(const std::filesystem::path& file, const Work& work) {
     }
 }
 
-/// Opens an existing file; `flags`: SQLite::OPEN_CREATE also makes a new one. A file that may not be written
-/// is opened for reading.
+/// Opens the file, read-only if it may not be written. The flag SQLite::OPEN_CREATE also makes a new one.
 std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file, int flags = 0) {
     const std::string name = file.string();
     if (name.empty() || name == ":memory:" || name.starts_with("file:"))
@@ -32,8 +31,7 @@ std::unique_ptr<SQLite::Database> opened(const std::filesystem::path& file, int 
     constexpr int wait = 120'000; // milliseconds; another builder writes its batch in far less
     auto sqlite = guarded(
         file, [&] { return std::make_unique<SQLite::Database>(name, flags | SQLite::OPEN_READWRITE, wait); });
-    // The file may come from a stranger: nothing in its schema is run, and cells larger than this program
-    // writes are refused.
+    // The file may be forged: nothing in its schema is run, and cells larger than usual ones are refused.
     for (const auto& [option, on] : {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1),
                                      {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
                                      {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
@@ -345,8 +343,7 @@ Span GenomeStore::batch_of(std::uint64_t index) const {
         index);
     if (index < span.first + span.count)
         return span;
-    throw InputError(file().string() + ": genome " + std::to_string(index) +
-                     " is not stored; give a smaller number");
+    refuse(file().string(), ": genome ", index, " is not stored; give a smaller number");
 }
 
 /// A batch's row in a table: one column of numbers for each of its genomes.

@@ -14,8 +14,7 @@ namespace rough {
 
 /// The distribution of the genomes of a database. Each genome is a sum of `series` series. H and gamma of a
 /// series are uniform in their ranges, and phases are uniform in [0, 2 pi). Chromosomes are n = 1 .. n_f (Eq.
-/// 4, wavelengths down to `shortest`). The first series has A = 1. A of all further series is uniform in (0,
-/// 1].
+/// 4, wavelengths down to `shortest`). A is 1 in the first series, and uniform in (0, 1] in others.
 struct GenomeDistribution {
     int series = 1;           ///< number of series, >= 1
     int ridges = 1;           ///< number of ridges M of each chromosome, >= 1
@@ -28,8 +27,7 @@ struct GenomeDistribution {
     std::uint64_t seed = 1;   ///< seed; genome i depends only on the distribution and on i
 };
 
-/// Throws InputError on ranges in the wrong order, gamma <= 1, no wave between shortest and lambda, or
-/// genomes of more than a million phases.
+/// Throws InputError on a range in the wrong order, gamma <= 1, no wave, or more than a million phases.
 void validate(const GenomeDistribution& law);
 
 /// The largest number of phases that a genome of the distribution can have.
@@ -44,10 +42,8 @@ struct DatabaseSetup {
     GenomeDistribution law = {};      ///< distribution of the genomes
 };
 
-/// A set-up as names with units and values, the model first.
-NamedValues named_values(const DatabaseSetup& setup);
-/// The inverse of named_values(). Throws InputError that begins with `where` on a missing or unreadable
-/// field.
+NamedValues named_values(const DatabaseSetup& setup); ///< names with units and values, the model first
+/// The inverse of named_values(). Throws InputError that begins with `where` on a missing or wrong field.
 DatabaseSetup setup_from(const NamedValues& fields, const std::string& where);
 
 /// The first difference in words, e.g. "nodes is 512, not 256"; empty if `there` has all fields of `wanted`.
@@ -70,9 +66,8 @@ struct StoredCurves {
 /// A checksum of 64 bits. It changes if one byte of `bytes` changes, and with nearly every other change.
 std::uint64_t checksum(std::string_view bytes, std::uint64_t seed = 0);
 
-/// A genome database: an SQLite file with the genomes of a distribution and their responses, in batches. A
-/// batch is written completely or not at all, even if the program is killed. Several programs may read and
-/// build one file at the same time.
+/// A genome database (README.md): an SQLite file with the genomes of a distribution and their responses, in
+/// batches. A batch is written as a whole or not at all. Several programs may read and build one file.
 class GenomeStore {
   public:
     /// Opens an existing database, or makes a new one. Throws InputError on a file of another set-up, naming
@@ -100,8 +95,7 @@ class GenomeStore {
     /// genomes are removed from the beginning of `wanted`.
     std::optional<Span> take(Span& wanted, std::uint64_t batch,
                              const std::function<bool(std::uint64_t first)>& is_own = {});
-    /// The spans of these genomes that are not stored, in order.
-    std::vector<Span> gaps(const Span& of) const;
+    std::vector<Span> gaps(const Span& of) const; ///< spans of these genomes that are not stored, in order
     /// Stores the genomes of a span and their responses. Returns false if another builder has already stored
     /// them; the earlier copy is then kept.
     bool add(const Span& span, const std::vector<Response>& responses);

@@ -68,9 +68,8 @@ struct Exploration {
     }
 
     /// The best individuals of all stages, then those of the final population, that differ from `answer` and
-    /// each other by at least `different`. Each has its smallest difference from the answer and the
-    /// individuals before it. `view` makes a view of a genome, and `difference` compares two views.
-    /// `max_count` counts the answer, too.
+    /// each other by at least `different`. Each has its smallest difference from those before it. `view`
+    /// makes a view of a genome, and `difference` compares two views. `max_count` counts the answer, too.
     template <class View, class Difference>
     std::vector<std::pair<Genome, double>> others_than(const Genome& answer, std::size_t max_count,
                                                        double different, View view,

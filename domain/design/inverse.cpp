@@ -17,14 +17,10 @@ Eigen::MatrixXd influence_in_order(const Profile& surface, const Body& given, co
     const Eigen::VectorXd column =
         influence_column(in_units(body, spacing, surface.row_spacing), surface.shape()) *
         (spacing / body.effective_modulus);
-    Eigen::MatrixXd H(nodes, nodes);
-    for (Index i = 0; i < nodes; ++i)
-        for (Index k = 0; k < nodes; ++k) {
-            const Index a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(k)];
-            H(i, k) =
-                column[std::abs(a / columns - b / columns) * columns + std::abs(a % columns - b % columns)];
-        }
-    return H;
+    return Eigen::MatrixXd::NullaryExpr(nodes, nodes, [&](Index i, Index k) {
+        const Index a = order[static_cast<std::size_t>(i)], b = order[static_cast<std::size_t>(k)];
+        return column[std::abs(a / columns - b / columns) * columns + std::abs(a % columns - b % columns)];
+    });
 }
 
 /// Depth of each node below contact at the end of loading, mm; 0 if it touches.
@@ -34,9 +30,8 @@ Eigen::VectorXd depths(const InverseProfile& inverse) {
 
 /// Multiplies these depths by a factor.
 InverseProfile with_scaled_depths(InverseProfile inverse, const Eigen::VectorXd& depths, double factor) {
-    for (Index i = 0; i < depths.size(); ++i)
-        if (depths[i] > 0)
-            inverse.profile.heights[i] = inverse.lowest_free[i] - factor * depths[i];
+    Eigen::VectorXd& heights = inverse.profile.heights;
+    heights = (depths.array() > 0).select(inverse.lowest_free - factor * depths, heights);
     return inverse;
 }
 
@@ -58,8 +53,8 @@ class Rising {
     double reaches(double value) const {
         if (value <= points_.front().second)
             return 0;
-        const auto above = std::find_if(points_.begin(), points_.end(),
-                                        [&](const auto& point) { return point.second >= value; });
+        const auto above =
+            std::ranges::find_if(points_, [&](const auto& point) { return point.second >= value; });
         if (above == points_.end())
             return points_.back().first;
         const auto below = above - 1;
@@ -135,10 +130,8 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
         end_load(std::min((last_pressure - pressure) / stiffness[max_touching - 1],
                           last_displacement - displacement),
                  stiffness[max_touching - 1], displacement - gap.array());
-    for (Index k = 0; k < nodes; ++k) {
-        result.profile.heights[order[static_cast<std::size_t>(k)]] = -gap[k];
-        result.lowest_free[order[static_cast<std::size_t>(k)]] = lowest[k];
-    }
+    result.profile.heights(order) = -gap;
+    result.lowest_free(order) = lowest;
     return result;
 }
 

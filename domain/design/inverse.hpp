@@ -40,9 +40,8 @@ InverseProfile inverse_profile(const Profile& surface, const Body& body, const s
 /// such a node the profile does not change.
 InverseProfile with_range_at_last(InverseProfile inverse);
 
-/// Moves the same heights as with_range_at_last(), for a periodic profile. Contact of such a profile is full
-/// at its mean plane. Afterwards last_displacement is `reach` (> 0, < 1) times the height of the highest node
-/// above this plane.
+/// Moves the same heights for a periodic profile, whose contact is full at its mean plane. Afterwards
+/// last_displacement is `reach` (> 0, < 1) times the height of the highest node above this plane.
 InverseProfile with_mean_at_full_approach(InverseProfile inverse, double reach);
 
 } // namespace rough

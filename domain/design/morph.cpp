@@ -12,8 +12,7 @@ namespace rough {
 
 namespace {
 
-/// Maximum numbers of curves with derivatives.
-constexpr int first_try = 20, second_try = 12;
+constexpr int first_try = 20, second_try = 12; ///< maximum numbers of curves with derivatives
 /// A try that has not met the targets ends after this many curves without a better worst misfit. Tries that
 /// cannot meet the targets would otherwise take longest.
 constexpr int patient_gradients = 6;
@@ -23,8 +22,7 @@ constexpr double worth_another_try = 0.01;
 /// Share of the allowed misfit that is aimed at, as a step ends near its bounds and not on them.
 constexpr double aim = 0.98;
 constexpr double min_aim = 1e-6; ///< minimum misfit that is aimed at, by which misfits are divided
-/// Cost of a misfit above the allowed one, relative to a change of every phase by its whole range. It is so
-/// large that misfits always come first.
+/// Cost of misfits above the allowed one over a change of every phase by its range: misfits come first.
 constexpr double cost_of_misfit = 100;
 
 /// "1:1 to 1:13, 2:1 to 2:9"
@@ -159,7 +157,7 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
     for (const std::string& word : listed(text)) {
         const auto expect = [&](bool holds, const std::string& problem) {
             if (!holds)
-                throw InputError("control: " + word + problem, "control");
+                refuse_value("control", word, problem);
         };
         int series = 0, n = 0, end = 0;
         expect(word.find_first_not_of("0123456789:") == std::string::npos &&
@@ -174,7 +172,7 @@ std::vector<ChromosomeName> chromosomes_from(const std::string& text, const Geno
         names.push_back(name);
     }
     if (names.empty())
-        throw InputError("control: no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3", "control");
+        refuse_value("control", "no chromosome is named; use SERIES:CHROMOSOME, e.g. 1:3");
     return names;
 }
 

@@ -18,9 +18,8 @@ template <ga::Problem P>
 struct CheckpointOptionsOf {
     std::filesystem::path file; ///< path of the file; each checkpoint replaces the whole file by renaming
     bool resume = false;        ///< whether to continue from the file if it exists
-    /// Adds values of observers to the checkpoints.
-    std::function<void(ga::Checkpoints<P>&)> add_values = {};
-    double interval = 1;     ///< minimum time between two checkpoints, s
+    std::function<void(ga::Checkpoints<P>&)> add_values = {}; ///< adds values of observers to the checkpoints
+    double interval = 1;                                      ///< minimum time between two checkpoints, s
     std::string inputs = {}; ///< fingerprints of the files that the run reads
 };
 

@@ -68,21 +68,20 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
     return shorter;
 }
 
-/// A block that runs `body` under the problem of a changed set-up.
-template <class Change>
-DesignPipeline under(const std::string& name, const DesignPipeline& body, Change change) {
+/// A block that runs `body` under the problem of the set-up change(setup, n).
+DesignPipeline under(const std::string& name, int n, const DesignPipeline& body,
+                     DesignSetup (*change)(DesignSetup, int)) {
     return ga::derived_stage<DesignProblem>(
-        name, body,
-        [change](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
+        name + " " + std::to_string(n), body,
+        [=](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
             const DesignProblem& problem = context.problem();
-            return run_derived(stages, problem.with(change(problem.setup())), std::move(designs), context);
+            return run_derived(stages, problem.with(change(problem.setup(), n)), std::move(designs), context);
         });
 }
 
-/// The set-up with half the nodes along each side. The nodes are halved as often as requested, unless the
-/// grid becomes too coarse.
-DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
-    for (std::size_t i = 0; i < halvings; ++i) {
+/// The set-up whose nodes along each side are halved this often, unless the grid becomes too coarse.
+DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
+    for (int i = 0; i < halvings; ++i) {
         Grid grid = setup.model.grid;
         grid.nodes /= 2;
         if (grid.is_2d())
@@ -96,31 +95,27 @@ DesignSetup on_coarser_grid(DesignSetup setup, std::size_t halvings) {
 }
 
 DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {
-    const std::size_t halvings = arguments.count("n");
-    return under("coarser " + std::to_string(halvings), body,
-                 [=](const DesignSetup& setup) { return on_coarser_grid(setup, halvings); });
+    return under("coarser", static_cast<int>(arguments.count("n")), body, on_coarser_grid);
 }
 
 DesignPipeline in_more_steps(const ga::Arguments& arguments, const DesignPipeline& body) {
-    const auto times = static_cast<int>(arguments.count("n"));
-    return under("more-steps " + std::to_string(times), body,
-                 [=](const DesignSetup& setup) { return in_finer_steps(setup, times); });
+    return under("more-steps", static_cast<int>(arguments.count("n")), body, in_finer_steps);
 }
 
-/// The set-up with targets corrected by the difference of two curves of one genome: that of the problem, with
-/// the misfits `own`, and that of the finest model, with the misfits `finest` to the targets before any
-/// correction. A genome with the same difference that meets the corrected targets meets the given ones in the
-/// finest model (space mapping; Bandler and others, IEEE Trans. Microw. Theory Tech. 52, 2004, 337).
-DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::VectorXd>& own,
+/// The set-up with targets corrected by the difference of two curves of one genome. `here` are its misfits
+/// under the problem, `finest` those in the finest model to the targets before any correction. A genome with
+/// this difference that meets the corrected targets meets the given ones in the finest model (space mapping;
+/// Bandler and others, IEEE Trans. Microw. Theory Tech. 52, 2004, 337).
+DesignSetup corrected_targets(DesignSetup setup, const std::vector<Eigen::VectorXd>& here,
                               const std::vector<Eigen::VectorXd>& finest) {
-    constexpr double most = 2; // larger factors are no correction
+    constexpr double most = 2; // larger factors do not correct
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {
         Target& target = setup.targets[t];
         for (Index k = 0; k < target.points(); ++k) {
             const auto value = [&](const auto& misfits) {
                 return std::max(1 + misfits[t][k] / target.weight, 1 / most);
             };
-            const double factor = std::clamp(value(own) / value(finest), 1 / most, most);
+            const double factor = std::clamp(value(here) / value(finest), 1 / most, most);
             target.y[k] *= factor;
             if (target.has_band())
                 target.lower[k] *= factor, target.upper[k] *= factor;
@@ -248,12 +243,16 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           "if no individual keeps the limits on shape, runs the pipeline on each without its shortest waves",
           {}, within_limits);
     const double length = setup.model.grid.length;
+    // The phases of waves whose wavelength (mm) is at least `from` and below `to`.
     const auto waves = [&](const std::string& name, double from, double to, PhaseReach reach,
                            const std::string& meaning) {
-        registry.add(
-            ga::Variables<Genome>{
-                name, [=](const Genome& genome) { return phases_of_waves(genome, from, to, reach); }},
-            meaning);
+        const auto phases = [=](const Genome& genome) {
+            return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
+                const double wave = wave_length(genome.series[s], genome.series[s].chromosomes[c].n);
+                return wave >= from && wave < to;
+            });
+        };
+        registry.add(ga::Variables<Genome>{name, phases}, meaning);
     };
     waves("macro", length / 8, HUGE_VAL, {}, "phases of waves of at least an eighth of the length");
     waves("micro", 0, length / 8, {}, "phases of shorter waves");

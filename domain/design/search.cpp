@@ -18,8 +18,7 @@ constexpr int compared_draws = 200;            ///< draws of noise under which a
 /// Whether answers are compared by their similarity under the set-up's errors; too long on a map.
 bool chooses_by_errors(const DesignSetup& setup) { return setup.errors.any() && !setup.model.grid.is_2d(); }
 
-/// A map's set-up whose contact solutions, which may take long, end after this time or when `stop` is true.
-/// A line's set-up is returned as it is.
+/// A map's set-up whose contact solutions end after this time or when `stop` is true; a line's as it is.
 DesignSetup ending(DesignSetup setup, double seconds, const std::atomic<bool>* stop) {
     if (setup.model.grid.is_2d())
         setup.model.contact.stop = ending_after(seconds, stop);
@@ -170,17 +169,16 @@ std::vector<Compromise> compromises(const DesignSetup& given, const std::vector<
     std::erase_if(all, [&](const Compromise& one) {
         return one.similarity.empty() || !holds_limits(setup, one.genome);
     });
-    std::vector<ga::Point> points;
-    for (const Compromise& one : all)
-        points.push_back(one.similarity);
+    std::vector<ga::Point> points(all.size());
+    std::ranges::transform(all, points.begin(), &Compromise::similarity);
     const std::vector<std::size_t> ranks = ga::pareto_ranks(points);
     std::vector<Compromise> front;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (ranks[i] == 0)
             front.push_back(all[i]);
     std::ranges::stable_sort(front, {}, &Compromise::similarity);
-    const auto equal = [](const Compromise& a, const Compromise& b) { return a.similarity == b.similarity; };
-    front.erase(std::unique(front.begin(), front.end(), equal), front.end());
+    const auto repeated = std::ranges::unique(front, {}, &Compromise::similarity);
+    front.erase(repeated.begin(), repeated.end());
     if (front.size() > max_count) {
         std::vector<Compromise> spread;
         for (std::size_t i = 0; i < max_count; ++i)
@@ -248,8 +246,8 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
         Answer answer = answer_of(reported, genome, known ? std::move(*known) : verifier.of(genome));
         if (answer.is_verified() && chooses_by_errors(setup))
             answer.similarity_made = similarity_under_errors(
-                reported, answer.genome, {.seed = ga::fold(0, "compared draws"), .threads = 1},
-                compared_draws);
+                reported, answer.genome,
+                {.seed = ga::fold(0, "compared draws"), .threads = 1, .draws = compared_draws});
         return answer;
     };
     std::vector<Genome> candidates =

@@ -28,8 +28,7 @@ struct Answer : Verification {
 /// verification, the similarity on the set-up's grid and load steps is still computed. The other similarities
 /// may then be NaN. Throws what respond() throws.
 Answer verified_answer(const DesignSetup& reported, const Genome& genome);
-/// The answer's response under the set-up. If the verification is incomplete, the response that the answer
-/// stores is returned.
+/// The answer's response under the set-up; if the verification is incomplete, the stored one.
 DesignResponse response_of(const DesignSetup& setup, const Answer& answer);
 
 /// A genome on the Pareto front of the targets' similarities.
@@ -52,8 +51,7 @@ struct SearchResult : SearchRun {
     std::vector<Answer> alternatives;
     std::vector<Compromise> front; ///< front of the stage `pareto`; empty if the pipeline does not have it
     /// Answers on the Pareto front of two similarities: without DesignSetup::errors, and with these errors.
-    /// The similarity without errors falls from answer to answer. Empty for a map, and if no errors are
-    /// given.
+    /// The similarity without errors falls from answer to answer. Empty for a map and without errors.
     std::vector<Answer> made;
 };
 
@@ -78,18 +76,13 @@ struct Unreachable {
     double bound = 1;                ///< upper bound on the similarity of any profile
 };
 
-/// Default similarity for unreachable(): a target is reported as out of reach if no profile can have this
-/// similarity.
-constexpr double exact_enough = 0.999;
+constexpr double exact_enough = 0.999; ///< usual similarity for unreachable()
 
-/// The reasons, and the lowest of their bounds.
+/// The reasons and the lowest of their bounds; no reasons if a profile may have the similarity `required`.
 Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
+/// The reasons and the bound for a set-up.
+Unreachable unreachable(const DesignSetup& setup, double required);
 
-/// The reasons and the bound for a set-up. The targets are out of reach if no profile
-/// can have the similarity `required`.
-Unreachable unreachable(const DesignSetup& setup, double required = exact_enough);
-
-/// Limit on the evaluations of a search if the target is out of reach.
-constexpr long enough_for_the_nearest = 3000;
+constexpr long enough_for_the_nearest = 3000; ///< maximum number of evaluations if the target is out of reach
 
 } // namespace rough

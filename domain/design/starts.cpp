@@ -72,8 +72,7 @@ std::vector<int> tips_order(const Grid& grid, double finest, ga::Stream& random)
 }
 
 constexpr Index shaping_nodes = 256, shaping_side = 24;
-/// Depth of the valleys below contact, relative to the last displacement, for a start in free amplitude on a
-/// periodic body.
+/// Depth of valleys below contact over the last displacement, in free amplitude on a periodic body.
 constexpr double valley_depth = 0.5;
 
 /// The series with A = 1 and chromosomes 1 to n_f, whose phases are 0.
@@ -115,12 +114,9 @@ std::vector<Cosine> cosines_of(const Eigen::VectorXd& weights) {
     return all;
 }
 
-/// Weight of a node that does not touch; the weight of one that touches is 1.
-constexpr double unseen = 0.02;
-/// Rounds of fitting; after each, the nodes below the sum get the weight 1.
-constexpr int rounds = 4;
-/// Damping of the waves, relative to the sum of the nodes' weights.
-constexpr double damping = 1e-4;
+constexpr double unseen = 0.02; ///< weight of a node that does not touch; the weight of one that touches is 1
+constexpr int rounds = 4;       ///< rounds of fitting; after each, the nodes below the sum get the weight 1
+constexpr double damping = 1e-4; ///< damping of the waves, relative to the sum of the nodes' weights
 /// Longer scans are divided into parts, whose highest nodes are fitted, because contact is on peaks.
 constexpr Index max_points = 2048;
 

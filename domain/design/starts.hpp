@@ -17,8 +17,7 @@ Genome shaped_start(const DesignSetup& setup, ga::Stream random);
 /// On a periodic line, the genome with its waves moved to harmonics of the length; otherwise the genome.
 Genome fitting_grid(const DesignSetup& setup, const Genome& genome);
 
-/// The genomes of the paper's Sobol database within the set-up's bounds, each in its best amplitude
-/// (with_fitting_amplitude).
+/// The paper's Sobol database within the set-up's bounds, each genome with_fitting_amplitude().
 std::vector<Genome> database_starts(const DesignSetup& setup, int threads);
 
 /// The genome with the given series that follows the heights most closely, by least squares. A and

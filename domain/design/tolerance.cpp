@@ -5,6 +5,7 @@
 #include "ga/base/budget.hpp"
 #include "ga/base/parallel.hpp"
 
+#include <set>
 #include <span>
 
 namespace rough {
@@ -125,8 +126,7 @@ class ErrorTrials {
     std::vector<Draw> draws_;
 };
 
-/// The similarity under some sizes of an error, by size.
-using KeptBySize = std::map<double, double>;
+using KeptBySize = std::map<double, double>; ///< the similarity under some sizes of an error, by size
 
 /// Sizes up to `cap`, each `ratio` times the one before, from one that keeps `high` to one below `low`.
 template <class KeptAt>
@@ -143,8 +143,7 @@ KeptBySize ladder(double cap, double ratio, double high, double low, KeptAt kept
     return all;
 }
 
-/// The largest size before the first below the level, or 0, and that first size; if none is below, twice the
-/// last.
+/// The largest size before the first below the level, or 0, and that first size; if none is, twice the last.
 std::pair<double, double> bracket(const KeptBySize& all, double level) {
     const auto lost =
         std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.second < level; });
@@ -249,10 +248,7 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
     Tolerance result;
     result.noise_length = setup.errors.noise_length;
     result.similarity = unknown;
-    std::vector<double> levels{0.99, 0.95, 0.9, setup.required_similarity};
-    std::sort(levels.rbegin(), levels.rend());
-    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    for (const double level : levels)
+    for (const double level : std::set<double, std::greater<>>{0.99, 0.95, 0.9, setup.required_similarity})
         result.levels.push_back({level, unknown, unknown, unknown});
     try {
         result.similarity = trials.similarity();
@@ -300,13 +296,13 @@ Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const Tol
 }
 
 double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
-                               const ToleranceOptions& options, int draws) {
+                               const ToleranceOptions& options) {
     try {
         ErrorTrials trials(setup, genome, options);
         const double tilted = trials.lowest(unit_tilts(setup.model.grid), {setup.errors.tilt}).front();
         if (!(setup.errors.noise > 0))
             return tilted;
-        const int count = draws > 0 ? draws : draws_for(setup.model.grid);
+        const int count = options.draws.value_or(draws_for(setup.model.grid));
         return std::min(tilted, trials.with_noise(setup.errors.noise, count)[may_lose(count)]);
     } catch (const ga::Stopped&) {
         return std::numeric_limits<double>::quiet_NaN();

@@ -66,9 +66,8 @@ struct Tolerance {
 Tolerance tolerance_of(const DesignSetup& setup, const Genome& genome, const ToleranceOptions& options = {});
 
 /// The lowest similarity under DesignSetup::errors. For noise it is the similarity that 95 % of the draws
-/// reach. Tilts are in both directions, on a map along x and y. If `draws` is 0, there are as many draws as
-/// in tolerance_of(). NaN: not computed in time.
+/// reach. Tilts are in both directions, on a map along x and y. NaN: not computed in time.
 double similarity_under_errors(const DesignSetup& setup, const Genome& genome,
-                               const ToleranceOptions& options = {}, int draws = 0);
+                               const ToleranceOptions& options = {});
 
 } // namespace rough

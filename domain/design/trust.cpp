@@ -71,27 +71,26 @@ void assess_strains(const DesignSetup& setup, const Genome& genome, const TrustO
 
 /// One similarity to compute. It refers to the set-up, the genome and the options.
 struct Job {
-    enum class Kind { check, kernel, redrawn } kind;
+    std::vector<Check>* list; ///< receives the similarity; null: the redrawn phases do
     std::string name;
     std::function<double()> similarity;
     bool decides = false;
 };
-using Jobs = std::vector<Job>;
-using enum Job::Kind;
 
-Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions& options, Trust& trust,
-              const Answer* verified) {
-    Jobs jobs;
-    const auto under = [&](Job::Kind kind, const std::string& name, const Model& model) {
-        jobs.push_back({kind, name, [&, model] { return similarity(setup, respond(setup, genome, model)); }});
+std::vector<Job> jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions& options,
+                          Trust& trust, const Answer* verified) {
+    std::vector<Job> jobs;
+    std::vector<Check>* const checks = &trust.checks;
+    const auto under = [&](std::vector<Check>* list, const std::string& name, const Model& model) {
+        jobs.push_back({list, name, [&, model] { return similarity(setup, respond(setup, genome, model)); }});
     };
     const auto ask = [&](const std::string& name, const Model& model, double Verification::*known) {
         if (!verified || !known || !setup.model.grid.is_2d())
-            under(check, name, model);
+            under(checks, name, model);
         else if (std::isnan(verified->*known))
             trust.left_out.push_back(name);
         else
-            jobs.push_back({check, name, [=] { return verified->*known; }});
+            jobs.push_back({checks, name, [=] { return verified->*known; }});
     };
     const Refinement by = verified_refinement(setup.model.grid);
     const auto times = [](auto factor, const char* of) {
@@ -105,7 +104,7 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
     steps.loading.steps *= by.steps;
     ask(times(by.steps, "load steps"), steps, &Verification::more_steps);
     if (setup.measured)
-        jobs.push_back({check, in_finer_steps_too, [&] {
+        jobs.push_back({checks, in_finer_steps_too, [&] {
                             const DesignSetup finer = in_finer_steps(setup, 4);
                             return similarity(finer, respond(finer, genome, finer.model));
                         }});
@@ -116,12 +115,12 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
         far.targets = with_datum(setup.targets, setup.model, 4);
         *far.model.body.datum *= 4;
         if (!far.targets.empty())
-            jobs.push_back({check, "4 times the datum, the target moved with it",
+            jobs.push_back({checks, "4 times the datum, the target moved with it",
                             [&, far] { return similarity(far, respond(far, genome, far.model)); }});
     }
     const auto [noise, noise_length, tilt] = setup.errors;
     const auto under_errors = [&](const std::string& name, const MakingErrors& errors) {
-        jobs.push_back({check, name,
+        jobs.push_back({checks, name,
                         [&, errors] {
                             DesignSetup with = setup;
                             with.errors = errors;
@@ -142,7 +141,7 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
             if (target.against_pressure())
                 yielding.model.loading.to_pressure =
                     std::max(yielding.model.loading.to_pressure.value_or(0), target.last());
-        jobs.push_back({check, "nodes held at the hardness",
+        jobs.push_back({checks, "nodes held at the hardness",
                         [&, yielding] { // nodes of a measured target are held, too
                             const DesignSetup yielded = in_finer_steps(yielding, 1);
                             return similarity(yielded, respond(yielded, genome, yielded.model));
@@ -151,9 +150,9 @@ Jobs jobs_for(const DesignSetup& setup, const Genome& genome, const TrustOptions
     }
     for (const Kernel other : {Kernel::free, Kernel::periodic, Kernel::strip})
         if (other != setup.model.body.kernel && !(setup.model.grid.is_2d() && other == Kernel::strip))
-            under(kernel, name_of(other), with_kernel(setup.model, other));
+            under(&trust.kernels, name_of(other), with_kernel(setup.model, other));
     for (int draw = 0; draw < options.phase_draws; ++draw)
-        jobs.push_back({redrawn, "", [&, draw] { // each ridge keeps its amplitude and moves to another place
+        jobs.push_back({nullptr, "", [&, draw] { // each ridge keeps its amplitude and moves to another place
                             ga::Stream random(
                                 ga::fold(ga::fold(options.seed, "phases"), static_cast<std::uint64_t>(draw)));
                             Genome moved = genome;
@@ -198,7 +197,7 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
     assess_strains(setup, genome, options, designed ? *designed : respond(setup, genome, setup.model), trust);
     const auto late = ending_after(options.seconds, options.stop);
     setup.model.contact.stop = late;
-    const Jobs jobs = jobs_for(setup, genome, options, trust, verified);
+    const std::vector<Job> jobs = jobs_for(setup, genome, options, trust, verified);
     std::vector<double> values(jobs.size());
     std::vector<char> done(jobs.size(), 0);
     ga::parallel_for(jobs.size(), ga::thread_count(options.threads), [&](std::size_t i) {
@@ -213,14 +212,14 @@ Trust trust_in(DesignSetup setup, const Genome& genome, const TrustOptions& opti
     });
     std::vector<double> deciding;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-        const auto& [kind, name, similarity, decides] = jobs[i];
-        if (done[i] && kind == redrawn) {
+        const auto& [list, name, similarity, decides] = jobs[i];
+        if (done[i] && !list) {
             trust.redrawn.push_back(values[i]);
         } else if (done[i]) {
-            (kind == check ? trust.checks : trust.kernels).push_back({name, values[i], decides});
+            list->push_back({name, values[i], decides});
             if (decides)
                 deciding.push_back(values[i]);
-        } else if (kind != redrawn) {
+        } else if (list) {
             trust.left_out.push_back(name);
             trust.all_decided = trust.all_decided && !decides;
         }

@@ -11,11 +11,9 @@
 
 namespace rough {
 
-namespace {
+using nlohmann::json;
 
-void append_bits(std::string& key, const void* value, std::size_t size) {
-    key.append(static_cast<const char*>(value), size);
-}
+namespace {
 
 /// Visits every gene in the order of gene_places.
 template <class G, class Visit>
@@ -31,6 +29,85 @@ void for_each_gene(G& genome, Visit visit) {
             for (std::size_t m = 0; m < series.chromosomes[c].phases.size(); ++m)
                 visit(series.chromosomes[c].phases[m], GenePlace{Kind::phase, s, c, m});
     }
+}
+
+/// The chromosomes of a genome from the longest wavelength to the shortest, each as one series.
+std::vector<Series> by_wave_length(const Genome& genome) {
+    std::vector<Series> scales;
+    for (const Series& series : folded(genome).series)
+        for (const Chromosome& chromosome : series.chromosomes)
+            scales.push_back({series.A, series.H, series.gamma, series.lambda, {chromosome}});
+    std::stable_sort(scales.begin(), scales.end(), [](const Series& a, const Series& b) {
+        return wave_length(a, a.chromosomes[0].n) > wave_length(b, b.chromosomes[0].n);
+    });
+    return scales;
+}
+
+/// Whether a series has the genes of a scale, and its place n free.
+bool takes(const Series& series, const Series& scale) {
+    return series.A == scale.A && series.H == scale.H && series.gamma == scale.gamma &&
+           series.lambda == scale.lambda &&
+           std::ranges::count(series.chromosomes, scale.chromosomes[0].n, &Chromosome::n) == 0;
+}
+
+Genome genome_of(const std::vector<Series>& scales) {
+    Genome genome;
+    for (const Series& scale : scales) {
+        const auto home =
+            std::ranges::find_if(genome.series, [&](const Series& series) { return takes(series, scale); });
+        if (home == genome.series.end())
+            genome.series.push_back(scale);
+        else
+            home->chromosomes.push_back(scale.chromosomes[0]);
+    }
+    return genome;
+}
+
+template <class Exchange>
+void crossed(Genome& a, Genome& b, Exchange exchange) {
+    auto left = by_wave_length(a), right = by_wave_length(b);
+    exchange(left, right);
+    a = genome_of(left);
+    b = genome_of(right);
+}
+
+constexpr std::size_t max_genome_bytes = 16'000'000; // half a million phases in full digits
+
+std::string shown(const json& value) {
+    std::string text = json_text(value, true);
+    return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+}
+
+void expect_object(const json& value, const std::string& where, std::initializer_list<const char*> keys) {
+    if (!value.is_object())
+        refuse(where, ": ", shown(value), " is not an object; write { ... }");
+    for (const auto& [key, item] : value.items())
+        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            refuse(where, ": unknown key \"", key, "\"; remove it");
+    for (const char* key : keys)
+        if (!value.contains(key))
+            refuse(where, ": key \"", key, "\" is missing; add it");
+}
+
+void expect_number(const json& value, const char* name, const std::string& where) {
+    if (!value.is_number())
+        refuse(where, ": ", name, " is ", shown(value), ", which is not a number; give one");
+}
+
+const json& array(const json& object, const char* key, const std::string& where) {
+    const json& value = object.at(key);
+    if (!value.is_array())
+        refuse(where, ": ", key, " is ", shown(value), ", which is not an array; write [ ... ]");
+    return value;
+}
+
+void expect_chromosome(const json& value, const std::string& where) {
+    expect_object(value, where, {"n", "phases"});
+    const json& n = value.at("n");
+    if (!n.is_number_integer() || n.get<double>() < 1 || n.get<double>() > 1e6)
+        refuse(where, ": n is ", shown(n), ", which is out of range (a whole number from 1 to 1e6)");
+    for (const json& phase : array(value, "phases", where))
+        expect_number(phase, "a phase (rad)", where);
 }
 
 } // namespace
@@ -103,16 +180,17 @@ Genome sum(const Genome& left, const Genome& right) {
 
 std::string shape_key(const Genome& genome) {
     std::string key;
+    const auto append = [&](auto number) {
+        key.append(reinterpret_cast<const char*>(&number), sizeof number);
+    };
     for (const auto& series : genome.series) {
         for (double gene : {series.A, series.H, series.gamma, series.lambda})
-            append_bits(key, &gene, sizeof gene);
-        const auto count = series.chromosomes.size();
-        append_bits(key, &count, sizeof count);
+            append(gene);
+        append(series.chromosomes.size());
         for (const auto& chromosome : series.chromosomes) {
-            append_bits(key, &chromosome.n, sizeof chromosome.n);
-            const auto ridges = chromosome.phases.size();
-            append_bits(key, &ridges, sizeof ridges);
-            append_bits(key, chromosome.phases.data(), ridges * sizeof(double));
+            append(chromosome.n);
+            append(chromosome.phases.size());
+            std::ranges::for_each(chromosome.phases, append);
         }
     }
     return key;
@@ -136,51 +214,6 @@ Genome with_genes(Genome genome, const std::vector<double>& values) {
     return genome;
 }
 
-namespace {
-
-/// The chromosomes of a genome from the longest wavelength to the shortest, each as one series.
-std::vector<Series> by_wave_length(const Genome& genome) {
-    std::vector<Series> scales;
-    for (const Series& series : folded(genome).series)
-        for (const Chromosome& chromosome : series.chromosomes)
-            scales.push_back({series.A, series.H, series.gamma, series.lambda, {chromosome}});
-    std::stable_sort(scales.begin(), scales.end(), [](const Series& a, const Series& b) {
-        return wave_length(a, a.chromosomes[0].n) > wave_length(b, b.chromosomes[0].n);
-    });
-    return scales;
-}
-
-/// Whether a series has the genes of a scale, and its place n free.
-bool takes(const Series& series, const Series& scale) {
-    return series.A == scale.A && series.H == scale.H && series.gamma == scale.gamma &&
-           series.lambda == scale.lambda &&
-           std::none_of(series.chromosomes.begin(), series.chromosomes.end(),
-                        [&](const Chromosome& other) { return other.n == scale.chromosomes[0].n; });
-}
-
-Genome genome_of(const std::vector<Series>& scales) {
-    Genome genome;
-    for (const Series& scale : scales) {
-        const auto home = std::find_if(genome.series.begin(), genome.series.end(),
-                                       [&](const Series& series) { return takes(series, scale); });
-        if (home == genome.series.end())
-            genome.series.push_back(scale);
-        else
-            home->chromosomes.push_back(scale.chromosomes[0]);
-    }
-    return genome;
-}
-
-template <class Exchange>
-void crossed(Genome& a, Genome& b, Exchange exchange) {
-    auto left = by_wave_length(a), right = by_wave_length(b);
-    exchange(left, right);
-    a = genome_of(left);
-    b = genome_of(right);
-}
-
-} // namespace
-
 void cross_points(Genome& a, Genome& b, std::size_t cuts, ga::Stream& stream) {
     crossed(a, b, [&](auto& left, auto& right) { ga::exchange_at_points(left, right, cuts, stream); });
 }
@@ -192,51 +225,6 @@ void cross_uniform(Genome& a, Genome& b, ga::Stream& stream) {
                 std::swap(left[i], right[i]);
     });
 }
-
-namespace {
-
-using nlohmann::json;
-
-constexpr std::size_t max_genome_bytes = 16'000'000; // half a million phases in full digits
-
-std::string shown(const json& value) {
-    std::string text = json_text(value, true);
-    return text.size() > 40 ? text.substr(0, 37) + "..." : text;
-}
-
-void expect_object(const json& value, const std::string& where, std::initializer_list<const char*> keys) {
-    if (!value.is_object())
-        refuse(where, ": ", shown(value), " is not an object; write { ... }");
-    for (const auto& [key, item] : value.items())
-        if (std::find(keys.begin(), keys.end(), key) == keys.end())
-            refuse(where, ": unknown key \"", key, "\"; remove it");
-    for (const char* key : keys)
-        if (!value.contains(key))
-            refuse(where, ": key \"", key, "\" is missing; add it");
-}
-
-void expect_number(const json& value, const char* name, const std::string& where) {
-    if (!value.is_number())
-        refuse(where, ": ", name, " is ", shown(value), ", which is not a number; give one");
-}
-
-const json& array(const json& object, const char* key, const std::string& where) {
-    const json& value = object.at(key);
-    if (!value.is_array())
-        refuse(where, ": ", key, " is ", shown(value), ", which is not an array; write [ ... ]");
-    return value;
-}
-
-void expect_chromosome(const json& value, const std::string& where) {
-    expect_object(value, where, {"n", "phases"});
-    const json& n = value.at("n");
-    if (!n.is_number_integer() || n.get<double>() < 1 || n.get<double>() > 1e6)
-        refuse(where, ": n is ", shown(n), ", which is out of range (a whole number from 1 to 1e6)");
-    for (const json& phase : array(value, "phases", where))
-        expect_number(phase, "a phase (rad)", where);
-}
-
-} // namespace
 
 json genome_to_json(const Genome& genome) {
     json value = folded(genome);

@@ -38,12 +38,10 @@ struct Genome {
 /// 0, n < 1, and numbers that are not finite.
 void validate(const Genome& genome, const std::string& where);
 
-/// The genome of this surface with scale 1; the amplitudes A are multiplied by the scale.
-Genome folded(Genome genome);
+Genome folded(Genome genome); ///< the surface with scale 1; each A is multiplied by the scale
 
 /// The sum of the two parents' surfaces, with scale 1. Series that differ only in amplitude become one, and
-/// series whose amplitudes cancel are removed. The order of the parents does not matter, not even to the last
-/// bit.
+/// series whose amplitudes cancel are removed. The parents' order does not affect any bit.
 Genome sum(const Genome& left, const Genome& right);
 
 /// A key of a genome's shape: the bits of all numbers except the scale. The responses of genomes with equal
@@ -83,12 +81,10 @@ void cross_uniform(Genome& a, Genome& b, ga::Stream& stream);
 /// {"series":[{"A":1,"H":0.8,"gamma":1.5,"lambda":0.84942,"chromosomes":[{"n":1,"phases":[0.3]}]}]}.
 nlohmann::json genome_to_json(const Genome& genome);
 
-/// The genome in such JSON. Throws InputError that begins with `where` on a missing or unknown key or a bad
-/// value.
+/// The genome in such JSON. Throws InputError that begins with `where` on a wrong key or value.
 Genome genome_from_json(const nlohmann::json& json, const std::string& where);
 
-/// The default length of a profile, mm (the paper's).
-constexpr double standard_length = 0.84942;
+constexpr double standard_length = 0.84942; ///< the default length of a profile, mm (the paper's)
 
 /// The content of a genome file. The file has the JSON of genome_to_json(), and "length_mm" next to "series".
 struct GenomeFile {
@@ -98,8 +94,7 @@ struct GenomeFile {
 
 /// Reads and validates a genome file of at most 16 MB. Throws InputError that begins with the file's name.
 GenomeFile read_genome_file(const std::filesystem::path& file);
-/// Reads only the genome.
-Genome read_genome(const std::filesystem::path& file);
+Genome read_genome(const std::filesystem::path& file); ///< reads only the genome
 
 /// The text of a genome file. If `length` is standard_length, "length_mm" is omitted.
 std::string genome_file_text(const Genome& genome, double length);

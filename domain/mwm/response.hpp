@@ -9,8 +9,7 @@ namespace rough {
 /// equal, e.g. because the wavelength is the node spacing.
 Response respond(const Genome& genome, const Model& model = {});
 
-/// The grid that counts as resolved for a genome: 64 elements per shortest wavelength, at least 4096 and at
-/// most 2^20.
+/// The grid that counts as resolved for a genome: 64 elements per shortest wavelength, 4096 to 2^20.
 Grid resolved_grid(const Genome& genome, double length, bool periodic);
 
 /// A genome's response within model.accuracy of the response on the model's grid, and its account. A wave of

@@ -15,8 +15,7 @@ Profile sample(const Genome& genome, const Grid& grid);
 /// for rounding, if every wavelength divides L.
 double jump_at_ends(const Genome& genome, double length);
 
-/// Whether the height range of a sampled profile is only rounding: below 1e-12 times the sum of the genome's
-/// amplitudes.
+/// Whether a profile's height range is only rounding: below 1e-12 times the genome's sum of amplitudes.
 bool is_flat(const Profile& sampled, const Genome& genome);
 
 /// The values cos(k x_i) and sin(k x_i) of each wave: N rows, and columns 2c and 2c+1 for wave c.

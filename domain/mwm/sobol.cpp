@@ -14,13 +14,11 @@ namespace {
 std::vector<std::vector<double>> sobol_points(int dimension, int count) {
     boost::random::sobol engine(static_cast<std::size_t>(dimension));
     boost::random::uniform_01<double> uniform;
-    std::vector<std::vector<double>> points;
-    for (int i = -1; i < count; ++i) {
-        std::vector<double> point(static_cast<std::size_t>(dimension));
-        std::generate(point.begin(), point.end(), [&] { return uniform(engine); });
-        if (i >= 0)
-            points.push_back(std::move(point));
-    }
+    std::vector points(static_cast<std::size_t>(count) + 1,
+                       std::vector<double>(static_cast<std::size_t>(dimension)));
+    for (std::vector<double>& point : points)
+        std::ranges::generate(point, [&] { return uniform(engine); });
+    points.erase(points.begin());
     return points;
 }
 

@@ -18,8 +18,7 @@ struct DatabaseLayout {
     int ridges = 1;          ///< number of ridges M of each chromosome; on a map they are directions
 };
 
-/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence, mapped to the ranges. Its first point,
-/// the middle, is skipped.
+/// The pairs (H, gamma): Boost's two-dimensional Sobol sequence from its second point, in the ranges.
 std::vector<std::pair<double, double>> sobol_pairs(const DatabaseLayout& layout);
 
 /// The phases: entry [n-1][column] is 2 pi u, n = 1..last. u is the n-th point of the Sobol sequence with one

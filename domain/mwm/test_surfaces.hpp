@@ -35,8 +35,7 @@ std::vector<Wave> self_affine_waves(double length, double amplitude, double hurs
 /// (n - 1)^2 golden angles.
 std::vector<Wave> brownian_waves(double length, double amplitude, double hurst, int count);
 
-/// A sum of waves at x, both in mm, without their offsets.
-double height_at(const std::vector<Wave>& waves, double x);
+double height_at(const std::vector<Wave>& waves, double x); ///< sum of the waves at x without offsets, mm
 
 /// The heights (mm) that a formula gives at the grid's nodes, x in mm from the first node.
 Profile sampled(const Grid& grid, const std::function<double(double)>& height);
@@ -44,8 +43,7 @@ Profile sampled(const Grid& grid, const std::function<double(double)>& height);
 /// A self-affine profile that is not an MWM series: fractional Brownian motion by spectral synthesis. Normal
 /// random amplitudes have a power spectrum ~ k^-(1 + 2 H) on four times the grid's length. The first quarter
 /// is kept, so the profile does not repeat. Its least-squares line is removed, its heights are scaled to
-/// `rms` (mm). 0 < hurst < 1. The same seed gives the same profile. Throws InputError on a hurst, rms or grid
-/// out of range.
+/// `rms` (mm). 0 < hurst < 1. Equal seeds give equal profiles. Throws InputError on values out of range.
 Profile fractal_profile(const Grid& grid, double hurst, double rms, std::uint64_t seed);
 
 /// The waves of a profile with wavelengths from `shortest` (exclusive) to `longest` (inclusive).

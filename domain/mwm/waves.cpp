@@ -70,7 +70,7 @@ std::vector<LengthScale> length_scales(const Genome& genome) {
     for (std::size_t s = 0; s < genome.series.size(); ++s)
         for (std::size_t c = 0; c < genome.series[s].chromosomes.size(); ++c) {
             const double k = wave_number(genome.series[s], genome.series[s].chromosomes[c].n);
-            auto known = std::find_if(scales.begin(), scales.end(), [&](const LengthScale& scale) {
+            auto known = std::ranges::find_if(scales, [&](const LengthScale& scale) {
                 return std::abs(scale.wave_number - k) <= 1e-12 * k;
             });
             if (known == scales.end())
@@ -82,7 +82,7 @@ std::vector<LengthScale> length_scales(const Genome& genome) {
 
 Genome only(const Genome& genome, const LengthScale& scale) {
     return filtered(genome, [&](std::size_t s, std::size_t c) {
-        return std::find(scale.members.begin(), scale.members.end(), std::pair(s, c)) != scale.members.end();
+        return std::ranges::count(scale.members, std::pair(s, c)) > 0;
     });
 }
 

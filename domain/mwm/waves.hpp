@@ -19,8 +19,7 @@ struct Ridge {
     double R;     ///< hypot(g1, g2), where g2 is the sum of sin phi_m
     double theta; ///< atan2(g2, g1), rad
 };
-/// The cosine of one chromosome's ridges from their phases (rad).
-Ridge collapsed(const std::vector<double>& phases);
+Ridge collapsed(const std::vector<double>& phases); ///< cosine of one chromosome's ridges; phases in rad
 
 double wave_length(const Series& series, int n); ///< wavelength lambda_n = lambda gamma^(1-n), mm
 double wave_number(const Series& series, int n); ///< wavenumber k_n = (2 pi/lambda) gamma^(n-1), 1/mm (Eq. 3)
@@ -33,8 +32,7 @@ Wave wave(const Series& series, const Chromosome& chromosome);
 /// All waves of a genome, scale included: one for each chromosome of each series, in order.
 std::vector<Wave> waves(const Genome& genome);
 
-/// The shortest wavelength of a genome, mm.
-double shortest_wave(const Genome& genome);
+double shortest_wave(const Genome& genome); ///< the shortest wavelength of a genome, mm
 
 /// The number n_f of Eq. 4: the largest n whose wavelength is at least `shortest` (mm). It is 0 if even the
 /// first wavelength is shorter. A margin of 1e-12 keeps the last chromosome if its wavelength equals
@@ -65,11 +63,9 @@ struct LengthScale {
     std::vector<std::pair<std::size_t, std::size_t>> members;
 };
 
-/// All length scales of a genome, without duplicates.
-std::vector<LengthScale> length_scales(const Genome& genome);
+std::vector<LengthScale> length_scales(const Genome& genome); ///< all length scales, without duplicates
 
-/// The genome with only this length scale.
-Genome only(const Genome& genome, const LengthScale& scale);
+Genome only(const Genome& genome, const LengthScale& scale); ///< the genome with only this length scale
 
 /// One cosine of a profile, as power: half its squared amplitude.
 struct SpectralLine {

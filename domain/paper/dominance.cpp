@@ -9,6 +9,7 @@ namespace rough {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double threshold = 0.95; ///< correlation above which a part is dominant (the paper)
 
 /// The response of one length scale alone; none if it is flat at the nodes.
 std::optional<Response> response_alone(const Genome& genome, const LengthScale& scale, const Model& model) {
@@ -21,8 +22,7 @@ std::optional<Response> response_alone(const Genome& genome, const LengthScale& 
 
 } // namespace
 
-DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
-                             double threshold) {
+DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts) {
     DominantParts result;
     double best = -std::numeric_limits<double>::infinity();
     for (const auto& part : parts) {
@@ -74,8 +74,7 @@ Genome reduced(const Genome& genome, const Dominance& dominance) {
     return filtered(genome, [&](std::size_t s, std::size_t c) { return dominance.at(s, c); });
 }
 
-Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target, ga::Work& work,
-                         double threshold) {
+Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target, ga::Work& work) {
     const Target& wanted = setup.targets[target];
     Model model = setup.model;
     (wanted.against_pressure() ? model.loading.to_pressure : model.loading.to_displacement) = wanted.last();
@@ -89,7 +88,7 @@ Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::si
             }
         } catch (const InputError&) { // periodic, in full contact below that load
         }
-    return reduced(genome, {dominant_parts({wanted.x, wanted.y}, alone, threshold), scales});
+    return reduced(genome, {dominant_parts({wanted.x, wanted.y}, alone), scales});
 }
 
 } // namespace rough

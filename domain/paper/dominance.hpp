@@ -1,14 +1,8 @@
 #pragma once
 
-#include "domain/problem/memory.hpp"
 #include "domain/problem/setup.hpp"
 
-#include <memory>
-
 namespace rough {
-
-/// The correlation above which a part is dominant (the paper).
-constexpr double dominance_threshold = 0.95;
 
 /// The parts of a profile that dominate its curve (paper, Algorithm 1).
 struct DominantParts {
@@ -16,14 +10,13 @@ struct DominantParts {
     std::vector<char> dominant;      ///< whether each part is dominant; at least one is
     bool only_best = false;          ///< whether no part exceeds the threshold, so that only the best is kept
 };
-/// Algorithm 1 for curves of any kind. `parts` are the curves of each part alone, compared at the whole's
-/// points (our choice; the paper does not state them). A part's curve is constant beyond its ends. An entry
-/// is empty if the part is flat or has no response. If no correlation is defined, all parts are dominant.
-DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts,
-                             double threshold = dominance_threshold);
+/// Algorithm 1 for curves of any kind, with the paper's threshold of 0.95. `parts` are the curves of each
+/// part alone, compared at the whole's points (our choice; the paper does not state them). A part's curve is
+/// constant beyond its ends. An entry is empty if the part is flat or has no response. If no correlation is
+/// defined, all parts are dominant.
+DominantParts dominant_parts(const Curve& whole, const std::vector<std::optional<Curve>>& parts);
 
-/// The length scales that dominate a genome's stiffness curve K. The correlation is NaN if a length scale is
-/// flat at the nodes or its K does not vary.
+/// The length scales that dominate a genome's K. The correlation is NaN for a flat scale or constant K.
 struct Dominance : DominantParts {
     std::vector<LengthScale> scales; ///< the genome's length scales, in the order of the parts
     double price = 0; ///< price of the curves that were compared, in curves of the rule's model
@@ -53,7 +46,6 @@ Genome reduced(const Genome& genome, const Dominance& dominance);
 /// The genome with only the length scales whose curve alone follows a target (Cinat, Paggi and Gnecco 2019),
 /// by dominant_parts() at the target's points. Each length scale keeps the genome's amplitude and is loaded
 /// as far as the target. The price of its curves, in curves of the set-up's model, is added to `work`.
-Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target, ga::Work& work,
-                         double threshold = dominance_threshold);
+Genome reduced_to_target(const DesignSetup& setup, const Genome& genome, std::size_t target, ga::Work& work);
 
 } // namespace rough

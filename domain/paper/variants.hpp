@@ -4,10 +4,11 @@
 #include "domain/problem/problem.hpp"
 #include "ga/text/compiled_once.hpp"
 
+#include <memory>
+
 namespace rough {
 
-/// A pipeline on a design's problem, e.g. the paper's.
-using DesignPipeline = ga::Pipeline<DesignProblem>;
+using DesignPipeline = ga::Pipeline<DesignProblem>; ///< a pipeline on a design's problem, e.g. the paper's
 
 /// Parameters of the operators that the domain of roughness adds to the engine.
 struct Vocabulary {
@@ -23,16 +24,13 @@ struct Vocabulary {
 DesignSetup paper_setup(Model model, Target target, double max_pressure, double threshold,
                         PhaseReach reach = {});
 
-/// The operators of text pipelines for the paper's problem: operators of the engine and operators for rough
-/// surfaces.
+/// The operators of text pipelines for the paper's problem: those of the engine and for rough surfaces.
 ga::Registry<DesignProblem> paper_registry(const Vocabulary& words);
 
-/// The variants in a text of lines NAME = TEXT. An indented line continues the text above it. A line that
-/// begins with # is a comment.
+/// The variants in a text of lines NAME = TEXT. An indented line continues the text; # begins a comment.
 ga::Variants variants_in(const std::string& ini);
 
-/// The paper's Algorithms 3-5 (sog, gco and cco) and their minimax forms as texts. variants.ini describes
-/// them.
+/// The paper's Algorithms 3-5 (sog, gco, cco) and their minimax forms as texts, see variants.ini.
 ga::Variants paper_variants();
 
 } // namespace rough

@@ -11,14 +11,13 @@ namespace {
 
 double within(double value, double from, double to) { return std::clamp(value, from, std::max(from, to)); }
 
-/// Higher harmonics hardly change stiffness and cost genes.
-constexpr int max_harmonic = 32;
+constexpr int max_harmonic = 32; ///< higher harmonics hardly change stiffness and cost genes
 
-double nearest_harmonic(double length, double wave) { return std::max(1.0, std::round(length / wave)); }
-
-bool is_harmonic(double length, double wave) {
-    const double k = length / wave;
-    return std::abs(k - nearest_harmonic(length, wave)) <= 1e-13 * k;
+/// Curves of maps are expensive, and a start does not need finer load steps.
+Model fitting_model(Model model) {
+    const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
+    model.loading = {steps, model.loading.reach};
+    return model;
 }
 
 } // namespace
@@ -42,14 +41,18 @@ std::vector<Series> harmonic_series(double length, double shortest, double H) {
 Genome in_harmonics(const Genome& genome, double length) {
     Genome moved{genome.scale, {}};
     for (const Series& series : genome.series) {
-        if (std::all_of(series.chromosomes.begin(), series.chromosomes.end(), [&](const Chromosome& one) {
-                return is_harmonic(length, wave_length(series, one.n));
+        const auto harmonic = [&](const Chromosome& one) {
+            return std::max(1.0, std::round(length / wave_length(series, one.n)));
+        };
+        if (std::ranges::all_of(series.chromosomes, [&](const Chromosome& one) {
+                const double k = length / wave_length(series, one.n);
+                return std::abs(k - harmonic(one)) <= 1e-13 * k;
             })) {
             moved.series.push_back(series);
             continue;
         }
         for (const Chromosome& one : series.chromosomes) {
-            const double k = nearest_harmonic(length, wave_length(series, one.n));
+            const double k = harmonic(one);
             Series single{1, series.H, 2, length / k, {{1, one.phases}}};
             const std::size_t ridges = one.phases.size();
             single.A = amplitude(series, one.n, ridges) / amplitude(single, 1, ridges);
@@ -91,17 +94,6 @@ Genome drawn_start(const DesignSetup& setup, ga::Stream random) {
     }
     return genome;
 }
-
-namespace {
-
-/// Curves of maps are expensive, and a start does not need finer load steps.
-Model fitting_model(Model model) {
-    const int steps = model.grid.is_2d() ? model.loading.steps : std::max(40, model.loading.steps);
-    model.loading = {steps, model.loading.reach};
-    return model;
-}
-
-} // namespace
 
 double fitting_price(const DesignSetup& setup) {
     return setup.max_pressure ? 0 : relative_price(fitting_model(setup.model), setup.model);

@@ -67,8 +67,7 @@ struct Extremes {
     double range() const { return max - min + 2 * between; }
 };
 
-/// Extremes of heights, slopes or curvatures; on a map of the gradient's size or of the curvatures in their
-/// principal directions.
+/// Extremes of heights, slopes or curvatures; on a map of gradients or of principal curvatures.
 Extremes extremes(const std::vector<PlaneWave>& waves, const Grid& grid, int order) {
     const Grid fine = search_grid(grid);
     const auto field = [&](int along_x) {
@@ -157,13 +156,6 @@ std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach
             variables.push_back({g, values[g] - half, values[g] + half});
         }
     return variables;
-}
-
-std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to, PhaseReach reach) {
-    return phase_variables(genome, reach, [&](std::size_t s, std::size_t c) {
-        const double length = wave_length(genome.series[s], genome.series[s].chromosomes[c].n);
-        return length >= from && length < to;
-    });
 }
 
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits) {

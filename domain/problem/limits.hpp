@@ -15,8 +15,7 @@ struct GeneBounds {
     double lambda_to = 0;     ///< highest value of a series' longest wavelength, mm
 };
 
-/// The largest distance by which refinement may move a phase from its value before the first refinement: the
-/// sum of two parts.
+/// The largest change of a phase from its value before the first refinement: the sum of two parts.
 struct PhaseReach {
     double relative = 0.1; ///< part that is this share of the phase's value; it hardly moves phases near 0
     double absolute = 0;   ///< constant part, rad
@@ -28,10 +27,6 @@ using ChosenChromosomes = std::function<bool(std::size_t series, std::size_t chr
 /// A variable for each phase of the genome, or only of the chosen chromosomes.
 std::vector<ga::Variable> phase_variables(const Genome& genome, PhaseReach reach,
                                           const ChosenChromosomes& chosen = {});
-
-/// A variable for each phase of the waves whose wavelength (mm) is at least `from` and below `to`.
-std::vector<ga::Variable> phases_of_waves(const Genome& genome, double from, double to,
-                                          PhaseReach reach = {});
 
 /// Limits of manufacturing. By default nothing is limited.
 struct MakingLimits {
@@ -64,8 +59,7 @@ struct Margin {
 /// between the nodes is added, so that a finer grid never shows a larger value.
 std::vector<Margin> margins(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
-/// The sum of the amounts by which slope, height and curvature exceed their limits, each divided by its
-/// limit. It is 0 within the limits.
+/// The sum of the relative excesses of slope, height and curvature over their limits; 0 within the limits.
 double excess(const Genome& genome, const Grid& grid, const MakingLimits& limits);
 
 /// The residuals max(0, value/limit - (1 - guard)) of the limits on shape, and their derivatives with respect

@@ -21,9 +21,7 @@ std::vector<Loading> loadings_of_made(const DesignSetup& given, const DesignSetu
     std::vector<Loading> loadings = loadings_of(made, made.model.loading);
     if (!given.max_pressure)
         return loadings;
-    double last = 0; // the highest pressure of the targets
-    for (const Target& target : given.targets)
-        last = std::max(last, target.last());
+    const double last = std::ranges::max(given.targets, {}, &Target::last).last(); // pressure
     for (Loading& loading : loadings)
         *loading.to_pressure *= std::max(1., *given.max_pressure / last);
     return loadings;

@@ -9,16 +9,14 @@ namespace rough {
 /// Fourier series of period 2 L, or L if the grid is periodic.
 Eigen::VectorXd height_noise(const Grid& grid, double length, std::uint64_t seed);
 
-/// Heights of a plane that rises by 1 over the length. For a map, they are followed by the heights of a plane
-/// that rises by 1 over the width.
+/// Heights of a plane that rises by 1 over the length; then, for a map, of one that does so over the width.
 std::vector<Eigen::VectorXd> unit_tilts(const Grid& grid);
 
 /// A surface that is manufactured with errors in its heights. Eq. 11 does not rescale these heights, and
 /// displacement counts from their first touch. The surface is loaded as far as in the search.
 class SurfaceWithErrors {
   public:
-    /// The surface of a genome from in_final_form().
-    SurfaceWithErrors(DesignSetup setup, Genome genome);
+    SurfaceWithErrors(DesignSetup setup, Genome genome); ///< the surface of a genome from in_final_form()
 
     const Profile& surface() const { return surface_; } ///< the surface without errors
     /// Similarity with these errors of the heights (mm, N entries); -infinity without a response. Throws
@@ -36,8 +34,7 @@ class SurfaceWithErrors {
     std::vector<Loading> loadings_;
 };
 
-/// The errors under which a search scores genomes: fixed draws of the noise, equal for every genome, and each
-/// tilt in both directions.
+/// The errors of a search, equal for every genome: fixed draws of noise, and each tilt in both directions.
 struct CommonErrors {
     explicit CommonErrors(const DesignSetup& setup); ///< the errors of a set-up
     std::vector<Eigen::VectorXd> noise = {};         ///< errors of the heights in each draw, mm

@@ -9,10 +9,9 @@ namespace rough {
 
 namespace {
 
-/// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor, and
-/// the exponent with which it grows with the number of load steps. Measured and smoothed on a busy machine.
-/// Maps of 16 x 16 nodes and of more than 256 x 256 nodes are extrapolated. benchmark_prices measures them
-/// again.
+/// Processor time of one curve of 20 load steps, ms, at numbers of nodes that grow by a constant factor. It
+/// grows with a power of the number of load steps. Measured and smoothed on a busy machine. Maps of 16 x 16
+/// and above 256 x 256 nodes are extrapolated. benchmark_prices measures them again.
 struct CurveTimes {
     double nodes;                ///< number of nodes of the first entry
     double factor;               ///< factor of nodes from one entry to the next
@@ -22,8 +21,7 @@ struct CurveTimes {
 constexpr CurveTimes of_lines{128, 2, {0.092, 0.21, 0.48, 1.02, 3.0, 12, 50, 165}, 0.75};
 constexpr CurveTimes of_maps{256, 4, {1.1, 3.1, 60, 180, 760, 3300, 14000, 60000}, 0.6};
 
-/// Price of a derivative of a curve in such curves.
-constexpr double gradient_price = 1.4;
+constexpr double gradient_price = 1.4; ///< price of a derivative of a curve in such curves
 
 /// The time of a model's curve, ms. Between entries and beyond them it is a power of the number of nodes.
 double curve_time(const Model& model) {

@@ -12,8 +12,7 @@ namespace {
 
 /// Refinement aims this far inside the limits on shape, so that it need not end on their edge.
 constexpr double limit_guard = 2e-3;
-/// A limit's excess in units of misfit.
-constexpr double limit_weight = 30;
+constexpr double limit_weight = 30; ///< a limit's excess in units of misfit
 
 /// The work's result. Throws Stopped if the set-up's stop ended it, which is not the genome's fault.
 template <class Work>
@@ -29,20 +28,10 @@ auto unless_stopped(const ContactOptions& contact, Work work) {
 
 /// All residuals r as r |r/unit|^(power - 1). The sum of their squares depends mostly on the largest ones,
 /// as the similarity that 95 % of the draws keep does.
-ga::Sensitivity in_power(const std::vector<ga::Sensitivity>& all) {
+ga::Sensitivity in_power(const ga::Sensitivity& rows) {
     constexpr double power = 2.5, unit = 0.05;
-    Index count = 0;
-    for (const ga::Sensitivity& each : all)
-        count += each.residuals.size();
-    ga::Sensitivity rows{Eigen::VectorXd(count), Eigen::MatrixXd(count, all.front().jacobian.cols())};
-    for (Index at = 0; const ga::Sensitivity& each : all) {
-        const Index n = each.residuals.size();
-        const Eigen::VectorXd factor = (each.residuals / unit).cwiseAbs().array().pow(power - 1);
-        rows.residuals.segment(at, n) = each.residuals.cwiseProduct(factor);
-        rows.jacobian.middleRows(at, n) = power * factor.asDiagonal() * each.jacobian;
-        at += n;
-    }
-    return rows;
+    const Eigen::VectorXd factor = (rows.residuals / unit).cwiseAbs().array().pow(power - 1);
+    return {rows.residuals.cwiseProduct(factor), power * factor.asDiagonal() * rows.jacobian};
 }
 
 std::string target_objective(std::size_t target) { return "goal" + std::to_string(target + 1); }
@@ -199,13 +188,8 @@ bool DesignProblem::valid(const Genome& genome) const {
 }
 
 bool DesignProblem::valid_outcome(const Outcome& outcome) const {
-    const std::size_t targets = setup_->targets.size(), found = outcome.misfits.size();
-    if (!(outcome.scale > 0) || !std::isfinite(outcome.scale) || found != targets)
-        return false;
-    for (std::size_t t = 0; t < found; ++t)
-        if (outcome.misfits[t].size() != setup_->targets[t].points())
-            return false;
-    return true;
+    return outcome.scale > 0 && std::isfinite(outcome.scale) &&
+           std::ranges::equal(outcome.misfits, setup_->targets, {}, &Eigen::VectorXd::size, &Target::points);
 }
 
 std::string DesignProblem::key(const Genome& genome) const { return key_of(*setup_, genome); }
@@ -237,15 +221,14 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
     std::vector<ga::Variable> variables;
     for (std::size_t g = 0; g < places.size(); ++g) {
         const Series& series = genome.series[places[g].series];
-        int last = 1;
-        for (const Chromosome& chromosome : series.chromosomes)
-            last = std::max(last, chromosome.n);
+        const int last = std::ranges::max(series.chromosomes, {}, &Chromosome::n).n;
         const double slack =
             setup_->limits.shortest_wave > 0
                 ? std::max(0.0, std::log(wave_length(series, last) / setup_->limits.shortest_wave))
                 : 10;
         double from = 0, to = 0;
-        switch (places[g].kind) {
+        const GenePlace::Kind kind = places[g].kind;
+        switch (kind) {
         case GenePlace::Kind::A:
             std::tie(from, to) = std::minmax({0.1 * values[g], 10 * values[g]});
             break;
@@ -267,14 +250,12 @@ std::vector<ga::Variable> DesignProblem::bounds(const Genome& genome) const {
             break;
         }
         // On a periodic grid every wave stays a harmonic of its length.
-        const GenePlace::Kind kind = places[g].kind;
         const bool harmonic = setup_->model.grid.periodic &&
                               (kind == GenePlace::Kind::gamma || kind == GenePlace::Kind::lambda);
         // In a single chromosome, H has the effect of A, and gamma that of lambda.
         const bool redundant =
             series.chromosomes.size() == 1 && (kind == GenePlace::Kind::H || kind == GenePlace::Kind::gamma);
-        const bool fixed = harmonic || redundant;
-        if (!fixed && from <= values[g] && values[g] <= to)
+        if (!harmonic && !redundant && from <= values[g] && values[g] <= to)
             variables.push_back({g, from, to});
     }
     return variables;
@@ -295,16 +276,16 @@ ga::Sensitivity DesignProblem::sensitivity(const Genome& genome, const std::stri
         shape.scale = all.factor;
     if (objective == "made") {
         const SurfaceWithErrors made(*setup_, shape);
-        std::vector<ga::Sensitivity> parts{std::move(rows)};
+        std::vector<ga::Sensitivity> parts{in_power(rows)};
         for (const auto* errors : {&errors_->noise, &errors_->tilts})
             for (const Eigen::VectorXd& heights : *errors)
-                parts.push_back(made.misfits(heights, all));
-        rows = in_power(parts);
+                parts.push_back(in_power(made.misfits(heights, all)));
+        rows = stacked(parts);
     }
     if (setup_->limits.any_shape()) {
         const ga::Sensitivity limits =
             limit_rows(shape, setup_->model.grid, setup_->limits, limit_guard, all.d_factor);
-        rows = stacked(rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian});
+        rows = stacked({rows, {limit_weight * limits.residuals, limit_weight * limits.jacobian}});
     }
     return rows;
 }

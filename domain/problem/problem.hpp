@@ -51,15 +51,12 @@ class DesignProblem {
     /// Answers are verified on `threads` threads. Prices are in curves of the set-up's model.
     explicit DesignProblem(DesignSetup setup, std::shared_ptr<ResponseMemory> memory = nullptr,
                            int threads = 1);
-    /// The problem of a changed set-up, for example on a coarser grid. Prices and the level `verified` stay
-    /// those of this problem.
+    /// The problem of a changed set-up, e.g. on a coarser grid, with this one's prices and level `verified`.
     DesignProblem with(DesignSetup setup) const;
 
     /// The genome's misfits to all targets at a level. Throws InputError or NotConverged if the genome has no
     /// response, and ga::Stopped if ContactOptions::stop ends the solution.
-    Outcome evaluate(const Genome& genome, ga::Level level) const;
-    /// The same at the level `search`.
-    Outcome evaluate(const Genome& genome) const { return evaluate(genome, level::search); }
+    Outcome evaluate(const Genome& genome, ga::Level level = level::search) const;
     /// Names and prices of the levels, in curves of the unit's model.
     const std::vector<ga::LevelPrice>& levels() const { return levels_; }
     /// The objectives above.
@@ -69,8 +66,7 @@ class DesignProblem {
     /// Whether the outcome has a misfit for each point of each target.
     bool valid_outcome(const Outcome& outcome) const;
 
-    /// The bits of the genome on which its outcome depends (key_of).
-    std::string key(const Genome& genome) const;
+    std::string key(const Genome& genome) const; ///< bits of the genome that its outcome depends on (key_of)
     /// The genome in its final form. Under Eq. 11 it gets the scale of its outcome.
     Genome final_genome(Genome genome, const Outcome& outcome) const;
 
@@ -106,8 +102,7 @@ class DesignProblem {
 
     /// The features of surface_descriptors().
     const std::vector<ga::Descriptor<Genome>>& descriptors() const { return descriptors_; }
-    /// The difference() of the surfaces of two genomes, 0 to 2.
-    double distance(const Genome& a, const Genome& b) const;
+    double distance(const Genome& a, const Genome& b) const; ///< difference() of the two surfaces, 0 to 2
 
     const DesignSetup& setup() const { return *setup_; }      ///< targets, model and limits
     const Verifier& verifier() const { return *verifier_; }   ///< verifies under as_reported(setup())

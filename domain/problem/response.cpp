@@ -1,6 +1,7 @@
 #include "domain/problem/response.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/numerics/statistics.hpp"
 
 namespace rough {
 
@@ -9,8 +10,7 @@ namespace {
 /// The share of the displacement of full contact at which a curve ends if it cannot be continued.
 constexpr double nearly_full = 0.999;
 
-/// A map's load is found to its solver's tolerance and solved again there. With this factor, no load ends
-/// below the target.
+/// A map's load is found to its solver's tolerance. With this factor, no load ends below the target.
 double load_slack(const Model& model) { return model.grid.is_2d() ? 1 + 3 * model.contact.tolerance : 1; }
 
 /// Whether a profile may reach full contact before the load steps end: on an elastic periodic body.
@@ -37,42 +37,9 @@ CurveJacobian curve_jacobian(Quantity quantity, const Response& response, const 
     return result;
 }
 
-/// The response to each loading, and its derivatives in genes.
-struct ResponsesWithJacobians {
-    std::vector<Response> responses;
-    std::vector<ResponseJacobian> jacobians;
-};
-
-using Pull = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
-
 /// The index of a target's loading among `count` ones.
 std::size_t loading_of(const Target& target, std::size_t count) {
     return target.against_pressure() ? 0 : count - 1;
-}
-
-ResponsesWithJacobians responses_with_jacobians(const DesignSetup& setup, const Profile& profile,
-                                                const std::vector<Loading>& loadings, const Model& model,
-                                                const Pull& pull) {
-    ResponsesWithJacobians result;
-    for (std::size_t l = 0; l < loadings.size(); ++l) {
-        bool with_area = false;
-        for (const Target& target : setup.targets)
-            with_area |= loading_of(target, loadings.size()) == l && is_contact_fraction(target.quantity);
-        auto [response, gradient, smooth_fraction] = respond_with_gradient(
-            profile, model.body, up_to_full_contact(loadings[l], profile, model), model.contact, with_area);
-        result.jacobians.push_back(in_genes(gradient, pull));
-        if (with_area)
-            response.contact_fraction = smooth_fraction;
-        result.responses.push_back(std::move(response));
-    }
-    return result;
-}
-
-ResponsesWithJacobians responses_with_jacobians(const DesignSetup& setup, const Genome& genome,
-                                                const Model& model) {
-    return responses_with_jacobians(
-        setup, sample(genome, model.grid), loadings_of(setup, model.loading), model,
-        [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
 /// Continues a curve that ends in full contact before its target, and its derivatives if given. Adds a point
@@ -98,31 +65,6 @@ void continue_beyond_full_contact(const DesignSetup& setup, const Target& target
         append(jacobian->x, 2);
         append(jacobian->y, rise);
     }
-}
-
-Rows rows_of(const DesignSetup& setup, const ResponsesWithJacobians& all) {
-    const auto& [responses, jacobians] = all;
-    Rows result;
-    if (setup.max_pressure) {
-        const Index last = responses[0].steps() - 1;
-        result.factor = eq_11(setup, responses[0]);
-        result.d_factor = -result.factor / responses[0].pressure[last] * jacobians[0].pressure.row(last);
-    }
-    for (std::size_t t = 0; t < setup.targets.size(); ++t) {
-        const Target& target = setup.targets[t];
-        const std::size_t l = loading_of(target, responses.size());
-        Curve curve = curve_of(target.quantity, responses[l]);
-        CurveJacobian jacobian = curve_jacobian(target.quantity, responses[l], jacobians[l]);
-        if (setup.max_pressure) { // the factor depends on the genes, too
-            jacobian.x = result.factor * jacobian.x + curve.x * result.d_factor;
-            curve = stretched(std::move(curve), result.factor);
-        }
-        continue_beyond_full_contact(setup, target, curve, &jacobian);
-        const Eigen::VectorXd misfits = misfit(target, curve);
-        const ga::Sensitivity rows{misfits, misfit_jacobian(target, curve, jacobian, misfits)};
-        result.misfits = t == 0 ? rows : stacked(result.misfits, rows);
-    }
-    return result;
 }
 
 } // namespace
@@ -218,10 +160,7 @@ std::vector<Eigen::VectorXd> misfits_of(const DesignSetup& setup, const DesignRe
 }
 
 std::vector<double> similarities(const std::vector<Eigen::VectorXd>& misfits) {
-    std::vector<double> all;
-    for (const Eigen::VectorXd& each : misfits)
-        all.push_back(similarity(each));
-    return all;
+    return column(misfits, [](const Eigen::VectorXd& each) { return similarity(each); });
 }
 
 std::vector<double> similarities(const DesignSetup& setup, const DesignResponse& response) {
@@ -254,22 +193,60 @@ Response every(Index part, Response response) {
     return response;
 }
 
-ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below) {
-    ga::Sensitivity both{
-        Eigen::VectorXd(above.residuals.size() + below.residuals.size()),
-        Eigen::MatrixXd(above.jacobian.rows() + below.jacobian.rows(), above.jacobian.cols())};
-    both.residuals << above.residuals, below.residuals;
-    both.jacobian << above.jacobian, below.jacobian;
-    return both;
+ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts) {
+    Index rows = 0;
+    for (const ga::Sensitivity& part : parts)
+        rows += part.residuals.size();
+    ga::Sensitivity all{Eigen::VectorXd(rows), Eigen::MatrixXd(rows, parts.front().jacobian.cols())};
+    for (Index at = 0; const ga::Sensitivity& part : parts) {
+        all.residuals.segment(at, part.residuals.size()) = part.residuals;
+        all.jacobian.middleRows(at, part.residuals.size()) = part.jacobian;
+        at += part.residuals.size();
+    }
+    return all;
 }
 
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model) {
-    return rows_of(setup, responses_with_jacobians(setup, genome, model));
+    return misfit_rows(setup, sample(genome, model.grid), loadings_of(setup, model.loading), model,
+                       [&](const Eigen::MatrixXd& rows) { return pulled_back(rows, genome, model.grid); });
 }
 
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
-                 const Model& model, const Pull& in_genes) {
-    return rows_of(setup, responses_with_jacobians(setup, profile, loadings, model, in_genes));
+                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& pull) {
+    std::vector<Response> responses;
+    std::vector<ResponseJacobian> jacobians;
+    for (std::size_t l = 0; l < loadings.size(); ++l) {
+        const bool with_area = std::ranges::any_of(setup.targets, [&](const Target& target) {
+            return loading_of(target, loadings.size()) == l && is_contact_fraction(target.quantity);
+        });
+        auto [response, gradient, smooth_fraction] = respond_with_gradient(
+            profile, model.body, up_to_full_contact(loadings[l], profile, model), model.contact, with_area);
+        jacobians.push_back(in_genes(gradient, pull));
+        if (with_area)
+            response.contact_fraction = smooth_fraction;
+        responses.push_back(std::move(response));
+    }
+    Rows result;
+    if (setup.max_pressure) {
+        const Index last = responses[0].steps() - 1;
+        result.factor = eq_11(setup, responses[0]);
+        result.d_factor = -result.factor / responses[0].pressure[last] * jacobians[0].pressure.row(last);
+    }
+    std::vector<ga::Sensitivity> parts;
+    for (const Target& target : setup.targets) {
+        const std::size_t l = loading_of(target, responses.size());
+        Curve curve = curve_of(target.quantity, responses[l]);
+        CurveJacobian jacobian = curve_jacobian(target.quantity, responses[l], jacobians[l]);
+        if (setup.max_pressure) { // the factor depends on the genes, too
+            jacobian.x = result.factor * jacobian.x + curve.x * result.d_factor;
+            curve = stretched(std::move(curve), result.factor);
+        }
+        continue_beyond_full_contact(setup, target, curve, &jacobian);
+        const Eigen::VectorXd misfits = misfit(target, curve);
+        parts.push_back({misfits, misfit_jacobian(target, curve, jacobian, misfits)});
+    }
+    result.misfits = stacked(parts);
+    return result;
 }
 
 } // namespace rough

@@ -33,8 +33,7 @@ DesignResponse design_response(const DesignSetup& setup, std::vector<Response> r
 /// The responses of a genome (at scale 1 under Eq. 11) to each loading.
 std::vector<Response> responses_of(const DesignSetup& setup, const Genome& genome, const Model& model);
 
-/// The responses and curves of a genome under `model`, which may have another grid, load steps or kernel than
-/// the set-up.
+/// The responses and curves of a genome under `model`, which may differ from the set-up's model.
 DesignResponse respond(const DesignSetup& setup, const Genome& genome, const Model& model);
 
 /// Misfits to each target at its points.
@@ -47,8 +46,7 @@ std::vector<double> similarities(const DesignSetup& setup, const DesignResponse&
 double min_similarity(const std::vector<Eigen::VectorXd>& misfits);
 /// The lowest similarity of a response over all targets.
 double similarity(const DesignSetup& setup, const DesignResponse& response);
-/// The lowest similarity of a genome over all targets, on a grid `refine` times finer. Eq. 11 is applied to
-/// that grid's response.
+/// The lowest similarity of a genome over all targets, with Eq. 11, on a grid `refine` times finer.
 double similarity(const DesignSetup& setup, const Genome& genome, Index refine = 1);
 
 /// The genome in its final form, in which it is reported. Under Eq. 11 its scale is the factor of Eq. 11,
@@ -56,8 +54,7 @@ double similarity(const DesignSetup& setup, const Genome& genome, Index refine =
 Genome in_final_form(const DesignSetup& setup, Genome genome);
 
 /// The misfits to all targets under a model, target after target, and their derivatives. Contact fractions
-/// are smoothed (contact/interface.hpp). They differ from the node count by at most one node per contact
-/// edge.
+/// are smoothed (contact/interface.hpp). They differ from the count by at most one node per contact edge.
 struct Rows {
     ga::Sensitivity misfits;     ///< one row per point
     double factor = 1;           ///< the factor of Eq. 11; 1 without Eq. 11
@@ -66,15 +63,14 @@ struct Rows {
 
 /// The rows of a genome. Under Eq. 11 its scale must be 1. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Genome& genome, const Model& model);
-/// The rows of a profile under the targets' loadings. `in_genes` converts derivatives with respect to heights
+/// The rows of a profile under the targets' loadings. `pull` converts derivatives with respect to heights
 /// (rows x N) into derivatives with respect to genes. Throws what respond() throws.
 Rows misfit_rows(const DesignSetup& setup, const Profile& profile, const std::vector<Loading>& loadings,
-                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& in_genes);
-/// Returns every `part`-th load step. Steps are equally spaced, so a coarser curve has exactly these
-/// displacements.
+                 const Model& model, const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& pull);
+/// Returns every `part`-th load step. As steps are equally spaced, a coarser curve has the same ones.
 Response every(Index part, Response response);
 
-/// The rows of `above`, followed by the rows of `below`.
-ga::Sensitivity stacked(const ga::Sensitivity& above, const ga::Sensitivity& below);
+/// The rows of all parts, at least one, in order.
+ga::Sensitivity stacked(const std::vector<ga::Sensitivity>& parts);
 
 } // namespace rough

@@ -8,17 +8,14 @@ namespace rough {
 namespace {
 
 constexpr Index max_exactly_reported = 16385; ///< nodes of the finer grid
-/// Nodes of the finer grid up to which a factor takes a third of the time of the iterative solver at
-/// reported_tolerance.
+/// Nodes up to which a factor takes a third of the time of the iterative solver at reported_tolerance.
 constexpr Index max_factored = 2049;
 constexpr double reported_tolerance = 1e-10;
-/// A target's last pressure may be rounded.
-constexpr double rounded_up = 1 + 1e-9;
+constexpr double rounded_up = 1 + 1e-9; ///< a target's last pressure may be rounded
 
 /// Minimum number of nodes in contact at a target's first point, because contact fractions are counts.
 constexpr double first_nodes = 32;
-/// Range of the default number of nodes for contact area.
-constexpr double min_area_nodes = 512, max_area_nodes = 4096;
+constexpr double min_area_nodes = 512, max_area_nodes = 4096; ///< limits of the default for contact area
 /// Largest distance of a band's edges from the measured curve, relative to this curve.
 constexpr double max_band_share = 0.05;
 
@@ -65,9 +62,8 @@ void validate(const DesignSetup& setup) {
             refuse(target.name, ": its pressures up to ", target.last(), " MPa exceed max-pressure, ",
                    *setup.max_pressure, " MPa; raise max-pressure");
         if (setup.max_pressure && !target.against_pressure())
-            throw InputError(target.name +
-                             ": is a curve against displacement, which Eq. 11 does not fix; omit "
-                             "max-pressure");
+            refuse(target.name,
+                   ": is a curve against displacement, which Eq. 11 does not fix; omit max-pressure");
     }
     for (const bool high : {false, true})
         if (setup.threshold && points_of_half(setup, high).empty())

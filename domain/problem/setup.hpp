@@ -52,13 +52,11 @@ struct DesignSetup {
 /// throws it on a target against displacement under Eq. 11, and on a threshold that has no point on one side.
 void validate(const DesignSetup& setup);
 
-/// The indices of the first target's points up to the threshold (MPa or mm). If `high` is set, the points
-/// from the threshold on.
+/// The indices of the first target's points up to the threshold (MPa or mm), or if `high` from it on.
 std::vector<Index> points_of_half(const DesignSetup& setup, bool high);
 
 /// The set-up with which answers are reported. If the finer grid of a line has up to 16385 nodes, the
-/// tolerance is lowered so that similarities have nine digits with every solver. Larger grids and maps keep
-/// the tolerance.
+/// tolerance is lowered so that similarities have nine digits with every solver.
 DesignSetup as_reported(DesignSetup setup);
 
 /// A design with the response of a measured profile as target. The targets are the profile's response under

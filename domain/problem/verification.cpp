@@ -8,8 +8,7 @@ namespace rough {
 
 namespace {
 
-/// Factor on the load steps of a map.
-constexpr int map_steps = 4;
+constexpr int map_steps = 4; ///< factor on the load steps of a map
 /// The largest error of an interpolated load step, relative to a secant in finer load steps.
 constexpr double interpolation_accuracy = 2e-3;
 

@@ -1,7 +1,10 @@
 #pragma once
 
-#include "domain/problem/memory.hpp"
 #include "domain/problem/response.hpp"
+
+#include <deque>
+#include <map>
+#include <mutex>
 
 namespace rough {
 
@@ -14,9 +17,7 @@ struct Refinement {
     Index nodes; ///< on the nodes along each axis
     int steps;   ///< on the load steps
 };
-/// The factors of the verification: 4 times the nodes, or twice those of a map with 512 or more along an
-/// axis. 16 times the load steps of a line, because its stiffness rises steeply where a crest begins to
-/// touch, and 4 times those of a map, whose stiffness is smooth.
+/// The factors of the verification (domain/README.md, "Verified").
 Refinement verified_refinement(const Grid& grid);
 
 /// The four similarities of a genome: under the set-up, and on a finer grid and in finer load steps. Eq. 11
@@ -34,9 +35,42 @@ struct Verification {
     double seconds = 0;             ///< wall time of the verification
     /// Misfits of each target, in the order of the four similarities.
     std::array<std::vector<Eigen::VectorXd>, 4> misfits;
-    /// For each target, the misfits from which `worst` follows: those of the curve's values moved by their
-    /// estimated error, up or down, whichever is larger in size.
+    /// For each target, the misfits from which `worst` follows. They are those of the curve's values moved by
+    /// their estimated error, up or down, whichever is larger in size.
     std::vector<Eigen::VectorXd> largest = {};
+};
+
+/// Values by keys, for several threads. A value depends only on its key, so no result depends on the memory.
+template <class Value>
+class KeyedMemory {
+  public:
+    /// A memory of the `max_count` latest keys.
+    explicit KeyedMemory(std::size_t max_count = std::numeric_limits<std::size_t>::max())
+        : max_count_(max_count) {}
+
+    /// The value of a key, or nothing.
+    std::optional<Value> find(const std::string& key) const {
+        const std::lock_guard lock(guard_);
+        const auto found = known_.find(key);
+        return found == known_.end() ? std::nullopt : std::optional(found->second);
+    }
+    /// Stores a value, unless the key already has one.
+    void keep(const std::string& key, const Value& value) {
+        const std::lock_guard lock(guard_);
+        const auto [place, is_new] = known_.emplace(key, value);
+        if (is_new)
+            order_.push_back(place);
+        if (order_.size() > max_count_) {
+            known_.erase(order_.front());
+            order_.pop_front();
+        }
+    }
+
+  private:
+    std::size_t max_count_;
+    mutable std::mutex guard_;
+    std::map<std::string, Value> known_;
+    std::deque<typename std::map<std::string, Value>::iterator> order_; ///< oldest first
 };
 
 /// Verifies the genomes of one set-up.
@@ -51,9 +85,9 @@ class Verifier {
     /// interpolated unless the same interpolation on the set-up's grid has an error above 2e-3 times a
     /// secant.
     ///
-    /// The estimated error is that of a curve whose error falls with the first power of the node spacing and
-    /// of the load step: the change by the finer grid over the factor less 1, and the change from half of the
-    /// load steps to all. A point takes the largest change of its neighbours and itself.
+    /// The estimated error (domain/README.md) has two parts. One is the change by the finer grid over the
+    /// factor less 1, the other that from half of the load steps to all. A point takes the largest change of
+    /// its neighbours and itself.
     ///
     /// If ContactOptions::stop ends the verification, the remaining similarities are NaN, and their misfits
     /// and responses are empty. Otherwise throws what respond() throws.

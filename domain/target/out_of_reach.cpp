@@ -7,8 +7,7 @@ namespace rough {
 
 namespace {
 
-/// Misfits up to this one come from rounding in files with four digits or more.
-constexpr double negligible = 1e-6;
+constexpr double negligible = 1e-6; ///< largest misfit from rounding in files with at least four digits
 
 /// The values that a curve may have at a point: the band, or only y.
 struct Allowed {

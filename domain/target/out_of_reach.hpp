@@ -13,8 +13,7 @@ struct StiffnessLimits {
     double min; ///< stiffness of a single node, MPa/mm
     double max; ///< stiffness of full contact, MPa/mm; infinite for the periodic kernel
 };
-/// The limits for the model's grid and body.
-StiffnessLimits stiffness_limits(const Model& model);
+StiffnessLimits stiffness_limits(const Model& model); ///< the limits for the model's grid and body
 
 /// The lowest and highest stiffness K, MPa/mm, that the scored curve of any profile can have at the pressure
 /// `share` P_nt. P_nt is the last load. The scored curve is the curve of secant_stiffness(). It is continued
@@ -30,8 +29,7 @@ struct OutOfReach {
     double bound = 1;          ///< upper bound on the similarity (Eq. 12, scored curve) of any profile
     bool on_this_grid = false; ///< whether a profile on a finer grid could have a higher similarity
 
-    /// The verdict in words, with the reason.
-    std::string verdict() const;
+    std::string verdict() const; ///< the verdict in words, with the reason
 };
 
 /// Exact tests of each target, without a search, for a model that is solved without approximation. Contact

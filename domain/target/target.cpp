@@ -1,6 +1,7 @@
 #include "domain/target/target.hpp"
 
 #include "domain/errors.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/unit.hpp"
 #include "domain/text/words.hpp"
@@ -32,8 +33,7 @@ constexpr std::array<QuantityRow, 5> quantities{
 const QuantityRow& row_of(Quantity quantity) { return quantities.at(static_cast<std::size_t>(quantity)); }
 
 constexpr std::size_t max_bytes = 16'000'000, max_points = 1'000'000;
-/// A ratio K_i/K that only rounding next to full contact reaches.
-constexpr double nearly_rigid = 1e9;
+constexpr double nearly_rigid = 1e9; ///< a ratio K_i/K that only rounding next to full contact reaches
 constexpr const char* pressure_units = "Pa, kPa, MPa, GPa, bar or psi";
 constexpr const char* expected_columns =
     "give pressure_MPa with stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, contact_fraction, "
@@ -47,6 +47,59 @@ double number_in(std::string_view cell, Separator separator, const std::string& 
     if (value && std::isfinite(value->value))
         return value->value;
     throw InputError(where + ": \"" + std::string(cell) + "\" is not a finite number; correct it");
+}
+
+/// The contents of a target file.
+struct TargetTable {
+    std::map<std::string, std::string> recorded; ///< the lines "# key: value"
+    std::vector<std::string> header;             ///< names of the columns, trimmed
+    std::vector<std::vector<double>> rows;       ///< as wide as the header, finite
+
+    /// The index of a column in the header, from 0, or -1 if it does not exist.
+    int place_of(const std::string& name) const {
+        const auto found = std::ranges::find(header, name);
+        return found == header.end() ? -1 : static_cast<int>(found - header.begin());
+    }
+};
+
+/// Reads comments, a header and rows of numbers.
+TargetTable read_target_table(const std::filesystem::path& file) {
+    TargetTable table;
+    Separator separator = Separator::comma;
+    std::string bytes = read_whole(file, max_bytes);
+    const Lines lines = text_lines(bytes, file.string());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string line(trim(lines[i]));
+        if (line.empty())
+            continue;
+        const std::string where = file.string() + ":" + std::to_string(i + 1);
+        if (line[0] == '#') {
+            const auto colon = line.find(':');
+            if (colon != std::string::npos)
+                table.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
+        } else if (table.header.empty()) {
+            separator = line.find(';') != std::string::npos    ? Separator::semicolon
+                        : line.find('\t') != std::string::npos ? Separator::tab
+                                                               : Separator::comma;
+            for (const auto cell : split(line, separator))
+                table.header.emplace_back(cell);
+        } else {
+            const auto cells = split(line, separator);
+            if (cells.size() != table.header.size())
+                refuse(where, ": \"", line, "\" has ", cells.size(), " cells; give ", table.header.size(),
+                       " numbers with ",
+                       separator == Separator::semicolon ? "semicolons"
+                       : separator == Separator::tab     ? "tabs"
+                                                         : "commas",
+                       " between");
+            if (table.rows.size() == max_points)
+                refuse(where, ": more than ", max_points, " points; give fewer");
+            table.rows.emplace_back();
+            for (const auto cell : cells)
+                table.rows.back().push_back(number_in(cell, separator, where));
+        }
+    }
+    return table;
 }
 
 /// A column as the quantities name it, and the factor to its unit.
@@ -248,50 +301,6 @@ void validate(const Target& target) {
     }
 }
 
-TargetTable read_target_table(const std::filesystem::path& file) {
-    TargetTable table;
-    Separator separator = Separator::comma;
-    std::string bytes = read_whole(file, max_bytes);
-    const Lines lines = text_lines(bytes, file.string());
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string line(trim(lines[i]));
-        if (line.empty())
-            continue;
-        const std::string where = file.string() + ":" + std::to_string(i + 1);
-        if (line[0] == '#') {
-            const auto colon = line.find(':');
-            if (colon != std::string::npos)
-                table.recorded[std::string(trim(line.substr(1, colon - 1)))] = trim(line.substr(colon + 1));
-        } else if (table.header.empty()) {
-            separator = line.find(';') != std::string::npos    ? Separator::semicolon
-                        : line.find('\t') != std::string::npos ? Separator::tab
-                                                               : Separator::comma;
-            for (const auto cell : split(line, separator))
-                table.header.emplace_back(cell);
-        } else {
-            const auto cells = split(line, separator);
-            if (cells.size() != table.header.size())
-                refuse(where, ": \"", line, "\" has ", cells.size(), " cells; give ", table.header.size(),
-                       " numbers with ",
-                       separator == Separator::semicolon ? "semicolons"
-                       : separator == Separator::tab     ? "tabs"
-                                                         : "commas",
-                       " between");
-            if (table.rows.size() == max_points)
-                refuse(where, ": more than ", max_points, " points; give fewer");
-            table.rows.emplace_back();
-            for (const auto cell : cells)
-                table.rows.back().push_back(number_in(cell, separator, where));
-        }
-    }
-    return table;
-}
-
-int TargetTable::place_of(const std::string& name) const {
-    const auto found = std::find(header.begin(), header.end(), name);
-    return found == header.end() ? -1 : static_cast<int>(found - header.begin());
-}
-
 Target read_target(const std::filesystem::path& file, const TargetScales& scales) {
     TargetTable table = read_target_table(file);
     std::string given;
@@ -321,10 +330,9 @@ Target read_target(const std::filesystem::path& file, const TargetScales& scales
     if (x < 0 || y < 0 || known != table.header.size() || (lower >= 0) != (upper >= 0))
         throw InputError(file.string() + ": columns \"" + given + "\" are not a target; " + expected_columns);
     const auto column = [&](int place, double factor) {
-        Eigen::VectorXd values(static_cast<Index>(table.rows.size()));
-        for (std::size_t k = 0; k < table.rows.size(); ++k)
-            values[static_cast<Index>(k)] = factor * table.rows[k][static_cast<std::size_t>(place)];
-        return values;
+        const auto values = rough::column(
+            table.rows, [&](const auto& row) { return factor * row[static_cast<std::size_t>(place)]; });
+        return Eigen::VectorXd::Map(values.data(), static_cast<Index>(values.size())).eval();
     };
     const auto at_x = static_cast<std::size_t>(x), at_y = static_cast<std::size_t>(y);
     const double factor = factors[at_y];
@@ -418,8 +426,8 @@ std::string in_words(const std::vector<RecordedDifference>& differences) {
 
 void expect_recorded(const Target& target, const Model& model) {
     if (const auto differences = recorded_differences(target, model); !differences.empty())
-        throw InputError(target.name + ": recorded with " + in_words(differences) +
-                         ", on which the target depends; use the same");
+        refuse(target.name, ": recorded with ", in_words(differences),
+               ", on which the target depends; use the same");
 }
 
 Eigen::VectorXd PointPlacement::up_to(double end) const {
@@ -454,8 +462,7 @@ std::vector<Target> targets_like(const Profile& profile, const Model& model, con
         const bool reaches = points.last && *points.last <= curve.to * (1 + 1e-9);
         Target target = target_at(quantity, name, points.up_to(reaches ? *points.last : curve.to),
                                   [&](double x) { return curve.at(x); });
-        // The line through the first two secants may fall below 0 before the first one; points there are
-        // omitted.
+        // The line through the first two secants may be below 0 before the first; points there are omitted.
         Index omitted = 0;
         while (omitted + 1 < points.count && target.y[omitted] <= 0 && target.x[omitted] < curve.x[0])
             ++omitted;

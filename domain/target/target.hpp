@@ -19,8 +19,7 @@ enum class Quantity {
 
 /// The names in the order of Quantity: stiffness, area, area-displacement, load, interface_stiffness.
 const std::vector<std::string>& quantity_names();
-/// The name of a quantity.
-const std::string& name_of(Quantity quantity);
+const std::string& name_of(Quantity quantity); ///< the name of a quantity
 /// The quantity of that name. Throws InputError on another word.
 Quantity quantity_named(const std::string& name);
 
@@ -50,9 +49,8 @@ struct Target {
     Eigen::VectorXd lower = {};              ///< lower end of the band at each x, or empty
     Eigen::VectorXd upper = {};              ///< upper end of the band at each x, or empty
     double weight = 1;                       ///< factor on each misfit, in (0, 1]
-    /// The model that the file states: "kernel", "datum_mm", ...
-    std::map<std::string, std::string> recorded = {};
-    std::optional<WrittenColumns> written = {}; ///< as the file has them; none: those of the quantity
+    std::map<std::string, std::string> recorded = {}; ///< model that the file states: "kernel", ...
+    std::optional<WrittenColumns> written = {};       ///< as the file has them; none: those of the quantity
 
     Index points() const { return x.size(); }       ///< number of points
     double last() const { return x[points() - 1]; } ///< the largest x
@@ -66,34 +64,18 @@ struct Columns {
     const char* x; ///< name of the column of x
     const char* y; ///< name of the column of y
 };
-/// The names of a quantity's columns in a target file.
-Columns columns_of(Quantity quantity);
-/// The columns of a target's file.
-WrittenColumns columns_of(const Target& target);
+Columns columns_of(Quantity quantity);           ///< the names of a quantity's columns in a target file
+WrittenColumns columns_of(const Target& target); ///< the columns of a target's file
 
 /// Throws InputError if points are missing, x is not positive and increasing, y is out of range, or a band
 /// excludes y. The message names the point (from 1) and the value.
 void validate(const Target& target);
 
-/// The contents of a target file.
-struct TargetTable {
-    std::map<std::string, std::string> recorded; ///< the lines "# key: value"
-    std::vector<std::string> header;             ///< names of the columns, trimmed
-    std::vector<std::vector<double>> rows;       ///< as wide as the header, finite
-
-    /// The index of a column in the header, from 0, or -1 if it does not exist.
-    int place_of(const std::string& name) const;
-};
-/// Reads a target file: comments, a header and rows of numbers. The header determines the separator: comma,
-/// semicolon or tab. Semicolons and tabs allow decimal commas. Throws InputError naming file and line.
-TargetTable read_target_table(const std::filesystem::path& file);
-
 /// Factors that convert the columns of a target file into a quantity.
 struct TargetScales {
     std::optional<double> nominal_area = {}; ///< mm^2; without it, columns of loads or areas are refused
     double effective_modulus = 1;            ///< E* of the bodies that conduct, MPa
-    /// rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
-    std::optional<double> resistivity = {};
+    std::optional<double> resistivity = {}; ///< rho_1 + rho_2 of both bodies: electrical resistivities, ohm m
     /// 1/k_1 + 1/k_2 of both bodies, with the thermal conductivities k (W/(m K)), m K/W
     std::optional<double> thermal_resistivity = {};
     /// Shear strength sigma, MPa: the friction is sigma times the contact area.
@@ -106,7 +88,8 @@ struct TargetScales {
 /// have neither or both.
 WrittenColumns conductance_columns(const TargetScales& scales);
 
-/// Reads a target file: CSV, header first, columns in any order. It has one x column (pressure_MPa or
+/// Reads a target file: CSV, header first, columns in any order. The header determines the separator: comma,
+/// semicolon or tab. Semicolons and tabs allow decimal commas. It has one x column (pressure_MPa or
 /// displacement_mm), one y column (contact_fraction, stiffness_MPa_per_mm, interface_stiffness_MPa_per_mm, a
 /// conductance; with displacement_mm also pressure_MPa) and optionally lower and upper. A column name may
 /// state another unit. A pressure may be in Pa, kPa, MPa, GPa, bar or psi. A load in uN, mN, N or kN is
@@ -118,8 +101,7 @@ WrittenColumns conductance_columns(const TargetScales& scales);
 /// that names file and line or column.
 Target read_target(const std::filesystem::path& file, const TargetScales& scales = {});
 
-/// The text of a target's file: the recorded lines, the header, and one row per point with 17 digits, in the
-/// units of columns_of(target).
+/// The text of a target's file, in the units of columns_of(target), with 17 digits.
 std::string to_csv(const Target& target);
 
 /// The curve of `response` that is compared with a target of this quantity.
@@ -144,11 +126,9 @@ Eigen::MatrixXd misfit_jacobian(const Target& target, const Curve& curve, const 
 /// Similarity (Eq. 12) for these misfits: 1 - the largest |misfit|. Without band and weight it is
 /// s = 1 - max_k |y_k - y(x_k)|/|y_k|. Equal curves have similarity 1. It may be negative.
 inline double similarity(const Eigen::VectorXd& misfits) { return 1 - misfits.cwiseAbs().maxCoeff(); }
-/// Similarity of a curve to the target.
-double similarity(const Target& target, const Curve& curve);
+double similarity(const Target& target, const Curve& curve); ///< similarity of a curve to the target
 
-/// Similarity of `curve` to `reference`. x of `curve` is first multiplied by a factor, so that both curves
-/// end at the same x (Eq. 11).
+/// Similarity of `curve` to `reference`, after x of `curve` is scaled so that both end at one x (Eq. 11).
 double similarity(const Curve& reference, const Curve& curve);
 
 /// The model's values on which a target's curve depends. Keys are names with units.
@@ -191,10 +171,9 @@ Target target_at(Quantity quantity, const std::string& name, const Eigen::Vector
                  const std::function<double(double)>& y);
 
 /// A profile's response as a target, with its recorded model. If the last point is not given or beyond the
-/// last load step, the last load step is used. PointPlacement at which the curve is continued to 0 or less
-/// are omitted. Unless `resolution` is `off`, the band spans the curves of the given heights and of heights
-/// interpolated linearly and by a spline. Throws InputError if an interface stiffness is infinite at full
-/// contact.
+/// last load step, this step is used. Points at which the curve is continued to 0 or less are omitted. Unless
+/// `resolution` is `off`, the band spans the curves of the given heights and of heights interpolated linearly
+/// and by a spline. Throws InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, const PointPlacement& points = {},
                    Resolution resolution = Resolution::off);

@@ -78,7 +78,7 @@ TEST_CASE("a design under noise loses a third less to it, with equal bits on two
     CHECK(one.best.genome.scale == two.best.genome.scale);
     CHECK(one.best.lowest() == std::min(one.best.worst, one.best.similarity_made));
     const auto fresh = [&](const Genome& genome) {
-        return similarity_under_errors(setup, genome, {.seed = 77}, 400);
+        return similarity_under_errors(setup, genome, {.seed = 77, .draws = 400});
     };
     CHECK(fresh(one.best.genome) == Approx(one.best.similarity_made).margin(0.02));
     CHECK(1 - fresh(one.best.genome) < 0.65 * (1 - fresh(plain)));
