@@ -132,6 +132,8 @@ TEST_CASE("a malformed genome is refused with its place and fault") {
                           Catch::StartsWith("g.json: ") && Catch::Contains(expected));
     }
     CHECK_THROWS_AS(read_genome("/no/such/file.json"), InputError);
+    CHECK_THROWS_WITH(read_genome(RUGOSA_SOURCE "/experiments/targets/drawn.csv"),
+                      Catch::Contains("not a genome"));
 }
 
 TEST_CASE("on a map every ridge is a plane wave in its direction", "[areas]") {
