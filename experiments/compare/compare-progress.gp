@@ -1,7 +1,7 @@
-# 1 less the best similarity so far against curves and gradients: median over the seeds, with its interval.
+# 1 less the best similarity so far against the price: median over the seeds, with its interval.
 eval sized(380)
 set logscale xy; set format y "10^{%T}"
-set xlabel "Curves and gradients"; set ylabel "1 - similarity"
+set xlabel "Price (curves on the search grid)"; set ylabel "1 - similarity"
 file = tables."progress.csv"
 stats file using (strcol("problem") eq arg ? collect(strcol("variant")) : 0) nooutput
 at(i) = strcol("problem") eq arg && strcol("variant") eq nth(names, i) ? column("evaluations") : NaN

@@ -68,7 +68,7 @@ TEST_CASE("variants given by flag or by file run in the place of the usual ones"
     CHECK(result_in(folder / "d")["problems"]["tsp14"]["budget"] == 300);
 }
 
-TEST_CASE("the roughness problem is compared by curves, with similarity for precision") {
+TEST_CASE("the roughness problem is compared by the price of curves, with similarity for precision") {
     const Folder folder;
     const json result = result_of(
         folder, "compare --problems roughness --target '" RUGOSA_SOURCE "/experiments/targets/drawn.csv' "
@@ -80,6 +80,8 @@ TEST_CASE("the roughness problem is compared by curves, with similarity for prec
             CHECK(run["precision"] > 0);
             CHECK(run["precision"] < 1);
         }
+    CHECK(result["variants"]["mine"]["price"] == 20);
+    CHECK(result["variants"]["mine"]["runs"][0]["evaluations"] == 20);
 }
 
 TEST_CASE("searches are compared by verified similarity on each target and grid") {
@@ -101,7 +103,7 @@ TEST_CASE("searches are compared by verified similarity on each target and grid"
             CHECK(variant["similarity_worst"] < 1);
             CHECK(variant["median_lowest_interval"][0] <= variant["median_lowest"]);
             CHECK(variant["median_lowest"] <= variant["median_lowest_interval"][1]);
-            CHECK(variant["curves"].get<long>() + variant["gradients"].get<long>() <= 120);
+            CHECK(variant["price"].get<double>() <= 120);
         }
     }
     CHECK(result["groups"]["roughness-drawn"]["standing"].size() == 2);
