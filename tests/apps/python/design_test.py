@@ -28,6 +28,7 @@ class Design(WithFolder):
             design = rugosa.design(PRESSURE, STIFFNESS, pipeline=PIPELINE, nodes=128, seed=5, threads=threads)
             self.assertEqual(design.similarity, result["similarity"])
             self.assertEqual(design.similarity_worst, result["similarity_worst"])
+            self.assertEqual((design.price, design.evaluations), (result["price"], result["curves"]))
             self.assertEqual(design.genome.to_dict()["series"], result["genome"]["series"])
 
     def test_the_tolerance_is_that_of_the_program(self):
