@@ -14,17 +14,14 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     constexpr double none = std::numeric_limits<double>::infinity();
     // Penetration is sought over all nodes: on the contact set it is part of |gap|.
     std::atomic<bool> finite = true;
-    double deepest = problem.team->over_ranges(
-        problem.nodes(),
-        [&](Index first, Index count) {
-            bool all = true;
-            const double depth = vector_loops().deepest(problem.gap.data() + first, displacement + first,
-                                                        count, approach, all);
-            if (!all)
-                finite = false;
-            return depth;
-        },
-        [](double a, double b) { return std::max(a, b); });
+    double deepest = problem.team->largest(problem.nodes(), [&](Index first, Index count) {
+        bool all = true;
+        const double depth =
+            vector_loops().deepest(problem.gap.data() + first, displacement + first, count, approach, all);
+        if (!all)
+            finite = false;
+        return depth;
+    });
     if (!std::isfinite(mean) || !finite) // a NaN anywhere invalidates the solution
         return {none, none, none, none};
     const bool yields = std::isfinite(problem.cap);
