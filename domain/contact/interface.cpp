@@ -1,6 +1,7 @@
 #include "domain/contact/interface.hpp"
 
 #include "domain/contact/solvers/set_solver.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <cmath>
 
@@ -44,10 +45,7 @@ constexpr double closest = 1e-9;
 } // namespace
 
 SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve) {
-    std::vector<double> displacements;
-    for (const LoadStep& step : curve.steps)
-        displacements.push_back(step.displacement);
-    const ContactProblem problem = make_problem(profile, body, displacements);
+    const ContactProblem problem = make_problem(profile, body, column(curve.steps, &LoadStep::displacement));
     const Index n = problem.nodes(), steps = static_cast<Index>(curve.steps.size());
     const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
     const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
