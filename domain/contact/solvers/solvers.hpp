@@ -12,11 +12,10 @@ inline constexpr double gap_rounding = 1e-13;
 // Each solver adds its load steps to `solution`. The solved ones stay there if it throws NotConverged. The
 // certificate applies H by another method than the solver.
 
-/// Direct: contact sets are nested (w > 0), so one bordered Cholesky factor grows through all load steps. The
-/// nodes that penetrate under the pressures of the step before contain the new contact set, also after
-/// dropping nodes under tension. Each step is therefore one sweep of additions and some of removals. A load's
-/// approach follows from the factor. Throws InputError if the factor would take more than the options'
-/// memory, NotConverged beyond the problem's work limit.
+/// Direct: contact sets are nested (w > 0), so one bordered Cholesky factor grows through all load steps.
+/// Each step is one sweep of additions and some of removals. A load's approach follows from the factor.
+/// Throws InputError if the factor would take more than the options' memory, NotConverged beyond the work
+/// limit.
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Direct: non-negative least squares, min p'Hp/2 - p'(Delta - g0), p >= 0, by the active set of Lawson &
@@ -79,9 +78,8 @@ inline const ContactSolver& row_of(Solver solver) {
 /// Up to this many nodes the factor always wins.
 constexpr Index always_nested = 768;
 
-/// The requested solver. `automatic` chooses between the nested factor and the active set by predicted memory
-/// and cost. The model is fixed and uses no clock, so that the same problem is solved by the same method on
-/// every machine. The size of the contact set is that of a grid of at most 2048 nodes, scaled.
+/// The requested solver; for `automatic` the nested factor or the active set, by the fixed model of memory
+/// and cost of README.md.
 Solver choose_solver(const ContactProblem& problem, const ContactOptions& options);
 
 /// Multiplications of the factor after which the active set would have been several times cheaper. Infinite
