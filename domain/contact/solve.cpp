@@ -286,7 +286,7 @@ double sum_of_tangents(const ContactProblem& problem) {
     const Eigen::VectorXd image = SplitOperator(problem.column, problem.shape).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
     if (!(residual <= full_contact_tolerance))
-        throw NotConverged(line_of("full contact did not settle: residual ", residual,
+        throw NotConverged(line_of("full contact did not converge: residual ", residual,
                                    " is above the tolerance ", full_contact_tolerance));
     return tangent.pressure.dot((2 - image.array()).matrix());
 }

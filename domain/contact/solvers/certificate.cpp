@@ -59,7 +59,7 @@ double direct_tolerance(const ContactProblem& problem, const StepSolution& step)
 void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
                      double tolerance) {
     if (!(step.residual <= tolerance))
-        throw NotConverged(line_of(solver, " did not settle at an approach of ",
+        throw NotConverged(line_of(solver, " did not converge at an approach of ",
                                    step.approach * problem.displacement_unit, " mm: residual ", step.residual,
                                    " is above the tolerance ", tolerance));
 }

@@ -33,7 +33,7 @@ void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& op
 /// Iterative, for grids on which a dense factor does not fit: conjugate gradients by FFT on a contact set
 /// that is corrected during the iteration. Each load step starts from the one before, moved along its
 /// tangent. Ends if every residual is within the tolerance and the contact set is certain at that residual,
-/// or if rounding allows no better. If the set does not settle at an approach, solve_capped() continues.
+/// or if rounding allows no better. If the set does not converge at an approach, solve_capped() continues.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Contact with 0 <= p <= p_H, which may be infinite. Bertsekas' projected Newton method (1982) minimises
