@@ -44,7 +44,7 @@ Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, co
 Doubt solver_doubt(const Response& rows, Index count, const Eigen::VectorXd& share);
 
 /// Largest relative errors of the rows' displacements: the KKT residuals plus the relative distances of the
-/// pressures from the requested ones, which are no smaller than those of displacements, because P is convex.
+/// pressures from the requested ones. P is convex, so displacements are off by no larger shares.
 Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading);
 
 /// For each row, the larger of the relative errors of pressure and secant, over the lowest possible exact
@@ -60,8 +60,8 @@ Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy)
 /// same displacements.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
 
-/// The range of f_i = g0_i - g0'_i over the nodes i: gaps max Z - Z_i of the whole profile Z at first touch
-/// less those of a reduced profile Z'.
+/// The range of f_i = g0_i - g0'_i over the nodes i. The gaps at first touch are g0_i = max Z - Z_i of the
+/// whole profile Z, and g0'_i of a reduced profile.
 struct Window {
     double lowest = 0;                                ///< lowest f_i, mm, <= 0
     double highest = 0;                               ///< highest f_i, mm, >= 0
@@ -82,9 +82,9 @@ struct Bounds {
 Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body& body,
                        const std::vector<double>& displacements, const ContactOptions& options = {});
 
-/// The bounds from one curve P' of the reduced profile, for its first `count` load steps: P'_j - highest K'_j
-/// <= P(Delta_j) <= P'_j - lowest T_j. K'_j is the tangent at step j, T_j that at the first step at or beyond
-/// Delta_j - lowest. Without such a step the upper bound is infinite.
+/// The bounds from one curve P' of the reduced profile, for its first `count` load steps. They are P'_j -
+/// highest K'_j <= P(Delta_j) <= P'_j - lowest T_j. K'_j is the tangent at step j, T_j that at the first step
+/// at or beyond Delta_j - lowest. Without such a step the upper bound is infinite.
 Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
 
 /// The pressures that a finer grid would give, from several coarser ones.

@@ -26,7 +26,7 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
     for (Index column = 0; column < heights.cols(); ++column) {
         const auto z = heights.col(column);
         auto all = fine.col(column);
-        const auto continue_straight = [&](double before, double after) { // over the outer half cells
+        const auto continue_straight = [&](double before, double after) { // adds the outer half cells
             for (Index i = 1; i <= edge; ++i) {
                 all[edge - i] = z[0] - before * static_cast<double>(i) / static_cast<double>(times);
                 all[edge + open - 1 + i] =

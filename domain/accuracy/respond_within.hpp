@@ -71,7 +71,7 @@ struct ReportedResponse {
         last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
-/// A measured surface's response within model.accuracy on its own nodes, or on a line for a periodic map
+/// A measured surface's response within model.accuracy on its nodes, or on a line for a periodic map
 /// (README.md).
 ReportedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a sum of waves within model.accuracy (relative, 0 to 1) of the response on the model's

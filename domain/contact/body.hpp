@@ -87,9 +87,9 @@ double datum_sensitivity(double stiffness, double length, double effective_modul
 /// The body with the defaults of its kernel for a profile of this length (mm).
 Body completed(Body body, double length);
 
-/// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart:
-/// for values out of range, a datum up to (L + spacing)/4, layers on a kernel other than the periodic one, or
-/// a rigid base without layers.
+/// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart.
+/// Reasons are values out of range, also a datum up to (L + spacing)/4. Others are layers on a kernel other
+/// than the periodic one, and a rigid base without layers.
 void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

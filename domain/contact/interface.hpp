@@ -24,9 +24,9 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
 
 /// A contact fraction that changes smoothly with the heights. It has a gradient, unlike a count of nodes. The
 /// edge of contact between a touching node i and a free neighbour k is at the fraction d/(d + e) of their
-/// distance: d = p_i/w_i is the displacement since i touched, e = gap_k/(1 - (H w)_k) that until k touches,
-/// with w = ContactState::tangent. While one node comes into contact, the mean of this fraction equals that
-/// of the count. On a map, edges along x and along y count half each.
+/// distance. d = p_i/w_i is the displacement since i touched, and e = gap_k/(1 - (H w)_k) that until k
+/// touches. w is ContactState::tangent. While one node comes into contact, the mean of this fraction equals
+/// that of the count. On a map, edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one per load step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm

@@ -83,9 +83,9 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// finds the displacement of each pressure. It always does so with a hardness. The mean pressure then agrees
 /// with the given one to 1e-8 or better.
 ///
-/// Throws the same as solve_contact(). Also throws InputError for a pressure that no displacement reaches:
-/// above full_contact_load() if Body::relative_to_mean() and without a hardness; with a hardness p_H, not
-/// below the mean pressure of all nodes at p_H.
+/// Throws the same as solve_contact(). Also throws InputError for a pressure that no displacement reaches. If
+/// Body::relative_to_mean(), the limit is full_contact_load(), inclusive. With a hardness p_H, it is instead
+/// the mean pressure of all nodes at p_H, exclusive.
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});

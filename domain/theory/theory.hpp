@@ -30,8 +30,8 @@ struct SelfAffine {
 /// The surface with these parameters. Throws InputError on a parameter out of range.
 RandomSurface random_surface(const SelfAffine& parameters);
 
-/// The spectral moments of a profile, or for a map their means over its sections in all directions: with the
-/// means 1/2 of cos^2 and 3/8 of cos^4 (Nayak 1971).
+/// The spectral moments of a profile; for a map their means over its sections in all directions. Factors of a
+/// map are the means 1/2 of cos^2 and 3/8 of cos^4 (Nayak 1971).
 struct SpectralMoments {
     double m0 = 0; ///< mean square height, mm^2
     double m2 = 0; ///< mean square slope
@@ -46,10 +46,10 @@ SpectralMoments spectral_moments(const RandomSurface& surface);
 double rms_slope(const RandomSurface& surface);
 
 /// A surface of these parameters on a periodic grid; a line if `parameters` are a profile's. It has one
-/// cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between the cut-offs, with an amplitude of
-/// the spectrum and a random phase. The same seed gives the same surface on every grid. Waves that a grid
-/// does not resolve are sampled, as by an instrument. Throws InputError for parameters out of range, for a
-/// grid that does not fit them, and if no wave fits between the cut-offs.
+/// cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between the cut-offs. Amplitudes follow the
+/// spectrum, phases are random. The same seed gives the same surface on every grid. Waves that a grid does
+/// not resolve are sampled, as by an instrument. Throws InputError for parameters out of range, for a grid
+/// that does not fit them, and if no wave fits between the cut-offs.
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed);
 
 /// Theories of the contact of a rigid, random, Gaussian surface with a `periodic` half-space (README.md).
@@ -86,8 +86,8 @@ struct Summits {
 Summits summits(const SpectralMoments& moments);
 
 /// Greenwood & Williamson's curve: each summit is a Hertz contact that does not influence another. A/A0 = pi
-/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi, with the heights s and d of a
-/// summit and the body above the mean summit, and the density phi of s. NaN if d < 0.
+/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi. s and d are the heights of a
+/// summit and of the body above the mean summit, phi is the density of s. NaN if d < 0.
 TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
                                  const Eigen::VectorXd& pressures);
 

@@ -94,7 +94,7 @@ TEST_CASE("the curve stays the same when a factor hands over for work or memory"
     for (const double memory : {2e9, 4e6}) {
         const ContactCurve curve = solve_contact(profile, periodic, steps, {.memory_limit = memory});
         INFO("memory limit " << memory);
-        CHECK(curve.steps.front().kkt_residual < 1e-12); // by the factor, before it hands over
+        CHECK(curve.steps.front().kkt_residual < 1e-12); // the factor has solved it
         CHECK(curve.solver == Solver::active_set);
         REQUIRE(curve.steps.size() == steps.size());
         for (std::size_t j = 0; j < steps.size(); ++j) {
