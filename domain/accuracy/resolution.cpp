@@ -61,9 +61,6 @@ bool is_omitted(const Profile& scan, bool periodic, Resolution resolution) {
     return resolution == Resolution::off || (resolution == Resolution::automatic && is_too_large);
 }
 
-/// Largest relative error of the interpolated surfaces' solutions, far below the interpolation's uncertainty.
-constexpr double tolerance = 1e-4;
-
 /// Height of the highest node above the reference that displacements of all grids share: height 0, or for a
 /// periodic body the mean plane.
 double top(const Profile& surface, const Body& body) {
@@ -111,7 +108,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
         return responses;
     ContactOptions options = model.contact;
     options.solver = Solver::automatic;
-    options.tolerance = std::max(options.tolerance, tolerance);
+    options.tolerance = std::max(options.tolerance, 1e-4); // far below the interpolation's uncertainty
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
         const Profile surface = finer(scan, finer_times(scan, periodic), by, periodic);
         std::vector<double> displacements;

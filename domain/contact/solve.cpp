@@ -76,9 +76,6 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
             (loads == ContactSolver::always || (loads == ContactSolver::on_maps && problem.is_2d())));
 }
 
-/// Multiplications of a factor that is tried because other solvers failed: some seconds.
-constexpr double last_work = 5e10;
-
 /// Solves the loads of a problem that a solver does not take, by Newton's method.
 using Newton = std::function<void(Solver, Solution&)>;
 
@@ -111,7 +108,7 @@ void solve_by_choice(Solver& chosen, ContactProblem& problem, const ContactOptio
             failures += (failures.empty() ? "" : "; ") + std::string(error.what());
         }
         check_stop(options);
-        problem.work_limit = last_work;
+        problem.work_limit = 5e10; // multiplications of a factor, which take some seconds
         steps.erase(steps.begin(),
                     steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
     }
@@ -274,20 +271,18 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
     }
 }
 
-/// Largest residual of H w = 1. The stiffness 2 sum w - w'Hw has only its square as an error.
-constexpr double full_contact_tolerance = 1e-6;
-
 /// The sum of H^-1 1.
 double sum_of_tangents(const ContactProblem& problem) {
+    constexpr double tolerance = 1e-6; // of H w = 1; the error of 2 sum w - w'Hw is its square
     ContactSet all(problem.nodes());
     all.assign([](Index) { return true; });
     SurfaceState tangent(problem.nodes());
-    SetSolver(problem).tangent(all, full_contact_tolerance, true, tangent);
+    SetSolver(problem).tangent(all, tolerance, true, tangent);
     const Eigen::VectorXd image = SplitOperator(problem.column, problem.shape).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
-    if (!(residual <= full_contact_tolerance))
+    if (!(residual <= tolerance))
         throw NotConverged(line_of("full contact did not converge: residual ", residual,
-                                   " is above the tolerance ", full_contact_tolerance));
+                                   " is above the tolerance ", tolerance));
     return tangent.pressure.dot((2 - image.array()).matrix());
 }
 
