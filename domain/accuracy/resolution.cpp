@@ -204,7 +204,12 @@ OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers
     return {};
 }
 
-FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model) {
+std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
+                                 const Model& model) {
+    const auto in_words = [](double pressure, double of_filled, double of_lowest) {
+        return line_with_digits(4, "filled points: at ", pressure, " MPa the contact is ", 100 * of_filled,
+                                " %, and ", 100 * of_lowest, " % with the holes as lowest points");
+    };
     Model few = model;
     if (few.loading.pressures.empty())
         few.loading.steps = 2;
@@ -214,17 +219,11 @@ FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled,
     for (Index step = of_filled.steps(); step-- > 0;)
         try {
             few.loading.pressures = {of_filled.pressure[step]};
-            return {of_filled.contact_fraction[step], respond(lowest, few).contact_fraction[0],
-                    of_filled.pressure[step]};
+            return in_words(of_filled.pressure[step], of_filled.contact_fraction[step],
+                            respond(lowest, few).contact_fraction[0]);
         } catch (const InputError&) { // beyond the full contact of the other surface
         }
-    return {};
-}
-
-std::string in_words(const FillEffect& effect) {
-    return line_with_digits(4, "filled points: at ", effect.pressure, " MPa the contact is ",
-                            100 * effect.filled, " %, and ", 100 * effect.lowest,
-                            " % with the holes as lowest points");
+    return in_words(0, 0, 0);
 }
 
 } // namespace rough

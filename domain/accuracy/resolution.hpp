@@ -82,16 +82,10 @@ struct OutlierCost {
 OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 
-/// Two contact fractions of a surface at one mean pressure: its missing points are filled, or as low as its
-/// lowest point.
-struct FillEffect {
-    double filled = 0;   ///< with filled points
-    double lowest = 0;   ///< with the points as lowest points
-    double pressure = 0; ///< mean pressure, MPa: that of the last load step, if both surfaces reach it
-};
-/// The effect of filled points on the contact; solves for both surfaces. Throws NotConverged as respond().
-FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model);
-/// "filled points: at 5 MPa the contact is 12.3 %, and 11.9 % with the holes as lowest points".
-std::string in_words(const FillEffect& effect);
+/// The effect of filled points on the contact, in words: "filled points: at 5 MPa the contact is 12.3 %, and
+/// 11.9 % with the holes as lowest points". Solves for both surfaces. The mean pressure is that of the last
+/// load step that both reach. Throws NotConverged as respond().
+std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
+                                 const Model& model);
 
 } // namespace rough
