@@ -82,9 +82,9 @@ struct OutlierCost {
 OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 
-/// The effect of filled points on the contact, in words: "filled points: at 5 MPa the contact is 12.3 %, and
-/// 11.9 % with the holes as lowest points". Solves for both surfaces. The mean pressure is that of the last
-/// load step that both reach. Throws NotConverged as respond().
+/// The effect of filled points on the contact, in words. Example: "filled points: at 5 MPa the contact
+/// is 12.3 %, and 11.9 % with the holes as lowest points". Solves for both surfaces. The mean pressure is
+/// that of the last load step that both reach. Throws NotConverged as respond().
 std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
                                  const Model& model);
 

@@ -273,7 +273,7 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
 
 /// The sum of H^-1 1.
 double sum_of_tangents(const ContactProblem& problem) {
-    constexpr double tolerance = 1e-6; // of H w = 1; the error of 2 sum w - w'Hw is its square
+    constexpr double tolerance = 1e-6; // residual of H w = 1; 2 sum w - w'Hw errs by its square
     ContactSet all(problem.nodes());
     all.assign([](Index) { return true; });
     SurfaceState tangent(problem.nodes());
