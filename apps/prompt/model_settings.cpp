@@ -349,7 +349,7 @@ std::string fill_note(const rough::Profile& surface, const std::vector<rough::In
     const double share = static_cast<double>(filled.size()) / static_cast<double>(surface.nodes());
     return (share > rough::doubtful_fill ? "warning: " + percent(share) + " of the points are filled; "
                                          : "") +
-           in_words(fill_effect(surface, filled, model));
+           describe_fill_effect(surface, filled, model);
 }
 
 Setting map_setting() {

@@ -6,8 +6,7 @@
 /// Bounds, estimates and relative errors of a curve's pressures.
 namespace rough {
 
-/// The error of a pressure below this share of the last pressure is divided by that share of the last
-/// pressure.
+/// Share of the last pressure, by which the error of a lower pressure is divided.
 constexpr double light_load = 0.01;
 
 /// The divisors of a curve's relative errors, one entry per row (load step). In rows whose pressure is below
@@ -40,18 +39,16 @@ Doubt operator+(const Doubt& a, const Doubt& b);
 /// The largest errors of pressures whose exact values lie within bounds.
 Doubt doubt_of(const Eigen::VectorXd& pressure, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper);
 
-/// The largest errors of the first `count` rows if the error of each displacement is at most its `share`. A
-/// solution that leaves gaps and penetrations of at most r Delta is exact at most r Delta away, by the lemma
-/// of README.md.
+/// The largest errors of the first `count` rows if the error of each displacement is at most its `share`
+/// (lemma of README.md).
 Doubt solver_doubt(const Response& rows, Index count, const Eigen::VectorXd& share);
 
-/// Largest relative errors of the rows' displacements. They are the KKT residuals plus the relative distances
-/// of the pressures from the requested ones. P is convex, so displacements are off by no larger shares.
+/// Largest relative errors of the rows' displacements: the KKT residuals plus the relative distances of the
+/// pressures from the requested ones. P is convex, so displacements are off by no larger shares.
 Eigen::VectorXd displacement_errors(const Response& rows, const Loading& loading);
 
-/// For each row, the larger of the relative errors of pressure and secant. An error is divided by the lowest
-/// possible exact value, which `scale` and the largest errors give (README.md). The result is infinite if
-/// that value is not positive.
+/// For each row, the larger of the relative errors of pressure and secant, over the lowest possible exact
+/// value (README.md). It is infinite if that value is not positive.
 Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 
 /// Number of first rows that must be exact so that the relative errors of the other rows are at most
@@ -59,12 +56,12 @@ Eigen::VectorXd relative(const Doubt& doubt, const ErrorScale& scale);
 /// number is enough.
 Index rows_to_know(const Doubt& doubt, const ErrorScale& scale, double accuracy);
 
-/// The largest relative error of pressures against `resolved` pressures at the same displacements. It is the
-/// largest over all rows and over pressure and secant stiffness.
+/// The largest relative error, over all rows, of pressures and secants against `resolved` pressures at the
+/// same displacements.
 double relative_error(const Eigen::VectorXd& pressure, const Eigen::VectorXd& resolved);
 
-/// The range of f_i = g0_i - g0'_i over the nodes i. g0_i = max Z - Z_i is the gap of the whole profile Z at
-/// first touch. g0'_i = max Z' - Z'_i is the gap of a reduced profile Z' at first touch.
+/// The range of f_i = g0_i - g0'_i over the nodes i. The gaps at first touch are g0_i = max Z - Z_i of the
+/// whole profile Z, and g0'_i of a reduced profile.
 struct Window {
     double lowest = 0;                                ///< lowest f_i, mm, <= 0
     double highest = 0;                               ///< highest f_i, mm, >= 0
@@ -86,8 +83,8 @@ Bounds pressure_bounds(const Profile& reduced, const Window& window, const Body&
                        const std::vector<double>& displacements, const ContactOptions& options = {});
 
 /// The bounds from one curve P' of the reduced profile, for its first `count` load steps. They are P'_j -
-/// highest K'_j <= P(Delta_j) <= P'_j - lowest T_j. K'_j is the tangent at step j. T_j is the tangent at the
-/// first step at or beyond Delta_j - lowest. Without such a step the upper bound is infinite.
+/// highest K'_j <= P(Delta_j) <= P'_j - lowest T_j. K'_j is the tangent at step j, T_j that at the first step
+/// at or beyond Delta_j - lowest. Without such a step the upper bound is infinite.
 Bounds pressure_bounds(const std::vector<LoadStep>& steps, Index count, const Window& window);
 
 /// The pressures that a finer grid would give, from several coarser ones.
@@ -96,11 +93,9 @@ struct Extrapolation {
     Doubt doubt;              ///< estimated errors, not bounds
 };
 
-/// Extrapolates the pressure of each row to a grid of N = `resolved` elements (README.md). A straight line in
-/// N^-1.5 is fitted to the row's pressures on the given grids, with the weights N^3.
-///
-/// `grids` are the numbers N, at least 3. `pressures` has one row per load step and one column per grid, all
-/// at the same displacements. For other quantities, `order` replaces the exponent 1.5.
+/// Extrapolates the pressure of each row to a grid of N = `resolved` elements, along a straight line in
+/// N^-order with the weights N^3 (README.md). `grids` are the numbers N, at least 3. `pressures` has one row
+/// per load step and one column per grid, all at the same displacements.
 Extrapolation extrapolate(const std::vector<Index>& grids, const Eigen::MatrixXd& pressures, Index resolved,
                           double order = 1.5);
 

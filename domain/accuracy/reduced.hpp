@@ -27,8 +27,8 @@ struct LoadRows : ContactCurve {
 };
 
 /// Solves the contact at as few of the displacements (mm, increasing) as `accuracy` allows; 0 solves every
-/// row. A profile does not touch at displacements <= 0. Between two solved rows the pressure is a cubic with
-/// the tangents of these rows. It is kept within exact bounds: below the chord, above both tangents.
+/// row. A profile does not touch at displacements <= 0. Between two solved rows the pressure is a cubic
+/// within exact bounds (README.md).
 LoadRows solve_rows(const Profile& profile, const Body& body, const std::vector<double>& displacements,
                     const ContactOptions& options, double accuracy = 0);
 

@@ -26,7 +26,7 @@ Heights finer_columns(const Heights& heights, Index times, Interpolation by, boo
     for (Index column = 0; column < heights.cols(); ++column) {
         const auto z = heights.col(column);
         auto all = fine.col(column);
-        const auto continue_straight = [&](double before, double after) { // over the outer half cells
+        const auto continue_straight = [&](double before, double after) { // adds the outer half cells
             for (Index i = 1; i <= edge; ++i) {
                 all[edge - i] = z[0] - before * static_cast<double>(i) / static_cast<double>(times);
                 all[edge + open - 1 + i] =
@@ -60,9 +60,6 @@ bool is_omitted(const Profile& scan, bool periodic, Resolution resolution) {
         scan.is_2d() ? times * times * scan.nodes() > 2'000'000 : times * scan.nodes() > 10'000'000;
     return resolution == Resolution::off || (resolution == Resolution::automatic && is_too_large);
 }
-
-/// Largest relative error of the interpolated surfaces' solutions, far below the interpolation's uncertainty.
-constexpr double tolerance = 1e-4;
 
 /// Height of the highest node above the reference that displacements of all grids share: height 0, or for a
 /// periodic body the mean plane.
@@ -111,7 +108,7 @@ std::vector<Response> finer_responses(const Profile& scan, const Model& model, c
         return responses;
     ContactOptions options = model.contact;
     options.solver = Solver::automatic;
-    options.tolerance = std::max(options.tolerance, tolerance);
+    options.tolerance = std::max(options.tolerance, 1e-4); // far below the interpolation's uncertainty
     for (const Interpolation by : {Interpolation::linear, Interpolation::spline}) {
         const Profile surface = finer(scan, finer_times(scan, periodic), by, periodic);
         std::vector<double> displacements;
@@ -207,7 +204,12 @@ OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers
     return {};
 }
 
-FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model) {
+std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
+                                 const Model& model) {
+    const auto in_words = [](double pressure, double of_filled, double of_lowest) {
+        return line_with_digits(4, "filled points: at ", pressure, " MPa the contact is ", 100 * of_filled,
+                                " %, and ", 100 * of_lowest, " % with the holes as lowest points");
+    };
     Model few = model;
     if (few.loading.pressures.empty())
         few.loading.steps = 2;
@@ -217,17 +219,11 @@ FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled,
     for (Index step = of_filled.steps(); step-- > 0;)
         try {
             few.loading.pressures = {of_filled.pressure[step]};
-            return {of_filled.contact_fraction[step], respond(lowest, few).contact_fraction[0],
-                    of_filled.pressure[step]};
+            return in_words(of_filled.pressure[step], of_filled.contact_fraction[step],
+                            respond(lowest, few).contact_fraction[0]);
         } catch (const InputError&) { // beyond the full contact of the other surface
         }
-    return {};
-}
-
-std::string in_words(const FillEffect& effect) {
-    return line_with_digits(4, "filled points: at ", effect.pressure, " MPa the contact is ",
-                            100 * effect.filled, " %, and ", 100 * effect.lowest,
-                            " % with the holes as lowest points");
+    return in_words(0, 0, 0);
 }
 
 } // namespace rough

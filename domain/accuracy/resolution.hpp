@@ -12,13 +12,12 @@ enum class Interpolation {
     spline, ///< cubic spline, on a map along x and then along y
 };
 
-/// The surface on a finer grid. Along each axis, `times` (>= 1) elements replace one element. A line of N
-/// nodes gets times (N-1) + 1 nodes. A surface that is `periodic` and a map get times N nodes along each
-/// axis. The nodes of the surface keep their heights. On a map that is not periodic, `times` must therefore
-/// be odd, and heights continue straight over the outer half cells. Throws InputError otherwise. Splines end
-/// with the slope of the parabola through the last three nodes. Across the ends of a periodic surface heights
-/// are linear, so that splines do not oscillate at a jump there. Along an axis of two nodes a spline is
-/// linear.
+/// The surface on a finer grid, with `times` (>= 1) elements for each element along each axis, as
+/// refined(Grid). The nodes of the surface keep their heights. On a map that is not periodic, `times` must
+/// therefore be odd, otherwise InputError is thrown; heights continue straight over the outer half cells.
+/// Splines end with the slope of the parabola through the last three nodes; along an axis of two nodes they
+/// are linear. Across the ends of a periodic surface heights are linear, so that splines do not oscillate at
+/// a jump there.
 Profile finer(const Profile& surface, Index times, Interpolation by, bool periodic = false);
 
 /// Whether contact is also computed on interpolated heights of a measured surface. `automatic` does so unless
@@ -31,17 +30,14 @@ const std::vector<std::string>& resolution_names();
 /// node spacing.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Two responses of a scan or map whose heights are interpolated on a grid 4 times finer, 5 times on the
-/// cells of a free map. The first is for linear interpolation, the second for a spline. Empty if `resolution`
-/// omits them. The displacements are those of the measured response, so that the pressures are nearly equal,
-/// too. Throws as solve_contact().
+/// Two responses of a scan or map on a grid 4 times finer, 5 times on the cells of a free map. The first is
+/// for linear interpolation, the second for a spline. Empty if `resolution` omits them. The displacements are
+/// those of the measured response, so that the pressures are nearly equal, too. Throws as solve_contact().
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 
 /// The uncertainty of a measured surface's curve from its node spacing (scan/README.md), one entry per load
-/// step; empty if it was not computed. The band contains the measured curve and, at equal mean pressures,
-/// those of both interpolated surfaces. It also contains the spline's curve extrapolated to spacing 0, and a
-/// margin. It does not cover roughness below the spacing.
+/// step; empty if it was not computed.
 struct ResolutionBand {
     Eigen::VectorXd contact_fraction_low = {};   ///< lower edge for the contact fraction
     Eigen::VectorXd contact_fraction_high = {};  ///< upper edge for the contact fraction
@@ -66,8 +62,8 @@ struct ElasticEnd {
     bool is_reached(const Response& response) const { return step < response.steps(); }
 };
 /// The elastic end of a response that was computed without a hardness; `limit` in MPa. If no pressure exceeds
-/// the limit, `step` is the number of load steps. Local pressures grow with the load, so the step is found by
-/// bisection. A load step whose largest pressure is not known is solved again. Throws as solve_contact().
+/// the limit, `step` is the number of load steps. A load step of the bisection whose largest pressure is not
+/// known is solved again. Throws as solve_contact().
 ElasticEnd elastic_end(const Profile& surface, const Model& model, const Response& response, double limit);
 
 /// The effect of outliers: values without them divided by values with them, at the load step at which the
@@ -86,16 +82,10 @@ struct OutlierCost {
 OutlierCost outlier_cost(const Profile& scan, const std::vector<Index>& outliers, const Model& model,
                          const Response& response);
 
-/// Two contact fractions of a surface at one mean pressure: its missing points are filled, or as low as its
-/// lowest point.
-struct FillEffect {
-    double filled = 0;   ///< with filled points
-    double lowest = 0;   ///< with the points as lowest points
-    double pressure = 0; ///< mean pressure, MPa: that of the last load step, if both surfaces reach it
-};
-/// The effect of filled points on the contact; solves for both surfaces. Throws NotConverged as respond().
-FillEffect fill_effect(const Profile& surface, const std::vector<Index>& filled, const Model& model);
-/// "filled points: at 5 MPa the contact is 12.3 %, and 11.9 % with the holes as lowest points".
-std::string in_words(const FillEffect& effect);
+/// The effect of filled points on the contact, in words. Example: "filled points: at 5 MPa the contact
+/// is 12.3 %, and 11.9 % with the holes as lowest points". Solves for both surfaces. The mean pressure is
+/// that of the last load step that both reach. Throws NotConverged as respond().
+std::string describe_fill_effect(const Profile& surface, const std::vector<Index>& filled,
+                                 const Model& model);
 
 } // namespace rough

@@ -2,6 +2,7 @@
 
 #include "domain/errors.hpp"
 #include "domain/numerics/fourier.hpp"
+#include "domain/numerics/statistics.hpp"
 #include "domain/profile/roughness.hpp"
 #include "ga/base/stopwatch.hpp"
 
@@ -104,11 +105,11 @@ class AccuracySolver {
         : model_(tolerant(resolved)), accuracy_(model_.accuracy), whole_(whole) {
         if (model_.loading.pressures.empty())
             rows_ = step_displacements(whole_, model_.body, model_.loading, model_.contact);
-        else // finding their displacements solves them
+        else { // finding their displacements solves them
             static_cast<ContactCurve&>(step_curve_) =
                 solve_load_steps(whole_, model_.body, model_.loading, model_.contact);
-        for (const LoadStep& step : step_curve_.steps)
-            rows_.push_back(step.displacement);
+            rows_ = column(step_curve_.steps, &LoadStep::displacement);
+        }
         step_curve_.solved = static_cast<int>(step_curve_.steps.size());
         count_ = static_cast<Index>(rows_.size());
         response_.range = displacement_range(whole_, resolved.body.kernel);

@@ -44,16 +44,16 @@ struct AccuracyReport {
     double step_error = 0;             ///< bound of the error due to interpolated load steps
     double dropped_error = 0;          ///< bound of the error due to omitted waves
     double solver_error = 0;           ///< bound of the error due to the solver's tolerance
-    /// Largest relative error of the contact fraction; infinite or NaN if it is not bounded. It is not part
-    /// of `estimated_error`. For an exact solution on the nodes of a scan it is a bound. Otherwise it is an
-    /// estimate of the difference from the resolved grid and from a far finer grid (README.md).
+    /// Largest relative error of the contact fraction, not part of `estimated_error`; infinite or NaN if it
+    /// is not bounded. A bound for an exact solution on the nodes of a scan, otherwise an estimate
+    /// (README.md).
     double area_error = 0;
     double tangent_error = 0; ///< largest relative error of the tangent stiffness; see `area_error`
     Index held_nodes = 0;     ///< nodes whose pressure is the hardness at the last load step
     bool by_line = false;     ///< whether one line gives the curve of a map
     double aspect_ratio = std::numeric_limits<double>::quiet_NaN(); ///< Str (ISO 25178) of a periodic map
-    /// Relative error of the curve of the map's line. It is a bound if the line gives the curve, otherwise it
-    /// is measured. NaN if no line was pressed.
+    /// Relative error of the curve of the map's line: a bound if the line gives the curve, otherwise
+    /// measured; NaN if no line was pressed.
     double line_error = std::numeric_limits<double>::quiet_NaN();
     double seconds = 0; ///< wall time
 
@@ -71,16 +71,13 @@ struct ReportedResponse {
         last_contact; ///< nodes that touch at the last load step; empty if grids are extrapolated
 };
 
-/// A measured profile's response within model.accuracy, always on the profile's nodes (README.md). With an
-/// accuracy above 0 fewer load steps are solved, and the solver's tolerance is larger. Exact bounds limit
-/// both errors. A line gives the curve of a periodic map if the bound of its error is small enough
-/// (reduced.hpp). Otherwise all load steps of a map are solved.
+/// A measured surface's response within model.accuracy on its nodes, or on a line for a periodic map
+/// (README.md).
 ReportedResponse respond_within(const Profile& scan, const Model& model);
 /// The response of a sum of waves within model.accuracy (relative, 0 to 1) of the response on the model's
-/// grid. Displacements are those of that grid's profile, `whole`. Chooses waves,
-/// grids, rows and the solver's tolerance, which is never above the given one. It solves the model as given
-/// if `accuracy` is 0 or no cheaper choice is accurate enough. Throws InputError on an accuracy out of range,
-/// and on an accuracy with a hardness or layers. Also throws what respond() throws.
+/// grid. Displacements are those of that grid's profile, `whole`. Solves the model as given if `accuracy` is
+/// 0 or no cheaper choice of waves, grids, rows and tolerance is accurate enough. Throws InputError on an
+/// accuracy out of range, and on an accuracy with a hardness or layers. Also throws what respond() throws.
 /// @param without_short_waves  the surface without its shortest waves, as long as the window is at most this
 ///                             wide, mm
 ReportedResponse respond_within(const Profile& whole, const SumOfWaves& surface,

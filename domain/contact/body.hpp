@@ -37,18 +37,14 @@ struct Layering {
 /// The layers with thicknesses divided by `length` and moduli by `pressure` (both > 0).
 Layering in_units(Layering layering, double length, double pressure);
 
-/// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q). p_q and u_q
-/// are the amplitudes of pressure and displacement at the wavenumber q > 0. q is in the inverse of the
-/// layers' unit of length; on a map it is the length of the wave vector. `effective_modulus` is E*, MPa. The
-/// top has no other traction, and interfaces are bonded. For a tangential traction it is the same ratio for
-/// displacements along the line; the half-space's compliance is 2/(E* q), too.
+/// The compliance u_q/p_q of the layered body, divided by the half-space's compliance 2/(E* q), at the
+/// wavenumber q > 0 (README.md). q is in the inverse of the layers' unit of length; on a map it is the length
+/// of the wave vector. `effective_modulus` is E*, MPa. For a tangential traction u_q is along the line.
 double relative_compliance(const Layering& layering, double effective_modulus, double q,
                            Traction traction = Traction::normal);
 
-/// The mean compliance E* u/P, in the layers' unit of length: u is the displacement under a uniform pressure
-/// P. On a rigid base it is the sum over the layers of t (1 + nu) (1 - 2 nu) E*/(E (1 - nu)), for a
-/// tangential traction of 2 t (1 + nu) E*/E. It is 0 on a half-space, whose displacement is relative to the
-/// mean.
+/// The mean compliance E* u/P, in the layers' unit of length: u is the displacement under a uniform traction
+/// P on a rigid base (README.md). It is 0 on a half-space, whose displacement is relative to the mean.
 double mean_compliance(const Layering& layering, double effective_modulus,
                        Traction traction = Traction::normal);
 
@@ -66,15 +62,12 @@ Kernel kernel_named(const std::string& name, const std::string& where = "kernel"
 
 /// A frictionless elastic half-space; lengths in mm, modulus in MPa.
 struct Body {
-    Kernel kernel = Kernel::free; ///< type of body, which determines the influence matrix
-    double effective_modulus = 1; ///< E* = E/(1 - nu^2), MPa
-    /// Datum d, mm: the distance from the contact at which the free half-plane's displacement is zero (free
-    /// only). Default: L.
-    std::optional<double> datum = {};
+    Kernel kernel = Kernel::free;           ///< type of body, which determines the influence matrix
+    double effective_modulus = 1;           ///< E* = E/(1 - nu^2), MPa
+    std::optional<double> datum = {};       ///< datum d, mm (free only; README.md). Default: L
     std::optional<double> strip_width = {}; ///< width W, mm (strip only). Default: L/511
     /// Hardness p_H, MPa: the highest pressure of a node. Nodes that would carry more are held at it and sink
-    /// in. Then pressures are not proportional to the amplitude of the heights, and contact sets are not
-    /// known to be nested. Bounds that need either property are not used.
+    /// in (README.md).
     double hardness = std::numeric_limits<double>::infinity();
     /// Layers (periodic only), thicknesses in mm. contact_sets_nest() tells whether contact sets only grow.
     Layering layering = {};
@@ -87,19 +80,16 @@ struct Body {
 /// E* = E/(1 - nu^2), MPa, of Young's modulus (MPa) and Poisson's ratio.
 double effective_modulus(double youngs_modulus, double poissons_ratio);
 
-/// The derivative of the stiffness K with respect to ln d at the same mean pressure: -K^2 2 L/(pi E*),
-/// MPa/mm. The free half-plane's displacement is known up to a constant, which the datum d fixes. If d1
-/// becomes d2, Delta grows by (2 P L/(pi E*)) ln(d2/d1); pressures and contact area do not change. `length`
-/// is L in mm, `stiffness` K in MPa/mm.
+/// The derivative of the stiffness K with respect to ln d, d the datum, at the same mean pressure: -K^2 2
+/// L/(pi E*), MPa/mm (README.md). `length` is L in mm, `stiffness` K in MPa/mm.
 double datum_sensitivity(double stiffness, double length, double effective_modulus);
 
 /// The body with the defaults of its kernel for a profile of this length (mm).
 Body completed(Body body, double length);
 
 /// Throws InputError if a completed body has no solution for a profile of `nodes` nodes, `spacing` mm apart.
-/// One reason is a modulus, hardness or strip width that is not positive, or a datum up to (L + spacing)/4.
-/// Another is layers on a kernel other than the periodic one, a layer's value that is out of range, or a
-/// rigid base without layers.
+/// Reasons are values out of range, also a datum up to (L + spacing)/4. Others are layers on a kernel other
+/// than the periodic one, and a rigid base without layers.
 void validate(const Body& body, Index nodes, double spacing);
 
 } // namespace rough

@@ -1,6 +1,7 @@
 #include "domain/contact/interface.hpp"
 
 #include "domain/contact/solvers/set_solver.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <cmath>
 
@@ -33,21 +34,13 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
     return found;
 }
 
-namespace {
-
-/// Tolerance of the adjoint's solves, relative to the right-hand side.
-constexpr double adjoint_tolerance = 1e-9;
-constexpr long max_iterations = 500;
-/// Keeps an edge's rate finite if both of its nodes are at the edge of contact; a share of the displacement.
-constexpr double closest = 1e-9;
-
-} // namespace
-
 SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve) {
-    std::vector<double> displacements;
-    for (const LoadStep& step : curve.steps)
-        displacements.push_back(step.displacement);
-    const ContactProblem problem = make_problem(profile, body, displacements);
+    constexpr double tolerance = 1e-9; // residual of the adjoint's solutions over the right-hand side
+    constexpr long max_iterations = 500;
+    // Keeps an edge's rate finite if both of its nodes are at the edge of contact; a share of the
+    // displacement.
+    constexpr double closest = 1e-9;
+    const ContactProblem problem = make_problem(profile, body, column(curve.steps, &LoadStep::displacement));
     const Index n = problem.nodes(), steps = static_cast<Index>(curve.steps.size());
     const double tangent_unit = problem.pressure_unit / problem.displacement_unit;
     const double per_mm = 1 / (static_cast<double>(n) * problem.displacement_unit);
@@ -94,7 +87,7 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         for (const int i : set.nodes())
             largest = std::max(largest, std::abs(right[i]));
         solver.improve(
-            set, [&](Index i) { return right[i]; }, z, Enough{adjoint_tolerance * largest}, max_iterations);
+            set, [&](Index i) { return right[i]; }, z, Enough{tolerance * largest}, max_iterations);
         area.fraction[j] = count / static_cast<double>(n);
         area.by_displacement[j] = rate * per_mm;
         area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();

@@ -22,13 +22,11 @@ struct Interface {
 Interface interface_at(const Profile& surface, const Body& body, const LoadStep& step,
                        const ContactState& state);
 
-/// A contact fraction that changes smoothly with the heights. It has a gradient, unlike a count of nodes.
-///
-/// The edge of contact lies between a touching node i and a neighbour k that does not touch. It is assumed at
-/// the fraction d/(d + e) of their distance. d = p_i/w_i is the displacement since node i touched. e =
-/// gap_k/(1 - (H w)_k) is the displacement until node k touches. Both are first-order estimates for the
-/// current contact set, with w = ContactState::tangent. While one node comes into contact, the mean of this
-/// fraction equals that of the count. On a map, edges along x and along y count half each.
+/// A contact fraction that changes smoothly with the heights. It has a gradient, unlike a count of nodes. The
+/// edge of contact between a touching node i and a free neighbour k is at the fraction d/(d + e) of their
+/// distance. d = p_i/w_i is the displacement since i touched, and e = gap_k/(1 - (H w)_k) that until k
+/// touches. w is ContactState::tangent. While one node comes into contact, the mean of this fraction equals
+/// that of the count. On a map, edges along x and along y count half each.
 struct SmoothArea {
     Eigen::VectorXd fraction;        ///< one per load step
     Eigen::VectorXd by_displacement; ///< d fraction/d Delta_j with the heights fixed, 1/mm

@@ -32,8 +32,8 @@ double strip_entry(double r, double b) {
     return sum;
 }
 
-/// What Cerruti's solution has beyond strip_entry() for a Poisson's ratio of 1/2: the integral of x^2/r^3
-/// over the patch at distance r.
+/// The integral of x^2/r^3 over the patch at distance r: Cerruti's solution less strip_entry() for a
+/// Poisson's ratio of 1/2.
 double cerruti_entry(double r, double b) {
     if (r == 0)
         return 4 * b * std::asinh(0.5 / b);

@@ -10,7 +10,7 @@ namespace rough {
 /// delta is the node spacing. For a map L is the length along x, and N the number of nodes along x.
 double profile_length(const Profile& profile, Kernel kernel);
 
-/// The largest displacement that has a solution, mm: that of full contact on a periodic body without a
+/// The largest displacement that has a solution, mm: full contact if Body::relative_to_mean() and without a
 /// hardness, otherwise infinity.
 double largest_displacement(const Profile& profile, const Body& body);
 
@@ -18,8 +18,7 @@ double largest_displacement(const Profile& profile, const Body& body);
 /// the sum of the node pressures divided by this number.
 double elements(const Profile& profile, Kernel kernel);
 
-/// The largest datum that is refused: (L + delta)/4, mm. For such a datum the free half-plane's matrix may
-/// not be positive definite, because Flamant's displacement is negative beyond the datum.
+/// The largest datum that is refused: (L + delta)/4, mm. H may not be positive definite then (README.md).
 double datum_limit(const Profile& profile);
 
 /// A body without units, which determines an influence matrix. Lengths along the surface are in units of the
@@ -38,15 +37,9 @@ struct UnitBody {
 /// A completed body without units, for a surface of these spacings (mm; `row_spacing` is 0 for a line).
 UnitBody in_units(const Body& body, double spacing, double row_spacing);
 
-/// The first column of the influence matrix H in units of delta/E*, N entries. The displacement of node i is
-/// u_i = sum_j H_ij p_j. H_ij is the entry for the absolute offset of node j from node i along x and y.
-///
-/// Sources for lines: Flamant with constant pressure on each element, without cancellation (free), and Love's
-/// integral of 2 asinh(W/2|x|) over the element (strip). Under tangential traction a strip's displacement is
-/// Cerruti's (Johnson 1985, ch. 3.6), that of the free half-plane is the same as under pressure. For free
-/// maps: Love (1929) with constant pressure on each cell. A free map has no datum, because displacements
-/// vanish at infinity. For the periodic kernel H is the circulant whose eigenvalues periodic_spectrum()
-/// returns.
+/// The first column of the influence matrix H (README.md, with sources) in units of delta/E*, N entries. H_ij
+/// is the entry for the absolute offset of node j from node i along x and y. For the periodic kernel H is the
+/// circulant whose eigenvalues periodic_spectrum() returns.
 Eigen::VectorXd influence_column(const UnitBody& body, Extent shape, Team& team = Team::alone());
 /// The first column, whose entries on the smaller grid `from` are known. Only for `free` and `strip`.
 Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& known, Extent from, Extent shape,
@@ -57,9 +50,8 @@ Eigen::VectorXd extended_column(const UnitBody& body, const Eigen::VectorXd& kno
 /// one is for the mean pressure; it is 0 if the mean pressure does not move the surface.
 Eigen::VectorXd periodic_spectrum(const UnitBody& body, Extent shape);
 
-/// Whether contact sets only grow under load. They do if H^-1 has no positive entry off its diagonal. For
-/// lines on a half-space this is proven. For maps on a half-space it is assumed, because it is proven for the
-/// continuous surface (Barber 1974). With layers it is tested on the matrix of this grid.
+/// Whether contact sets only grow under load: whether H^-1 has no positive entry off its diagonal. Without
+/// layers it is proven for lines, assumed for maps (README.md). With layers it is tested on this grid's H.
 bool contact_sets_nest(const UnitBody& body, Extent shape);
 /// Whether contact sets only grow under load, for a body and a grid in mm.
 bool contact_sets_nest(const Body& body, const Grid& grid);

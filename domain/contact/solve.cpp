@@ -35,10 +35,9 @@ LoadStep load_step(const ContactProblem& problem, double displacement, const Ste
 
 /// The curve in MPa and mm, at the given displacements (mm) or, under load control, those found.
 ContactCurve in_units(const ContactProblem& problem, const std::vector<double>& displacements,
-                      Solution solution, const SolverChoice& choice, const ContactOptions& options) {
+                      Solution solution, Solver solver, const ContactOptions& options) {
     ContactCurve curve;
-    curve.solver = choice.solver;
-    curve.choice = choice.reason;
+    curve.solver = solver;
     curve.iterations = solution.iterations;
     if (!solution.steps.empty())
         curve.last_contact = solution.steps.back().nodes;
@@ -77,9 +76,6 @@ bool takes_loads(Solver solver, const ContactProblem& problem) {
             (loads == ContactSolver::always || (loads == ContactSolver::on_maps && problem.is_2d())));
 }
 
-/// Multiplications of a factor that is tried because other solvers failed: some seconds.
-constexpr double last_work = 5e10;
-
 /// Solves the loads of a problem that a solver does not take, by Newton's method.
 using Newton = std::function<void(Solver, Solution&)>;
 
@@ -89,24 +85,21 @@ void solve_with(Solver solver, const ContactProblem& problem, const ContactOptio
                                  : newton(solver, solution);
 }
 
-/// The chosen solver goes first. If it fails, every other one continues in turn with the failed step. Each
-/// has a limit: factors of memory and work, the others of iterations. A factor that was chosen gives up
-/// early, and is tried a second time after the active set.
-void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options,
+/// `chosen` goes first and becomes the solver used last. If it fails, every other one continues in turn with
+/// the failed step. Each has a limit: factors of memory and work, iterative solvers of iterations. A factor
+/// that was chosen gives up early, and is tried a second time after the active set.
+void solve_by_choice(Solver& chosen, ContactProblem& problem, const ContactOptions& options,
                      const Newton& newton, Solution& solution) {
-    std::vector<Solver> order{choice.solver};
+    std::vector<Solver> order{chosen};
     for (const Solver solver : {Solver::active_set, Solver::nested, Solver::polonsky_keer, Solver::nnls})
-        if (solver != choice.solver || (solver == Solver::nested && problem.nodes() > always_nested))
+        if (solver != chosen || (solver == Solver::nested && problem.nodes() > always_nested))
             order.push_back(solver);
     problem.work_limit = max_nested_work(problem);
     std::vector<double>& steps = problem.load.empty() ? problem.approach : problem.load;
     std::string failures;
     for (const Solver solver : order) {
         const std::size_t solved = solution.steps.size();
-        if (!failures.empty())
-            choice.reason += "; after " + std::to_string(solved) + " load steps handed over to " +
-                             name_of(solver) + ": " + failures;
-        choice.solver = solver;
+        chosen = solver;
         try {
             return solve_with(solver, problem, options, newton, solution);
         } catch (const NotConverged& error) {
@@ -115,7 +108,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const Contac
             failures += (failures.empty() ? "" : "; ") + std::string(error.what());
         }
         check_stop(options);
-        problem.work_limit = last_work;
+        problem.work_limit = 5e10; // multiplications of a factor, which take some seconds
         steps.erase(steps.begin(),
                     steps.begin() + static_cast<std::ptrdiff_t>(solution.steps.size() - solved));
     }
@@ -123,7 +116,7 @@ void solve_by_choice(SolverChoice& choice, ContactProblem& problem, const Contac
 }
 
 /// The steps at zero displacement, then the loaded ones. Solved steps are taken out of the problem.
-Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptions& options,
+Solution solve(Solver& chosen, ContactProblem& problem, const ContactOptions& options,
                const Newton& newton = {}) {
     const auto loaded = std::upper_bound(problem.approach.begin(), problem.approach.end(), 0.0);
     const std::vector<StepSolution> touches(
@@ -134,11 +127,11 @@ Solution solve(SolverChoice& choice, ContactProblem& problem, const ContactOptio
     if (std::isfinite(problem.cap) && problem.load.empty())
         solve_capped(problem, options, solution);
     else if (options.solver == Solver::automatic && !std::isfinite(problem.cap))
-        solve_by_choice(choice, problem, options, newton, solution);
+        solve_by_choice(chosen, problem, options, newton, solution);
     else {
-        if (choice.solver == Solver::nested)
+        if (chosen == Solver::nested)
             expect_factor_to_fit(problem, options);
-        solve_with(choice.solver, problem, options, newton, solution);
+        solve_with(chosen, problem, options, newton, solution);
     }
     solution.steps.insert(solution.steps.begin(), touches.begin(), touches.end());
     return solution;
@@ -265,8 +258,8 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
         displacements.push_back(from.displacement);
     }
     ContactProblem found = make_problem(profile, body, displacements, *problem.team);
-    SolverChoice choice = choose_solver(found, options);
-    const Solution elastic = solve(choice, found, options);
+    Solver solver = choose_solver(found, options);
+    const Solution elastic = solve(solver, found, options);
     const double unit = found.displacement_unit / problem.displacement_unit;
     solution.iterations += elastic.iterations;
     for (auto [step, j] = std::pair(elastic.steps.begin(), 0U); j < flat.size(); ++j) {
@@ -278,20 +271,18 @@ void solve_by_newton(const ContactProblem& problem, const Profile& profile, cons
     }
 }
 
-/// Largest residual of H w = 1. The stiffness 2 sum w - w'Hw has only its square as an error.
-constexpr double full_contact_tolerance = 1e-6;
-
 /// The sum of H^-1 1.
 double sum_of_tangents(const ContactProblem& problem) {
+    constexpr double tolerance = 1e-6; // residual of H w = 1; 2 sum w - w'Hw errs by its square
     ContactSet all(problem.nodes());
     all.assign([](Index) { return true; });
     SurfaceState tangent(problem.nodes());
-    SetSolver(problem).tangent(all, full_contact_tolerance, true, tangent);
+    SetSolver(problem).tangent(all, tolerance, true, tangent);
     const Eigen::VectorXd image = SplitOperator(problem.column, problem.shape).apply(tangent.pressure);
     const double residual = (image.array() - 1).abs().maxCoeff();
-    if (!(residual <= full_contact_tolerance))
-        throw NotConverged(line_of("full contact did not settle: residual ", residual,
-                                   " is above the tolerance ", full_contact_tolerance));
+    if (!(residual <= tolerance))
+        throw NotConverged(line_of("full contact did not converge: residual ", residual,
+                                   " is above the tolerance ", tolerance));
     return tangent.pressure.dot((2 - image.array()).matrix());
 }
 
@@ -328,9 +319,9 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
     check_options(body, options);
     Team team(useful_threads(profile, options.threads));
     ContactProblem problem = make_problem(profile, body, displacements, team);
-    SolverChoice choice = choose_solver(problem, options);
-    Solution solution = solve(choice, problem, options);
-    return in_units(problem, displacements, std::move(solution), choice, options);
+    Solver solver = choose_solver(problem, options);
+    Solution solution = solve(solver, problem, options);
+    return in_units(problem, displacements, std::move(solution), solver, options);
 }
 
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
@@ -356,14 +347,14 @@ ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body
     const double full = body.relative_to_mean() ? full_contact_load(profile, body) : HUGE_VAL;
     if (!body.yields() && pressures.back() > full)
         refuse_beyond_full_contact(pressures.back(), full);
-    SolverChoice choice = choose_solver(problem, options);
-    const auto newton = [&](Solver solver, Solution& solution) {
+    Solver solver = choose_solver(problem, options);
+    const auto newton = [&](Solver by, Solution& solution) {
         ContactOptions with = options;
-        with.solver = solver;
+        with.solver = by;
         solve_by_newton(problem, profile, body, full, with, solution);
     };
-    Solution solution = solve(choice, problem, options, newton);
-    return in_units(problem, {}, std::move(solution), choice, options);
+    Solution solution = solve(solver, problem, options, newton);
+    return in_units(problem, {}, std::move(solution), solver, options);
 }
 
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,

@@ -35,8 +35,7 @@ inline bool is_stopped(const ContactOptions& options) { return options.stop && o
 /// The solution of one load step. N is the number of nodes, and p_i the pressure at node i. A line has the
 /// node spacing delta and the length L (profile_length).
 struct LoadStep {
-    /// Approach Delta since first touch, mm. On a periodic half-plane or half-space it is measured against
-    /// the mean plane of the body's surface.
+    /// Approach Delta since first touch, mm; against the body's mean plane if Body::relative_to_mean().
     double displacement = 0;
     /// Mean pressure P over the nominal area, MPa: for a line sum p_i delta/L, for a map sum p_i/N.
     double pressure = 0;
@@ -53,9 +52,8 @@ struct LoadStep {
 struct ContactState {
     std::vector<int> nodes;   ///< A: indices of the nodes that touch
     Eigen::VectorXd pressure; ///< pressures at these nodes, MPa
-    /// w at these nodes, MPa/mm. It is 0 at held nodes. At the other nodes A' of A it is H_A'A'^-1 1. H_A'A'
-    /// are the rows and columns of H (kernel.hpp) that belong to A'. For a line dP/dDelta is (delta/L) sum w,
-    /// for a map it is sum w/N.
+    /// w at these nodes, MPa/mm: 0 at held nodes, H_A'A'^-1 1 at the other nodes A'. dP/dDelta is (delta/L)
+    /// sum w for a line, sum w/N for a map.
     Eigen::VectorXd tangent;
 };
 
@@ -65,23 +63,14 @@ struct ContactCurve {
     std::vector<ContactState> states; ///< one for each step if ContactOptions::states is set, otherwise empty
     std::vector<int> last_contact;    ///< nodes that touch at the last step
     Solver solver = Solver::automatic; ///< the solver that was used last
-    std::string choice;                ///< why this solver was used, in words
     long iterations = 0;               ///< number of iterations over all steps, as the solver counts them
 };
 
 /// Presses a rigid profile on an elastic body to each of the displacements Delta (mm, >= 0, increasing).
-/// Solves u = H p, p >= 0, u - (Delta - g0) >= 0, p (u - (Delta - g0)) = 0. The unknowns are the pressures
-/// p_i of the nodes and the displacements u_i of the body's surface. H is the influence matrix (kernel.hpp).
-/// g0_i = max(Z) - Z_i is the gap at first touch; Z_i are the heights. The certificate (kkt_residual) is the
-/// largest relative violation of these conditions, with H p computed by a method different from the solver's.
-///
-/// At Delta = 0 the touching nodes count as contact without pressure. The tangent stiffness K there is the
-/// stiffness at the beginning of loading. `automatic` continues with another solver if the chosen one does
-/// not converge, needs too much memory, or needs far more work than predicted.
-///
-/// With a hardness p_H, pressures are at most p_H. Nodes at p_H (held nodes) may sink in: there u may be less
-/// than Delta - g0. K is then the stiffness of the other nodes in contact. A hardness is possible only with
-/// `automatic` and `active_set`.
+/// README.md states the problem and the certificate (kkt_residual), also with a hardness. At Delta = 0 the
+/// touching nodes count as contact without pressure. `automatic` continues with another solver if the chosen
+/// one does not converge, needs too much memory, or needs far more work than predicted. A hardness is
+/// possible only with `automatic` and `active_set`.
 ///
 /// Throws InputError if a profile, body or displacement has no solution. Throws NotConverged if the
 /// certificate of a step exceeds its limit. For an iterative solver the limit is twice `tolerance`. For a
@@ -94,32 +83,25 @@ ContactCurve solve_contact(const Profile& profile, const Body& body, const std::
 /// finds the displacement of each pressure. It always does so with a hardness. The mean pressure then agrees
 /// with the given one to 1e-8 or better.
 ///
-/// Throws the same as solve_contact(). Also throws InputError if a pressure cannot be reached. On a periodic
-/// body, a pressure above full_contact_load() is refused. This limit does not apply with a hardness, or with
-/// compressible layers on a rigid base. With a hardness, a pressure must be below the mean pressure of all
-/// nodes at p_H.
+/// Throws the same as solve_contact(). Also throws InputError for a pressure that no displacement reaches. If
+/// Body::relative_to_mean(), the limit is full_contact_load(), inclusive. With a hardness p_H, it is instead
+/// the mean pressure of all nodes at p_H, exclusive.
 ContactCurve solve_contact_at_pressures(const Profile& profile, const Body& body,
                                         const std::vector<double>& pressures,
                                         const ContactOptions& options = {});
 
 /// The displacement (mm) at which the mean pressure is `pressure` (MPa, > 0). With a direct solver, the mean
-/// pressure at this displacement agrees with `pressure` to 12 digits, with a hardness to at least 8 digits.
-///
-/// On a line without a hardness, the function first adds 2 tolerances (relative) to `pressure`. It does so
-/// for iterative solvers, and for `automatic` on more than 768 nodes. So a curve to the result reaches
-/// `pressure`, and exceeds it by at most 3 tolerances.
-///
-/// Throws the same as solve_contact_at_pressures().
+/// pressure there agrees with `pressure` to 12 digits, with a hardness to at least 8 digits. On a line
+/// without a hardness, iterative solvers, and `automatic` on more than 768 nodes, add 2 relative tolerances.
+/// So a curve to the result reaches `pressure`, and exceeds it by at most 3 tolerances. Throws the same as
+/// solve_contact_at_pressures().
 double displacement_at_pressure(const Profile& profile, const Body& body, double pressure,
                                 ContactOptions options = {});
 
-/// Partial slip of a line under the constant normal load of the approach `displacement` (mm). Tractions q
-/// along the line are at most `friction` times the pressure p. A node sticks if |q| < f p, and then moves
-/// with the body; otherwise it slips. The influence matrix is the tangential one (kernel.hpp); pressures and
-/// tangential tractions are taken as uncoupled. The tangential displacement rises in `steps` even steps from
-/// 0 to full slip, which gives steps + 1 rows. In a row `displacement` is tangential (mm), `pressure` the
-/// mean traction Q (MPa), `tangent_stiffness` dQ/d displacement, and `held_nodes` slip.
-///
+/// Partial slip of a line under the constant normal load of the approach `displacement` (mm), with tractions
+/// of at most `friction` times the pressure (domain/response/README.md). The tangential displacement rises in
+/// `steps` even steps from 0 to full slip, which gives steps + 1 rows. In a row `displacement` is tangential
+/// (mm), `pressure` the mean traction Q (MPa), `tangent_stiffness` dQ/d displacement, and `held_nodes` slip.
 /// Throws the same as solve_contact(), also InputError for a map.
 std::vector<LoadStep> solve_partial_slip(const Profile& profile, const Body& body, double displacement,
                                          double friction, int steps, ContactOptions options = {});
@@ -130,16 +112,12 @@ double predicted_cost(double nodes, double contact, double steps);
 
 /// The stiffness K_full of the body if all nodes of a surface touch, MPa/mm, computed on up to `threads`
 /// threads. K_full is the sum of all entries of H^-1 times delta/L for a line, over N for a map. It is
-/// infinite on a periodic half-plane, whose displacement is relative to the mean plane. For layers on a rigid
-/// base it is E*/mean_compliance().
-///
-/// The interface stiffness K_i (1/K_i = 1/K - 1/K_full) does not depend on the datum. Throws InputError for a
-/// body without a solution, and NotConverged if the residual of H w = 1 exceeds 1e-6.
+/// infinite if Body::relative_to_mean(), and E*/mean_compliance() for layers on a rigid base. Throws
+/// InputError for a body without a solution, and NotConverged if the residual of H w = 1 exceeds 1e-6.
 double full_contact_stiffness(const Profile& surface, const Body& body, int threads = 1);
 
 /// The mean pressure (MPa) at which a profile on a periodic body reaches full contact without tension at any
-/// node. In full contact the pressure at a node is the mean pressure plus a deviation, which depends only on
-/// the heights. The result is minus the lowest deviation. Throws InputError for a body without a solution.
+/// node: -min(H^-1 Z). Throws InputError for a body without a solution.
 double full_contact_load(const Profile& profile, const Body& body);
 
 } // namespace rough

@@ -47,10 +47,8 @@ class Workspace {
 };
 
 /// u = T p by FFT in double or single precision. T is a symmetric circulant, given by its eigenvalues, or a
-/// symmetric Toeplitz matrix, given by its first column. On a map this holds along both axes. There blocks of
-/// rows are transformed first. Then blocks of columns are transformed, multiplied and transformed back while
-/// they are in the cache. Rows of zeros, with which a Toeplitz matrix is padded, are skipped. The threads of
-/// a team share the blocks. One object serves one caller at a time, and the team must outlive it.
+/// symmetric Toeplitz matrix, given by its first column; on a map along both axes. The threads of a team
+/// share blocks of rows and columns. One object serves one caller at a time, and the team must outlive it.
 template <typename Real>
 class BasicFourierOperator {
   public:
@@ -103,8 +101,7 @@ class BasicFourierOperator {
 };
 /// In double precision.
 using FourierOperator = BasicFourierOperator<double>;
-/// In single precision, at about half the time: for corrections, in which relative errors of 1e-6 do not
-/// matter.
+/// In single precision, at about half the time, with relative errors of 1e-6.
 using SingleFourierOperator = BasicFourierOperator<float>;
 
 /// u = T p for a symmetric Toeplitz matrix without padding to twice its length. T is half the sum of a

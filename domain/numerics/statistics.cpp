@@ -18,6 +18,32 @@ std::vector<double> known(std::vector<double> values) {
     return values;
 }
 
+/// Twice a rank or a sum of ranks, which is a whole number.
+std::size_t doubled(double rank) { return static_cast<std::size_t>(2 * rank); }
+
+/// Twice the smaller tail at `seen`, of counts by value.
+double two_sided(const std::vector<double>& counts, std::size_t seen) {
+    double below = 0, above = 0, all = 0;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        all += counts[s];
+        below += s <= seen ? counts[s] : 0;
+        above += s >= seen ? counts[s] : 0;
+    }
+    return std::min(1.0, 2 * std::min(below, above) / all);
+}
+
+/// Both tails of a normal distribution, half a step nearer to its mean.
+double two_sided_normal(double seen, double mean, double variance) {
+    if (!(variance > 0))
+        return 1;
+    const double away = std::max(0.0, std::abs(seen - mean) - 0.5);
+    return std::erfc(away / std::sqrt(2 * variance));
+}
+
+double squares(const std::vector<double>& values) {
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
 } // namespace
 
 double pearson(const Eigen::ArrayXd& a, const Eigen::ArrayXd& b) {
@@ -89,36 +115,6 @@ double slope(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
     const Eigen::ArrayXd dx = x.array() - x.mean();
     return (dx * (y.array() - y.mean())).sum() / dx.square().sum();
 }
-
-namespace {
-
-/// Twice a rank or a sum of ranks, which is a whole number.
-std::size_t doubled(double rank) { return static_cast<std::size_t>(2 * rank); }
-
-/// Twice the smaller tail at `seen`, of counts by value.
-double two_sided(const std::vector<double>& counts, std::size_t seen) {
-    double below = 0, above = 0, all = 0;
-    for (std::size_t s = 0; s < counts.size(); ++s) {
-        all += counts[s];
-        below += s <= seen ? counts[s] : 0;
-        above += s >= seen ? counts[s] : 0;
-    }
-    return std::min(1.0, 2 * std::min(below, above) / all);
-}
-
-/// Both tails of a normal distribution, half a step nearer to its mean.
-double two_sided_normal(double seen, double mean, double variance) {
-    if (!(variance > 0))
-        return 1;
-    const double away = std::max(0.0, std::abs(seen - mean) - 0.5);
-    return std::erfc(away / std::sqrt(2 * variance));
-}
-
-double squares(const std::vector<double>& values) {
-    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
-} // namespace
 
 std::vector<std::size_t> ascending(const std::vector<double>& values) {
     std::vector<std::size_t> order(values.size());

@@ -24,8 +24,8 @@ struct Segment {
 /// The segment that contains `position`, or the nearest end segment.
 Segment segment_at(const Curve& curve, double position);
 
-/// The stiffness curve K(p) from which similarities are computed. Its points are the secants K_j = (P_j -
-/// P_{j-1})/(Delta_j - Delta_{j-1}) (MPa/mm) at pi_j = (P_j + P_{j-1})/2 (MPa). It is defined on [0, P_nt].
+/// The stiffness curve K(p) from which similarities are computed: the secants K_j (MPa/mm) at pi_j (MPa) of
+/// README.md, on [0, P_nt].
 Curve secant_stiffness(const Response& response);
 
 /// Contact fraction against mean pressure (MPa), from (0, 0).
@@ -77,9 +77,8 @@ CurveJacobian interface_jacobian(CurveJacobian jacobian, const Curve& stiffness,
 /// secants of secant_stiffness().
 Curve interface_secants(const Response& response);
 
-/// A tangential load-displacement curve under a constant normal load P (README.md, Partial slip). It goes
-/// from stick (Q = 0) to full slip (Q = f P); f is the coefficient of friction. It has one row more than the
-/// load steps.
+/// A tangential load-displacement curve under a constant normal load P (README.md, Partial slip), from stick
+/// (Q = 0) to full slip (Q = f P). It has one row more than the load steps.
 struct PartialSlip {
     Eigen::VectorXd displacement;   ///< tangential displacement, mm
     Eigen::VectorXd traction;       ///< Q as a mean over the length, MPa
@@ -90,11 +89,10 @@ struct PartialSlip {
 /// The assumptions of the curve for this body, in words.
 std::string slip_assumption(const Body& body, bool is_2d);
 
-/// The curve under the last normal load of a surface's response. On a half-space it follows from the normal
-/// curve (Ciavarella 1998, Jaeger 1998), and row k has P* = P_(n-k). Displacements have the datum of the
-/// normal ones. A strip's and a layered line's is that of solve_partial_slip(), in even steps. Throws what
-/// that throws; InputError if the friction coefficient is not positive and finite, nodes are at the hardness,
-/// or a map has layers.
+/// The curve under the last normal load of a surface's response (README.md). On a half-space row k has P* =
+/// P_(n-k), and displacements have the datum of the normal ones. A strip's and a layered line's is that of
+/// solve_partial_slip(), in even steps. Throws what that throws; InputError if the friction coefficient is
+/// not positive and finite, nodes are at the hardness, or a map has layers.
 PartialSlip partial_slip(const Profile& surface, const Body& body, const Response& response, double friction,
                          const ContactOptions& options = {});
 

@@ -2,29 +2,30 @@
 
 #include "domain/contact/interface.hpp"
 #include "domain/errors.hpp"
+#include "domain/numerics/statistics.hpp"
 
 #include <cstdio>
 
 namespace rough {
 
 Response response_of(const std::vector<LoadStep>& steps, Solver solver, double range, double full_stiffness) {
-    const auto column = [&](auto LoadStep::*member) {
+    const auto all = [&](auto LoadStep::*member) {
         Eigen::VectorXd values(static_cast<Index>(steps.size()));
-        for (Index j = 0; j < values.size(); ++j)
-            values[j] = static_cast<double>(steps[static_cast<std::size_t>(j)].*member);
+        std::transform(steps.begin(), steps.end(), values.begin(),
+                       [&](const LoadStep& step) { return static_cast<double>(step.*member); });
         return values;
     };
     return {range,
-            column(&LoadStep::displacement),
-            column(&LoadStep::pressure),
-            column(&LoadStep::contact_fraction),
-            column(&LoadStep::tangent_stiffness),
-            column(&LoadStep::kkt_residual),
+            all(&LoadStep::displacement),
+            all(&LoadStep::pressure),
+            all(&LoadStep::contact_fraction),
+            all(&LoadStep::tangent_stiffness),
+            all(&LoadStep::kkt_residual),
             solver,
             full_stiffness,
             steps.empty() ? 0 : steps.back().held_nodes,
-            column(&LoadStep::largest_pressure),
-            column(&LoadStep::spot_width)};
+            all(&LoadStep::largest_pressure),
+            all(&LoadStep::spot_width)};
 }
 
 double displacement_range(const Profile& profile, Kernel kernel) {
@@ -72,13 +73,9 @@ std::vector<double> load_displacements(double range, const Loading& loading, Ker
 
 std::vector<double> step_displacements(const Profile& profile, const Body& body, const Loading& loading,
                                        const ContactOptions& options) {
-    if (!loading.pressures.empty()) {
-        std::vector<double> displacements;
-        for (const LoadStep& step :
-             solve_contact_at_pressures(profile, body, loading.pressures, options).steps)
-            displacements.push_back(step.displacement);
-        return displacements;
-    }
+    if (!loading.pressures.empty())
+        return column(solve_contact_at_pressures(profile, body, loading.pressures, options).steps,
+                      &LoadStep::displacement);
     validate(loading, body.kernel);
     if (loading.to_displacement)
         return even_steps(*loading.to_displacement, loading);

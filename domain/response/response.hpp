@@ -8,9 +8,8 @@
 namespace rough {
 
 /// The load steps: the displacements Delta_j = (j/steps) Delta_last, j = 1..steps. Delta_last is
-/// `to_displacement` if it is given. If only `to_pressure` is given, the mean pressure at Delta_last is
-/// `to_pressure`. Otherwise Delta_last is reach * range. With the heights Z the range is max Z - min Z. For
-/// the periodic kernel it is max Z - mean Z, at which contact is full.
+/// `to_displacement` if it is given, otherwise that of `to_pressure` if this is given, otherwise reach *
+/// displacement_range().
 struct Loading {
     int steps = 20; ///< number of load steps n_t, >= 2
     /// In (0, 1], below 1 for the periodic kernel. Default: 1, periodic 0.95.
@@ -82,21 +81,19 @@ struct ResponseJacobian {
     Eigen::MatrixXd contact_fraction;     ///< d fraction_j (smooth), one row per step; empty if not requested
 };
 
-/// A response and its derivatives with respect to the N heights, by the adjoint.
+/// A response and its derivatives with respect to the N heights, by the adjoint (README.md).
 struct ResponseWithGradient {
     Response response;               ///< as from respond()
     ResponseJacobian gradient;       ///< MPa/mm, 1 and 1/mm
     Eigen::VectorXd smooth_fraction; ///< contact fraction (contact/interface.hpp); empty if not requested
 };
-/// respond() with derivatives. They need only the solutions of respond(). Derivatives of the contact fraction
-/// need one more linear solution per load step. Also throws InputError if the load steps are at given
-/// pressures, and on derivatives of the contact fraction for a body with a hardness.
+/// respond() with derivatives. Also throws InputError if the load steps are at given pressures, and on
+/// derivatives of the contact fraction for a body with a hardness.
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options = {}, bool with_area = false);
 
-/// The response of a profile whose heights are multiplied by `factor` (> 0). Displacements and pressures are
-/// multiplied; stiffness and contact fraction do not change. Throws InputError if the result exceeds double
-/// precision or nodes are at a hardness.
+/// The response of a profile whose heights are multiplied by `factor` (> 0), which multiplies displacements
+/// and pressures. Throws InputError if the result exceeds double precision or nodes are at a hardness.
 Response scaled(Response response, double factor);
 
 /// The model of a response: grid, body, load steps and solver. A target is valid for its kernel and datum.

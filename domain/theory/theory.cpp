@@ -159,8 +159,6 @@ Exceedances exceedances(double t) {
     return of;
 }
 
-constexpr double correction = 0.45; ///< gamma of Persson's theory
-
 /// 1/sqrt(2 pi) int f(h'(q)) q/h'(q) dm0, in which q^2 dm0 = 2 h' dh'.
 template <class Function>
 double over_waves(const Spectrum& spectrum, Function f) {
@@ -287,15 +285,14 @@ TheoryCurve bush_gibson_thomas(const SpectralMoments& m, double effective_modulu
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus,
                     const Eigen::VectorXd& pressures) {
     TheoryCurve curve{pressures, Eigen::VectorXd(pressures.size()), Eigen::VectorXd(pressures.size())};
-    const double slope = rms_slope(surface);
+    const double slope = rms_slope(surface), gamma = 0.45;
     for (Index j = 0; j < pressures.size(); ++j) {
         const double load = std::numbers::sqrt2 * pressures[j] / effective_modulus;
         curve.contact_fraction[j] = std::erf(load / slope);
-        curve.stiffness[j] =
-            pressures[j] / over_waves(surface.spectrum, [&](double h) {
-                const double s = load / h, error = std::erf(s);
-                return (correction + 3 * (1 - correction) * error * error) * std::exp(-s * s);
-            });
+        curve.stiffness[j] = pressures[j] / over_waves(surface.spectrum, [&](double h) {
+                                 const double s = load / h, error = std::erf(s);
+                                 return (gamma + 3 * (1 - gamma) * error * error) * std::exp(-s * s);
+                             });
     }
     return curve;
 }

@@ -30,9 +30,8 @@ struct SelfAffine {
 /// The surface with these parameters. Throws InputError on a parameter out of range.
 RandomSurface random_surface(const SelfAffine& parameters);
 
-/// The spectral moments of a profile: mean squares of height, slope and second derivative. Those of a map are
-/// means over its sections in all directions. They are the mean square height, 1/2 of the mean square
-/// gradient and 3/8 of the mean square Laplacian. 1/2 and 3/8 are the means of cos^2 and cos^4 (Nayak 1971).
+/// The spectral moments of a profile; for a map their means over its sections in all directions. Factors of a
+/// map are the means 1/2 of cos^2 and 3/8 of cos^4 (Nayak 1971).
 struct SpectralMoments {
     double m0 = 0; ///< mean square height, mm^2
     double m2 = 0; ///< mean square slope
@@ -46,16 +45,14 @@ SpectralMoments spectral_moments(const RandomSurface& surface);
 /// The root mean square slope h' of a profile, or gradient of a map.
 double rms_slope(const RandomSurface& surface);
 
-/// A surface of these parameters on a periodic grid; a line if `parameters` are a profile's. It is the sum of
-/// one cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between the cut-offs. Amplitudes follow
-/// the spectrum and phases are random, so that surface and spectrum have exactly the same power. The same
-/// seed gives the same surface on every grid. Waves that a grid does not resolve are sampled, as by an
-/// instrument.
-/// Throws InputError for parameters out of range, and if no wave fits between the cut-offs.
+/// A surface of these parameters on a periodic grid; a line if `parameters` are a profile's. It has one
+/// cosine for each wave vector of the lattice 2 pi (i/L_x, j/L_y) between the cut-offs. Amplitudes follow the
+/// spectrum, phases are random. The same seed gives the same surface on every grid. Waves that a grid does
+/// not resolve are sampled, as by an instrument. Throws InputError for parameters out of range, for a grid
+/// that does not fit them, and if no wave fits between the cut-offs.
 Profile realised(const SelfAffine& parameters, const Grid& grid, std::uint64_t seed);
 
-/// Theories of the contact of a rigid, random, Gaussian surface with an elastic half-space. As on a
-/// `periodic` body, the surface repeats. Theories need no sampled surface and no contact solution.
+/// Theories of the contact of a rigid, random, Gaussian surface with a `periodic` half-space (README.md).
 enum class Theory { greenwood_williamson, bush_gibson_thomas, persson };
 
 /// The names greenwood-williamson, bush-gibson-thomas and persson, in the order of Theory.
@@ -70,7 +67,6 @@ struct TheoryCurve {
 };
 
 /// Whether a theory applies to maps (`is_2d`) or profiles. All apply to maps, only Persson's to profiles.
-/// The other theories treat summits as spots, but a profile touches along lines.
 bool holds_for(Theory theory, bool is_2d);
 
 /// The curve of a theory. `effective_modulus` is E*, MPa; pressures are > 0, in any order, MPa. Throws
@@ -79,8 +75,7 @@ TheoryCurve predicted_curve(Theory theory, const RandomSurface& surface, double 
                             const Eigen::VectorXd& pressures);
 
 /// The summits that Greenwood & Williamson (1966, Proc. R. Soc. A 295, 300) assume: spheres of one radius
-/// with normally distributed heights. Their parameters follow from the spectral moments (McCool 1986, Wear
-/// 107, 37). alpha is SpectralMoments::bandwidth().
+/// with normally distributed heights, from spectral moments (McCool 1986, Wear 107, 37).
 struct Summits {
     double density;   ///< number of summits per area eta = (m4/m2)/(6 pi sqrt 3), 1/mm^2
     double radius;    ///< radius R = 3 sqrt(pi)/(8 sqrt m4), mm
@@ -91,27 +86,23 @@ struct Summits {
 Summits summits(const SpectralMoments& moments);
 
 /// Greenwood & Williamson's curve: each summit is a Hertz contact that does not influence another. A/A0 = pi
-/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi. s is the height of a summit above
-/// the mean summit, and phi its density. d is the height of the body above the mean summit. Holds at light
-/// load, for contact fractions of a few percent; NaN if d < 0.
+/// eta R int_d (s - d) phi, P = 4/3 eta E* sqrt(R) int_d (s - d)^(3/2) phi. s and d are the heights of a
+/// summit and of the body above the mean summit, phi is the density of s. NaN if d < 0.
 TheoryCurve greenwood_williamson(const SpectralMoments& moments, double effective_modulus,
                                  const Eigen::VectorXd& pressures);
 
 /// Bush, Gibson & Thomas (1975, Wear 35, 87): each summit is an elliptic paraboloid, a Hertz contact that
 /// does not influence another. Curvatures and heights have the joint distribution of the summits of an
-/// isotropic Gaussian surface (Longuet-Higgins 1957, Nayak 1971). At light load A/A0 -> sqrt(2 pi) P/(E* h').
-/// Holds at light load; NaN if the separation u of the mean planes is below 0.
+/// isotropic Gaussian surface (Longuet-Higgins 1957, Nayak 1971). NaN if the separation of the mean planes is
+/// below 0.
 TheoryCurve bush_gibson_thomas(const SpectralMoments& moments, double effective_modulus,
                                const Eigen::VectorXd& pressures);
 
-/// Persson's theory (2001, J. Chem. Phys. 115, 3840; 2007, Phys. Rev. Lett. 99, 125502): the distribution of
-/// the pressure widens as shorter waves are included, and is cut off at zero. A/A0 = erf(sqrt 2 P/(E* h')) at
-/// every load, for profiles and maps, because the pressure of full contact varies by E* h'/2 in both.
-/// Stiffness follows from the elastic energy. Let h'(q) be the slope of waves up to q, and s = sqrt 2 P/(E*
-/// h'(q)). Then 1/K = 1/(sqrt(2 pi) P) int q/h'(q) [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0. gamma =
-/// 0.45 accounts for the parts that contact does not reach (Yang & Persson 2008, J. Phys.: Condens. Matter
-/// 20, 215214; 1 in 2007). P/K tends to about half the root mean square height at light load. Exact at full
-/// contact.
+/// Persson's theory (2001, J. Chem. Phys. 115, 3840; 2007, Phys. Rev. Lett. 99, 125502) for profiles and
+/// maps: A/A0 = erf(sqrt 2 P/(E* h')), exact at full contact. Stiffness follows from the elastic energy. Let
+/// h'(q) be the slope of waves up to q, and s = sqrt 2 P/(E* h'(q)). Then 1/K = 1/(sqrt(2 pi) P) int q/h'(q)
+/// [gamma + 3 (1 - gamma) erf^2 s] exp(-s^2) dm0. gamma = 0.45 accounts for the parts that contact does not
+/// reach (Yang & Persson 2008, J. Phys.: Condens. Matter 20, 215214; 1 in 2007).
 TheoryCurve persson(const RandomSurface& surface, double effective_modulus, const Eigen::VectorXd& pressures);
 
 } // namespace rough

@@ -76,8 +76,8 @@ void SearchDistribution::learn(const CmaConstants& c, const Eigen::MatrixXd& ste
                  std::sqrt(c.c_sigma * (2 - c.c_sigma) * c.mu_eff) * whitened(step); // Eq. 43
     ++learnt;
     const double length = path_sigma.norm() / c.chi;
-    const double settled = 1 - std::pow(1 - c.c_sigma, 2 * static_cast<double>(learnt));
-    const bool calm = length / std::sqrt(settled) < 1.4 + 2 / (static_cast<double>(n) + 1);
+    const double stationary = 1 - std::pow(1 - c.c_sigma, 2 * static_cast<double>(learnt));
+    const bool calm = length / std::sqrt(stationary) < 1.4 + 2 / (static_cast<double>(n) + 1);
     path_c = (1 - c.c_c) * path_c;
     if (calm)
         path_c += std::sqrt(c.c_c * (2 - c.c_c) * c.mu_eff) * step; // Eq. 45

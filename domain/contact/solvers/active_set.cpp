@@ -41,7 +41,7 @@ class ActiveSet {
     StepSolution solve_step(double approach, std::optional<Eigen::VectorXd> guess) {
         start(approach, std::move(guess));
         for (double tolerance = options_.tolerance;;) {
-            problem_.is_2d() ? settle_area(approach, tolerance) : settle_line(approach, tolerance);
+            problem_.is_2d() ? iterate_map(approach, tolerance) : iterate_line(approach, tolerance);
             if (purpose_ == Purpose::guess)
                 return step_solution(set_, load_, tangent_, false);
             find_tangent();
@@ -54,7 +54,7 @@ class ActiveSet {
     }
 
     /// Presses an area to a load and sets `approach` to the one found. The sum of the pressures is kept while
-    /// they settle, and the approach follows from them. A step along the tangent is too long, because the
+    /// they change, and the approach follows from them. A step along the tangent is too long, because the
     /// stiffness of rough areas grows about as the load (Persson 2007).
     StepSolution solve_load(double load, double& approach, std::optional<Eigen::VectorXd> guess) {
         sum_ = load;
@@ -69,7 +69,7 @@ class ActiveSet {
             ahead_ = step * (1 - std::log1p(growth) / growth);
         }
         stale_ = true;
-        settle_area(approach, options_.tolerance);
+        iterate_map(approach, options_.tolerance);
         if (purpose_ == Purpose::guess)
             return step_solution(set_, load_, tangent_, false);
         find_tangent();
@@ -211,7 +211,7 @@ class ActiveSet {
     /// a round in which any leaves. On an area many nodes are at the edge of touching, and which of them
     /// touch is known no better than the residual. Steps are not projected while the set swings. A projected
     /// step takes out the nodes that have just joined, and nothing is gained.
-    void settle_area(double& approach, double tolerance) {
+    void iterate_map(double& approach, double tolerance) {
         double target = 1, lowest = std::numeric_limits<double>::infinity();
         int swings = 0;
         for (int round = 0; round < max_rounds; ++round) {
@@ -234,7 +234,7 @@ class ActiveSet {
         }
     }
 
-    void settle_line(double& approach, double tolerance) {
+    void iterate_line(double& approach, double tolerance) {
         double target = 1;
         for (int round = 0; round < max_rounds; ++round) {
             check_stop(options_);

@@ -116,8 +116,9 @@ class BoundedPressures {
         return false;
     }
 
-    /// Raises all pressures of a periodic body by one value until a node reaches its upper bound, if the
-    /// approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the energy.
+    /// Raises all pressures of a periodic body by one value until a node reaches its upper bound. It does so
+    /// if the approach is beyond that of full contact. Equal pressures displace nothing, so this lowers the
+    /// energy.
     void raise(double negligible) {
         if (!problem_.is_singular() || goal_.mean() <= negligible)
             return;

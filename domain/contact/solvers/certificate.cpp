@@ -14,17 +14,14 @@ Certificate certify(const ContactProblem& problem, double approach, const std::v
     constexpr double none = std::numeric_limits<double>::infinity();
     // Penetration is sought over all nodes: on the contact set it is part of |gap|.
     std::atomic<bool> finite = true;
-    double deepest = problem.team->over_ranges(
-        problem.nodes(),
-        [&](Index first, Index count) {
-            bool all = true;
-            const double depth = vector_loops().deepest(problem.gap.data() + first, displacement + first,
-                                                        count, approach, all);
-            if (!all)
-                finite = false;
-            return depth;
-        },
-        [](double a, double b) { return std::max(a, b); });
+    double deepest = problem.team->largest(problem.nodes(), [&](Index first, Index count) {
+        bool all = true;
+        const double depth =
+            vector_loops().deepest(problem.gap.data() + first, displacement + first, count, approach, all);
+        if (!all)
+            finite = false;
+        return depth;
+    });
     if (!std::isfinite(mean) || !finite) // a NaN anywhere invalidates the solution
         return {none, none, none, none};
     const bool yields = std::isfinite(problem.cap);
@@ -62,7 +59,7 @@ double direct_tolerance(const ContactProblem& problem, const StepSolution& step)
 void expect_residual(const char* solver, const ContactProblem& problem, const StepSolution& step,
                      double tolerance) {
     if (!(step.residual <= tolerance))
-        throw NotConverged(line_of(solver, " did not settle at an approach of ",
+        throw NotConverged(line_of(solver, " did not converge at an approach of ",
                                    step.approach * problem.displacement_unit, " mm: residual ", step.residual,
                                    " is above the tolerance ", tolerance));
 }

@@ -86,32 +86,25 @@ double max_nested_work(const ContactProblem& problem) {
            per_elimination;
 }
 
-SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options) {
+Solver choose_solver(const ContactProblem& problem, const ContactOptions& options) {
     if (options.solver != Solver::automatic)
-        return {options.solver, "requested"};
+        return options.solver;
     if (std::isfinite(problem.cap))
-        return {Solver::active_set, "active-set: pressures are held at the hardness, contact is not nested"};
+        return Solver::active_set;
     if (!contact_sets_nest(problem, problem.shape))
-        return {problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls,
-                "under these layers contact sets need not be nested"};
+        return problem.is_2d() || problem.nodes() > always_nested ? Solver::active_set : Solver::nnls;
     if (problem.nodes() <= always_nested || problem.steps() == 0 ||
         (problem.load.empty() && problem.approach.back() == 0))
-        return {Solver::nested,
-                line_of("nested: up to ", always_nested, " nodes the factor is always the fastest")};
+        return Solver::nested;
     const double n = static_cast<double>(problem.nodes()), steps = static_cast<double>(problem.steps());
     const double active_set = turned(problem) * active_set_cost(n, steps);
     // At the limit the whole grid's factor, at least 64 times as costly, would not be chosen either.
     const double limit = cost_of_choice * active_set / per_elimination,
-                 m = std::ceil(expected_contact(problem, options, limit) * n),
-                 nested = nested_cost(n, m, steps);
+                 m = std::ceil(expected_contact(problem, options, limit) * n);
     // Half as much again, because the estimate comes from a coarse grid.
     const double memory = 1.5 * GrowingFactor::bytes(static_cast<Index>(m));
-    const bool fits = memory <= options.memory_limit, is_nested = fits && nested <= active_set;
-    const Solver chosen = is_nested ? Solver::nested : Solver::active_set;
-    return {chosen, line_with_digits(2, name_of(chosen), ": about ", m, " of ", problem.nodes(),
-                                     " nodes in contact: a factor of ", memory / 1e9, " GB, cost ",
-                                     nested / 1e9, " against the active set's ", active_set / 1e9,
-                                     fits ? "" : "; the factor would not fit")};
+    const bool fits = memory <= options.memory_limit;
+    return fits && nested_cost(n, m, steps) <= active_set ? Solver::nested : Solver::active_set;
 }
 
 void expect_factor_to_fit(const ContactProblem& problem, const ContactOptions& options) {

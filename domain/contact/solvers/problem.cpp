@@ -104,15 +104,7 @@ ContactProblem make_problem_at(const Profile& profile, const Body& body, const s
 }
 
 ContactProblem coarsened(const ContactProblem& problem, Index stride, Index node) {
-    ContactProblem coarse;
-    static_cast<UnitBody&>(coarse) = problem;
-    coarse.approach = problem.approach;
-    coarse.load = problem.load;
-    coarse.team = problem.team;
-    coarse.cap = problem.cap;
-    coarse.displacement_unit = problem.displacement_unit;
-    coarse.stiffness_unit = problem.stiffness_unit;
-    coarse.work_limit = problem.work_limit;
+    ContactProblem coarse = problem;
     const Extent fine = problem.shape;
     const Index first_x = node % fine.columns % stride,
                 first_y = node / fine.columns % (fine.rows == 1 ? 1 : stride);

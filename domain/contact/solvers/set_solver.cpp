@@ -313,11 +313,9 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
         if (!level)
             return;
         const auto most = [&](double sign) {
-            return sign *
-                   team_.over_ranges(
-                       m,
-                       [&](Index first, Index count) { return (sign * r.segment(first, count)).maxCoeff(); },
-                       [](double a, double b) { return std::max(a, b); });
+            return sign * team_.largest(m, [&](Index first, Index count) {
+                return (sign * r.segment(first, count)).maxCoeff();
+            });
         };
         const double middle = (most(1) + most(-1)) / 2;
         each([&](Index k) { r[k] -= middle; });

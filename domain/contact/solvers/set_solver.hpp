@@ -14,14 +14,13 @@ class ContactSet {
     const std::vector<int>& nodes() const { return nodes_; } ///< increasing; as of the last collect()
     /// N entries, 1 if the node touches; up to date at any time.
     const std::vector<char>& touching() const { return touching_; }
-    /// Whether the node touches.
+    ///@{
+    /// Whether a node touches, and changes of it. collect() is to be called after the last change.
     bool holds(Index node) const { return touching_[static_cast<std::size_t>(node)] != 0; }
-    /// Puts the node into contact.
     void insert(Index node) { touching_[static_cast<std::size_t>(node)] = 1; }
-    /// Takes the node out of contact.
     void erase(Index node) { touching_[static_cast<std::size_t>(node)] = 0; }
-    /// To be called after the last insert or erase.
     void collect();
+    ///@}
     /// Puts exactly those nodes into contact for which touches(node) is true.
     template <class Touches>
     void assign(Touches touches) {
@@ -57,9 +56,8 @@ struct Enough {
 
 /// Conjugate gradients for H_AA x = b on a fixed contact set A, with H applied by FFT. The preconditioner is
 /// the inverse of the circulant nearest to H (T. Chan 1988), restricted to A. Off A the residual is taken as
-/// zero on a line, and is continued on a map (extension.hpp). Search directions are products in single
-/// precision, or in double precision if that gains nothing. The residual is recomputed in double precision
-/// before their errors affect it (iterative refinement in mixed precision, Carson & Higham 2018).
+/// zero on a line, and is continued on a map (extension.hpp). Directions are multiplied in single precision,
+/// or in double if that gains nothing; the residual is recomputed in double (Carson & Higham 2018).
 class SetSolver {
   public:
     /// Transforms the problem's first column and its preconditioner's once.

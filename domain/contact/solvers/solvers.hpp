@@ -12,11 +12,10 @@ inline constexpr double gap_rounding = 1e-13;
 // Each solver adds its load steps to `solution`. The solved ones stay there if it throws NotConverged. The
 // certificate applies H by another method than the solver.
 
-/// Direct: contact sets are nested (w > 0), so one bordered Cholesky factor grows through all load steps. The
-/// nodes that penetrate under the pressures of the step before contain the new contact set, also after
-/// dropping nodes under tension. Each step is therefore one sweep of additions and some of removals. A load's
-/// approach follows from the factor. Throws InputError if the factor would take more than the options'
-/// memory, NotConverged beyond the problem's work limit.
+/// Direct: contact sets are nested (w > 0), so one bordered Cholesky factor grows through all load steps.
+/// Each step is one sweep of additions and some of removals. A load's approach follows from the factor.
+/// Throws InputError if the factor would take more than the options' memory, NotConverged beyond the work
+/// limit.
 void solve_nested(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Direct: non-negative least squares, min p'Hp/2 - p'(Delta - g0), p >= 0, by the active set of Lawson &
@@ -34,7 +33,7 @@ void solve_polonsky_keer(const ContactProblem& problem, const ContactOptions& op
 /// Iterative, for grids on which a dense factor does not fit: conjugate gradients by FFT on a contact set
 /// that is corrected during the iteration. Each load step starts from the one before, moved along its
 /// tangent. Ends if every residual is within the tolerance and the contact set is certain at that residual,
-/// or if rounding allows no better. If the set does not settle at an approach, solve_capped() continues.
+/// or if rounding allows no better. If the set does not converge at an approach, solve_capped() continues.
 void solve_active_set(const ContactProblem& problem, const ContactOptions& options, Solution& solution);
 
 /// Contact with 0 <= p <= p_H, which may be infinite. Bertsekas' projected Newton method (1982) minimises
@@ -79,16 +78,9 @@ inline const ContactSolver& row_of(Solver solver) {
 /// Up to this many nodes the factor always wins.
 constexpr Index always_nested = 768;
 
-/// The chosen solver, and why.
-struct SolverChoice {
-    Solver solver;      ///< the nested factor or the active set
-    std::string reason; ///< in words, with the numbers that decided
-};
-
-/// The requested solver. `automatic` chooses between the nested factor and the active set by predicted memory
-/// and cost. The model is fixed and uses no clock, so that the same problem is solved by the same method on
-/// every machine. The size of the contact set is that of a grid of at most 2048 nodes, scaled.
-SolverChoice choose_solver(const ContactProblem& problem, const ContactOptions& options);
+/// The requested solver; for `automatic` the nested factor or the active set, by the fixed model of memory
+/// and cost of README.md.
+Solver choose_solver(const ContactProblem& problem, const ContactOptions& options);
 
 /// Multiplications of the factor after which the active set would have been several times cheaper. Infinite
 /// if the factor is always taken.

@@ -294,11 +294,11 @@ static void press_at_any_contact(const std::vector<Extent>& shapes, unsigned see
             }
 }
 
-TEST_CASE("a first load settles at any contact fraction", "[contact][areas]") {
+TEST_CASE("a first load converges at any contact fraction", "[contact][areas]") {
     press_at_any_contact({{128, 128}, {64, 256}, {99, 131}}, 1);
 }
 
-TEST_CASE("a first load settles at any contact fraction on 240 maps", "[long][contact][areas]") {
+TEST_CASE("a first load converges at any contact fraction on 240 maps", "[long][contact][areas]") {
     press_at_any_contact({{128, 128}, {192, 192}, {256, 64}, {64, 256}, {99, 131}, {384, 96}}, 20);
 }
 

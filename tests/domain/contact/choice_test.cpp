@@ -51,7 +51,6 @@ constexpr double most_nodes_touch = 0.3, few_touch = 1e-3; // displacements
 TEST_CASE("auto takes nested if few nodes touch, active-set if most of a fine grid do", "[contact]") {
     for (const Index nodes : {1024, 4096}) {
         const ContactCurve many = pressed(nodes, most_nodes_touch), few = pressed(nodes, few_touch);
-        INFO(many.choice << "\n" << few.choice);
         CHECK(many.steps.back().contact_fraction > 0.6);
         CHECK(many.solver == Solver::active_set);
         CHECK(few.steps.back().contact_fraction < 0.1);
@@ -60,10 +59,9 @@ TEST_CASE("auto takes nested if few nodes touch, active-set if most of a fine gr
     CHECK(pressed(512, most_nodes_touch).solver == Solver::nested);
 }
 
-TEST_CASE("auto takes active-set, with the reason, when the factor would not fit", "[contact]") {
+TEST_CASE("auto takes active-set when the factor would not fit", "[contact]") {
     const ContactCurve curve = pressed(4096, few_touch, {.memory_limit = 1e4});
     CHECK(curve.solver == Solver::active_set);
-    CHECK_THAT(curve.choice, Catch::Contains("the factor would not fit"));
 }
 
 TEST_CASE("nested and active-set agree on a prime number of nodes, up to near full contact", "[contact]") {
@@ -95,8 +93,8 @@ TEST_CASE("the curve stays the same when a factor hands over for work or memory"
     const ContactCurve direct = solve_contact(profile, periodic, steps, {.solver = Solver::nested});
     for (const double memory : {2e9, 4e6}) {
         const ContactCurve curve = solve_contact(profile, periodic, steps, {.memory_limit = memory});
-        INFO(curve.choice);
-        CHECK_THAT(curve.choice, Catch::Contains("handed over to active-set"));
+        INFO("memory limit " << memory);
+        CHECK(curve.steps.front().kkt_residual < 1e-12); // the factor has solved it
         CHECK(curve.solver == Solver::active_set);
         REQUIRE(curve.steps.size() == steps.size());
         for (std::size_t j = 0; j < steps.size(); ++j) {

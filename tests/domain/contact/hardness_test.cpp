@@ -50,7 +50,7 @@ TEST_CASE("pressures held at a hardness are the oracle's, on every kernel", "[co
         }
     }
     CHECK(held > 100);
-    CHECK(measured > 80); // of 96 residuals: rounding leaves one
+    CHECK(measured > 80); // 96 residuals less those of rounding
 }
 
 TEST_CASE("a hardness changes the curve only if a node reaches it", "[contact]") {

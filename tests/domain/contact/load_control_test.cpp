@@ -54,7 +54,7 @@ TEST_CASE("every load is met, though a step from first touch leads to full conta
                 {.hurst = 0.8, .longest = 1.0 / 32, .shortest = 1.0 / 256, .rms_slope = 0.1, .is_2d = false},
                 {.nodes = nodes, .length = 1, .periodic = true}, seed);
             const ContactCurve curve = solve_contact_at_pressures(profile, body, pressures);
-            INFO(nodes << " nodes, seed " << seed << ", " << curve.choice);
+            INFO(nodes << " nodes, seed " << seed << ", " << name_of(curve.solver));
             for (std::size_t j = 0; j < pressures.size(); ++j)
                 CHECK(curve.steps[j].pressure == Approx(pressures[j]).epsilon(2e-6));
         }

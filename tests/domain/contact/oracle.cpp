@@ -130,13 +130,13 @@ Pressed press(const Influences& h, const Vector& goal, Real displacement, bool s
             if (in[static_cast<std::size_t>(i)])
                 nodes.push_back(i);
         Pressed pressed = solve_on(nodes, h, goal);
-        bool settled = true;
+        bool converged = true;
         for (std::size_t k = 0; k < nodes.size(); ++k)
             if (!(pressed.pressure[static_cast<Index>(k)] > 0)) {
                 in[static_cast<std::size_t>(nodes[k])] = 0;
-                settled = false;
+                converged = false;
             }
-        if (!settled)
+        if (!converged)
             continue;
         for (Index i = 0; i < n; ++i) {
             if (in[static_cast<std::size_t>(i)])
@@ -146,13 +146,13 @@ Pressed press(const Influences& h, const Vector& goal, Real displacement, bool s
                 u += h(i, nodes[k]) * pressed.pressure[static_cast<Index>(k)];
             if (goal[i] - u > 1e-15L * displacement) {
                 in[static_cast<std::size_t>(i)] = 1;
-                settled = false;
+                converged = false;
             }
         }
-        if (settled)
+        if (converged)
             return pressed;
     }
-    throw NotConverged("the oracle's contact set does not settle");
+    throw NotConverged("the oracle's contact set does not converge");
 }
 
 Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
@@ -162,7 +162,7 @@ Pressed press_capped(const Influences& h, const Vector& goal, Real cap) {
     Real moved = 1;
     for (long sweep = 0; moved > 1e-16L * p.maxCoeff(); ++sweep) {
         if (sweep > 200000)
-            throw NotConverged("the oracle's capped pressures do not settle");
+            throw NotConverged("the oracle's capped pressures do not converge");
         moved = 0;
         for (Index i = 0; i < n; ++i) {
             Real gap = -goal[i];
