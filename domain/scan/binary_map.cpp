@@ -224,6 +224,21 @@ const Format formats[] = {{"bISO-", surface_data_file},
                           {"Gwyddion Simple Field 1.", simple_field},
                           {"GWYP", read_gwy}};
 
+/// The greatest step of which all heights are multiples, up to rounding; 0 if a small one would be needed.
+double quantum(const Eigen::VectorXd& heights) {
+    const double largest = heights.cwiseAbs().maxCoeff(), rounding = 1e-9 * largest;
+    double step = 0;
+    for (double rest : heights)
+        for (rest = std::abs(rest); rest > rounding;) { // Euclid's algorithm
+            if (step == 0 || rest < step)
+                std::swap(rest, step);
+            if (step > 0 && step < 1e3 * rounding)
+                return 0;
+            rest = std::abs(std::remainder(rest, step));
+        }
+    return step;
+}
+
 } // namespace
 
 void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file) {
@@ -251,25 +266,6 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
     }
     return numbers;
 }
-
-namespace {
-
-/// The greatest step of which all heights are multiples, up to rounding; 0 if a small one would be needed.
-double quantum(const Eigen::VectorXd& heights) {
-    const double largest = heights.cwiseAbs().maxCoeff(), rounding = 1e-9 * largest;
-    double step = 0;
-    for (double rest : heights)
-        for (rest = std::abs(rest); rest > rounding;) { // Euclid's algorithm
-            if (step == 0 || rest < step)
-                std::swap(rest, step);
-            if (step > 0 && step < 1e3 * rounding)
-                return 0;
-            rest = std::abs(std::remainder(rest, step));
-        }
-    return step;
-}
-
-} // namespace
 
 bool is_binary_map(std::string_view head) {
     return std::any_of(std::begin(formats), std::end(formats),
@@ -338,6 +334,28 @@ std::string sur(const Profile& surface) {
     for (const std::int32_t height : heights)
         append_little_endian(bytes, height);
     return bytes;
+}
+
+std::string vtk(const Profile& map) {
+    const auto [columns, rows] = map.shape();
+    const std::string count = std::to_string(map.nodes());
+    std::string bytes = line_of("# vtk DataFile Version 3.0\nrugosa: a rough surface, mm\nBINARY\n"
+                                "DATASET STRUCTURED_GRID\nDIMENSIONS ",
+                                columns, " ", rows, " 1\nPOINTS ", count, " double\n");
+    const auto append = [&](double value) { // the highest byte first
+        std::string word;
+        append_little_endian(word, value);
+        bytes.append(word.rbegin(), word.rend());
+    };
+    for (Index k = 0; k < map.nodes(); ++k) {
+        append(map.spacing * static_cast<double>(k % columns));
+        append(map.row_spacing * static_cast<double>(k / columns));
+        append(map.heights[k]);
+    }
+    bytes += "\nPOINT_DATA " + count + "\nSCALARS height_mm double 1\nLOOKUP_TABLE default\n";
+    for (const double height : map.heights)
+        append(height);
+    return bytes + "\n";
 }
 
 } // namespace rough

@@ -66,8 +66,8 @@ std::optional<HeightMap> binary_map(const std::string& bytes, const std::string&
 
 /// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
 /// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, SigmaSurf's data files, Wyko's ASC and
-/// Zygo's XYZ. Returns
-/// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
+/// Zygo's XYZ. Returns nothing for other lines. Throws InputError with file and line on a file that is not a
+/// profile or a map.
 std::optional<HeightMap> text_map(const Lines& lines, const std::string& file);
 
 class Zip;
