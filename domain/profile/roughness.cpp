@@ -19,8 +19,8 @@ constexpr Index reach = 3;
 constexpr std::array<double, 7> first{-1, 9, -45, 0, 45, -9, 1};        // divided by 60 delta
 constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // divided by 180 delta^2
 
-/// A derivative of a surface along x or y by a seven-point formula of ISO 21920-2 (exact for polynomials up
-/// to degree 6), at nodes three or more from every end of a line, or from every edge of a map.
+/// A derivative of a surface along x or y by a seven-point formula of ISO 21920-2, which is exact for
+/// polynomials up to degree 6. It is computed at nodes three or more from every end.
 Eigen::ArrayXXd derivative(const Eigen::ArrayXXd& z, bool along_y, const std::array<double, 7>& weights,
                            double divisor) {
     const Index across = z.cols() > 1 ? reach : 0, columns = z.rows() - 2 * reach,
@@ -103,9 +103,8 @@ ProfileElements profile_elements(const Profile& profile) {
 }
 
 /// Appends the parameters of the material ratio curve (ISO 21920-2; ISO 13565-2), named by R or S and a
-/// suffix. The line of least squares through the flattest 40 % of the curve separates peaks, core and
-/// valleys. Among equally flat regions the first is used. Peaks and valleys are as high as triangles of their
-/// area.
+/// suffix. The line of least squares through the flattest 40 % of the curve, the first of equally flat ones,
+/// separates peaks, core and valleys. Peaks and valleys are as high as triangles of their area.
 void add_core(std::vector<SurfaceParameter>& rows, const std::string& kind, const Eigen::VectorXd& heights) {
     const Index n = heights.size();
     Eigen::VectorXd z = heights; // node i of the curve stands at (i + 1/2)/n

@@ -33,8 +33,7 @@ struct SolidAxis {
     std::vector<Index> node; ///< nodes with these heights
 };
 
-/// The axis of a line or, if `is_2d`, of a map: its nodes, and its edges with the heights of the nodes
-/// nearest to them.
+/// The axis of a line or map: its nodes, and a map's edges with the heights of the nodes nearest to them.
 SolidAxis axis_of(Index nodes, double spacing, bool is_2d, bool periodic) {
     SolidAxis axis;
     const bool has_cells = is_2d && !periodic;
@@ -57,8 +56,7 @@ void append(png_structp png, png_bytep data, std::size_t size) noexcept {
     static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }
 
-/// Appends a PNG file to `bytes`; false if libpng refuses. No object here has a destructor, because libpng
-/// leaves by longjmp.
+/// Appends a PNG file; false if libpng refuses. As it leaves by longjmp, no object here has a destructor.
 bool write_png(std::string& bytes, Extent size, png_bytepp rows, png_textp text, int texts) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);

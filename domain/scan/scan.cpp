@@ -54,8 +54,7 @@ void fill(Points& points) {
     }
 }
 
-/// Heights at `nodes` even nodes from the first to the last x, linear between the points; x strictly
-/// increasing.
+/// Heights at `nodes` even nodes from the first to the last of strictly increasing x, linear between them.
 Profile resampled(const std::vector<double>& x, const std::vector<double>& heights, Index nodes) {
     Profile profile{Eigen::VectorXd(nodes), (x.back() - x.front()) / static_cast<double>(nodes - 1)};
     std::size_t right = 1;
@@ -69,7 +68,7 @@ Profile resampled(const std::vector<double>& x, const std::vector<double>& heigh
     return profile;
 }
 
-/// Adds to an account of what was read and done; numbers have six digits.
+/// Adds a part to the account of a scan; its numbers have six digits.
 template <class... Parts>
 void say(std::string& account, const Parts&... parts) {
     account += (account.empty() ? "" : "; ") + line_with_digits(6, parts...);
@@ -101,8 +100,7 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     return points;
 }
 
-/// Refuses missing points unless they are to be filled or listed, and says what is filled. `first` is the
-/// first one's place.
+/// Refuses missing points, of which the first is at `first`, or says how they are filled or listed.
 void account_for(const MissingPoints& missing, bool is_2d, const std::string& first,
                  const ScanOptions& options, std::string& account) {
     if (!missing)

@@ -71,8 +71,7 @@ std::string_view after(std::string_view text, char mark) {
     return trim(text.substr(std::min(text.find(mark), text.size() - 1) + 1));
 }
 
-/// Reads numbers up to a line that begins with `end`, or to the end of the file if `end` is empty. Stops
-/// before that if there are `count`.
+/// Reads up to `count` numbers, to a line that begins with `end` or, if it is empty, to the end of the file.
 void read_heights(HeightMap& map, Reader& in, std::string_view end,
                   std::size_t count = std::numeric_limits<std::size_t>::max()) {
     std::vector<double> heights;
