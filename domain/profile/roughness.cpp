@@ -346,19 +346,18 @@ Texture texture(const Profile& map, bool periodic) {
     Texture result;
     result.Std = lay(map, periodic);
     const Autocorrelation correlation(map, periodic);
-    double fastest = std::numeric_limits<double>::infinity(), slowest = 0;
+    double fastest = std::numeric_limits<double>::quiet_NaN(), slowest = 0;
     for (int k = 0; k < directions; ++k) {
         const double length = correlation.decay_length(pi * k / directions, map.spacing, map.row_spacing);
         if (length > 0)
-            fastest = std::min(fastest, length);
+            fastest = std::fmin(fastest, length); // the number if one of both is NaN
         if (std::abs(length) > slowest) {
             slowest = std::abs(length);
             result.Str_is_bound = length < 0;
         }
     }
-    const bool decays = std::isfinite(fastest);
-    result.Sal = decays ? fastest : std::numeric_limits<double>::quiet_NaN();
-    result.Str = decays ? fastest / slowest : std::numeric_limits<double>::quiet_NaN();
+    result.Sal = fastest;
+    result.Str = fastest / slowest;
     return result;
 }
 
