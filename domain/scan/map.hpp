@@ -38,7 +38,7 @@ struct HeightMap {
     std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one
     long announced = -1;          ///< number of heights that the file states; -1: none stated
     std::vector<double> x = {};   ///< x of each height, mm, NaN if missing; empty with a known spacing
-    Rounding rounding = {};       ///< of x, mm
+    Rounding rounding = {};       ///< rounding of x, mm
     std::string units = {};       ///< units and spacing, with their sources, in words
 
     Index columns() const { return heights.size() / rows; } ///< points of a row

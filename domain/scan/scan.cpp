@@ -12,7 +12,7 @@ namespace {
 /// A scan's points as the file gives them; NaN if a value is missing.
 struct Points {
     double spacing = 0;          ///< mm; if above 0, point i is at i times this, and x is empty
-    Rounding rounding;           ///< of x, mm
+    Rounding rounding;           ///< rounding of x, mm
     std::vector<double> x;       ///< mm
     std::vector<double> heights; ///< mm
     std::vector<int> line;       ///< in the file; empty for a binary one
