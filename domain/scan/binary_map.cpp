@@ -64,8 +64,7 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
         return little_endian<std::uint16_t>(bytes, 42 + 2 * which);
     };
     const std::int64_t columns = count(0);
-    HeightMap map{"ISO 25178-71 (SDF)"};
-    map.height_unit = {"m", 1e3};
+    HeightMap map{.format = "ISO 25178-71 (SDF)", .height_unit = {"m", 1e3}};
     map.rows = count(1);
     map.spacing = 1e3 * little_endian<double>(bytes, scales);
     map.row_spacing = 1e3 * little_endian<double>(bytes, scales + 8);
@@ -174,8 +173,7 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
     const std::size_t end = bytes.find('\0');
     if (end == std::string::npos || end > 1'000'000)
         refuse(file, ": a Gwyddion simple field whose header has no end; export it again");
-    HeightMap map{"Gwyddion simple field"};
-    map.height_unit = {"m", 1e3};
+    HeightMap map{.format = "Gwyddion simple field", .height_unit = {"m", 1e3}};
     double columns = 0, rows = 0, width = 1, height = 1, unit = 1e3; // without sizes 1 m, as in Gwyddion
     const std::pair<std::string_view, double*> numbers[] = {
         {"xres", &columns}, {"yres", &rows}, {"xreal", &width}, {"yreal", &height}};
