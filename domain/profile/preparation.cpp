@@ -95,8 +95,7 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form) {
             if (a + b > 0) {
                 const Eigen::VectorXd &p = along_x[a], &q = along_y[b];
                 const double share = p.dot(rest * q) / (p.squaredNorm() * q.squaredNorm());
-                for (Index j = 0; j < rows; ++j)
-                    rest.col(j) -= p * (share * q[j]);
+                rest.noalias() -= p * (share * q).transpose();
             }
     return rest.reshaped();
 }
@@ -346,14 +345,14 @@ void continue_into(Eigen::VectorXd& heights, const MissingPoints& missing, const
     std::vector<Index> unknown(static_cast<std::size_t>(map.nodes()), -1);
     for (Index k = 0; k < count; ++k)
         unknown[static_cast<std::size_t>(missing.nodes[static_cast<std::size_t>(k)])] = k;
-    const double along = 1, across = std::pow(map.spacing / map.row_spacing, 2);
+    const double across = std::pow(map.spacing / map.row_spacing, 2); // weight; along x it is 1
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd known = Eigen::VectorXd::Zero(count);
     for (Index k = 0; k < count; ++k) {
         const Index node = missing.nodes[static_cast<std::size_t>(k)];
         double sum = 0;
         each_neighbour(node, map.shape(), false, [&](Index other) {
-            const double weight = std::abs(other - node) == 1 ? along : across;
+            const double weight = std::abs(other - node) == 1 ? 1 : across;
             sum += weight;
             if (const Index at = unknown[static_cast<std::size_t>(other)]; at >= 0)
                 entries.emplace_back(k, at, -weight);
@@ -367,8 +366,7 @@ void continue_into(Eigen::VectorXd& heights, const MissingPoints& missing, const
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(laplacian);
     solver.setTolerance(1e-13);
     const Eigen::VectorXd found = solver.solve(known);
-    for (Index k = 0; k < count; ++k)
-        heights[missing.nodes[static_cast<std::size_t>(k)]] = found[k];
+    heights(missing.nodes) = found;
 }
 
 } // namespace

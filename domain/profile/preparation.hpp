@@ -16,8 +16,7 @@ const std::vector<std::string>& detrend_names();
 /// The name of a form.
 const std::string& name_of(Detrend form);
 
-/// The heights minus their form; unchanged for Detrend::none. Throws InputError if no arc fits, or if an arc
-/// is requested for a map.
+/// The heights minus their form, if any. Throws InputError if no arc fits, or on an arc for a map.
 Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 
 /// The heights without wavelengths shorter than the cut-off lambda (mm, > 0), by the Gaussian filter (ISO
@@ -25,10 +24,9 @@ Eigen::VectorXd detrended(const Profile& profile, Detrend form);
 /// <= lambda. A cosine of wavelength l keeps 2^-(lambda/l)^2 of its amplitude, which is a half at l = lambda.
 /// Roughness is the heights minus the filtered heights.
 ///
-/// Near the ends, the value is that of the weighted least-squares line through the nodes within lambda
-/// (ISO 16610-28, moments up to the first). So a straight line does not change, and no length is lost.
-/// On a map, filtering along x and then along y is the areal Gaussian filter (ISO 16610-61). A plane does not
-/// change.
+/// Near the ends, the value is that of the weighted least-squares line through the nodes within lambda (ISO
+/// 16610-28, moments up to the first). So a line or a plane does not change, and no length is lost. A map is
+/// filtered along x and then along y: the areal Gaussian filter (ISO 16610-61).
 Eigen::VectorXd low_passed(const Profile& profile, double cut_off);
 
 /// The indices of outliers of a measured profile, in increasing order, by the method of scan/README.md,
@@ -54,14 +52,12 @@ struct MissingPoints {
 /// The points whose height is NaN.
 MissingPoints missing_points(const Profile& surface);
 
-/// The surface with heights at its missing points. On a line they are interpolated linearly from the nearest
-/// measured points. On a map the least-squares plane of the measured heights is removed. The difference is
-/// continued by Laplace's equation: a filled height is the weighted mean of its neighbours. Throws InputError
-/// as expect_fillable().
+/// The surface with heights at its missing points. A line is linear between the nearest measured points. On a
+/// map the least-squares plane of the measured heights is removed. The difference is continued by Laplace's
+/// equation: a filled height is the weighted mean of its neighbours. Throws as expect_fillable().
 Profile filled(Profile surface, const MissingPoints& missing, double max_share = 1);
 
-/// Throws InputError if all points of a surface are missing, or if their share is above `max_share`. `where`
-/// begins the message.
+/// Throws InputError, beginning with `where`, if all points are missing or a share above `max_share`.
 void expect_fillable(const MissingPoints& missing, double max_share, bool is_2d,
                      const std::string& where = "surface");
 

@@ -19,41 +19,17 @@ constexpr Index reach = 3;
 constexpr std::array<double, 7> first{-1, 9, -45, 0, 45, -9, 1};        // divided by 60 delta
 constexpr std::array<double, 7> second{2, -27, 270, -490, 270, -27, 2}; // divided by 180 delta^2
 
-/// The surface; a periodic one is continued by three nodes on every side.
-Eigen::ArrayXXd continued(const Profile& surface, bool periodic) {
-    const auto [columns, rows] = surface.shape();
-    const Eigen::Map<const Eigen::ArrayXXd> z(surface.heights.data(), columns, rows);
-    if (!periodic)
-        return z;
-    const Index across = surface.is_2d() ? reach : 0;
-    Eigen::ArrayXXd all(columns + 2 * reach, rows + 2 * across);
-    for (Index j = 0; j < all.cols(); ++j)
-        for (Index i = 0; i < all.rows(); ++i)
-            all(i, j) = z((i + columns - reach) % columns, (j + rows - across) % rows);
-    return all;
-}
-
-/// Derivatives of a surface by the seven-point formulas of ISO 21920-2 (exact for polynomials up to degree
-/// 6). On a periodic surface they are given at all nodes, otherwise at nodes three or more from every end.
-struct Derivatives {
-    Eigen::ArrayXXd x;  ///< dz/dx
-    Eigen::ArrayXXd y;  ///< dz/dy; empty for a line
-    Eigen::ArrayXXd xx; ///< d2z/dx2, 1/mm
-};
-Derivatives derivatives(const Profile& surface, bool periodic = false) {
-    const bool is_2d = surface.is_2d();
-    const Eigen::ArrayXXd z = continued(surface, periodic);
-    const Index across = is_2d ? reach : 0, inner = z.rows() - 2 * reach, inner_rows = z.cols() - 2 * across;
-    const auto along = [&](const std::array<double, 7>& weights, double divisor, bool y) {
-        Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(inner, inner_rows);
-        for (Index k = 0; k <= 2 * reach; ++k)
-            sum += weights[static_cast<std::size_t>(k)] / divisor *
-                   (y ? z.block(reach, k, inner, inner_rows) : z.block(k, across, inner, inner_rows));
-        return sum;
-    };
-    const double dx = surface.spacing, dy = surface.row_spacing;
-    return {along(first, 60 * dx, false), is_2d ? along(first, 60 * dy, true) : Eigen::ArrayXXd(),
-            along(second, 180 * dx * dx, false)};
+/// A derivative of a surface along x or y by a seven-point formula of ISO 21920-2, which is exact for
+/// polynomials up to degree 6. It is computed at nodes three or more from every end.
+Eigen::ArrayXXd derivative(const Eigen::ArrayXXd& z, bool along_y, const std::array<double, 7>& weights,
+                           double divisor) {
+    const Index across = z.cols() > 1 ? reach : 0, columns = z.rows() - 2 * reach,
+                rows = z.cols() - 2 * across;
+    Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(columns, rows);
+    for (Index k = 0; k <= 2 * reach; ++k)
+        sum += weights[static_cast<std::size_t>(k)] / divisor *
+               (along_y ? z.block(reach, k, columns, rows) : z.block(k, across, columns, rows));
+    return sum;
 }
 
 /// The nodes of the evaluation length, about their mean line, and its sections.
@@ -127,9 +103,8 @@ ProfileElements profile_elements(const Profile& profile) {
 }
 
 /// Appends the parameters of the material ratio curve (ISO 21920-2; ISO 13565-2), named by R or S and a
-/// suffix. The line of least squares through the flattest 40 % of the curve separates peaks, core and
-/// valleys. Among equally flat regions the first is used. Peaks and valleys are as high as triangles of their
-/// area.
+/// suffix. The line of least squares through the flattest 40 % of the curve, the first of equally flat ones,
+/// separates peaks, core and valleys. Peaks and valleys are as high as triangles of their area.
 void add_core(std::vector<SurfaceParameter>& rows, const std::string& kind, const Eigen::VectorXd& heights) {
     const Index n = heights.size();
     Eigen::VectorXd z = heights; // node i of the curve stands at (i + 1/2)/n
@@ -222,8 +197,8 @@ Roughness roughness(const Profile& profile, double section_length) {
         Rv -= heights.segment(from, to - from).minCoeff() / static_cast<double>(r.sections);
     }
     const ProfileElements elements = profile_elements(part);
-    const Derivatives slopes = derivatives(part);
-    const double m2 = slopes.x.square().mean(), m4 = slopes.xx.square().mean(),
+    const double dx = part.spacing, m2 = derivative(z, false, first, 60 * dx).square().mean(),
+                 m4 = derivative(z, false, second, 180 * dx * dx).square().mean(),
                  bandwidth = m0 * m4 / (m2 * m2);
     const double Rsk = z.cube().mean() / (Rq * m0), Rku = z.square().square().mean() / (m0 * m0);
     if (!std::isfinite(Rsk + Rku + m2 + m4 + bandwidth))
@@ -343,30 +318,6 @@ double lay(const Profile& map, bool periodic) {
     return static_cast<double>(highest);
 }
 
-} // namespace
-
-Texture texture(const Profile& map, bool periodic) {
-    Texture result;
-    result.Std = lay(map, periodic);
-    const Autocorrelation correlation(map, periodic);
-    double fastest = std::numeric_limits<double>::infinity(), slowest = 0;
-    for (int k = 0; k < directions; ++k) {
-        const double length = correlation.decay_length(pi * k / directions, map.spacing, map.row_spacing);
-        if (length > 0)
-            fastest = std::min(fastest, length);
-        if (std::abs(length) > slowest) {
-            slowest = std::abs(length);
-            result.Str_is_bound = length < 0;
-        }
-    }
-    const bool decays = std::isfinite(fastest);
-    result.Sal = decays ? fastest : std::numeric_limits<double>::quiet_NaN();
-    result.Str = decays ? fastest / slowest : std::numeric_limits<double>::quiet_NaN();
-    return result;
-}
-
-namespace {
-
 /// Area of the surface through the nodes over that of the map, less 1. In each cell it is the mean area of
 /// the two pairs of triangles, which the two diagonals make.
 double developed_area(const Profile& map, bool periodic) {
@@ -391,6 +342,25 @@ double developed_area(const Profile& map, bool periodic) {
 
 } // namespace
 
+Texture texture(const Profile& map, bool periodic) {
+    Texture result;
+    result.Std = lay(map, periodic);
+    const Autocorrelation correlation(map, periodic);
+    double fastest = std::numeric_limits<double>::quiet_NaN(), slowest = 0;
+    for (int k = 0; k < directions; ++k) {
+        const double length = correlation.decay_length(pi * k / directions, map.spacing, map.row_spacing);
+        if (length > 0)
+            fastest = std::fmin(fastest, length); // the number if one of both is NaN
+        if (std::abs(length) > slowest) {
+            slowest = std::abs(length);
+            result.Str_is_bound = length < 0;
+        }
+    }
+    result.Sal = fastest;
+    result.Str = fastest / slowest;
+    return result;
+}
+
 ArealParameters areal_parameters(const Profile& map, bool periodic) {
     const auto [columns, rows] = map.shape();
     if (!map.is_2d() || columns < min_nodes || rows < min_nodes)
@@ -401,8 +371,13 @@ ArealParameters areal_parameters(const Profile& map, bool periodic) {
     const double Sq = std::sqrt(z.square().mean()), Sp = z.maxCoeff(), Sv = -z.minCoeff();
     if (!(Sq > 1e-14 * map.heights.cwiseAbs().maxCoeff()))
         refuse("areal parameters: the map is constant; use a rough one");
-    const Derivatives slopes = derivatives(about, periodic);
-    const Eigen::ArrayXXd squares = slopes.x.square() + slopes.y.square();
+    Eigen::ArrayXXd relief = z.reshaped(columns, rows);
+    if (periodic) // continued by three nodes on every side
+        relief = z.reshaped(columns, rows)
+                     .replicate(3, 3)
+                     .block(columns - reach, rows - reach, columns + 2 * reach, rows + 2 * reach);
+    const Eigen::ArrayXXd squares = derivative(relief, false, first, 60 * map.spacing).square() +
+                                    derivative(relief, true, first, 60 * map.row_spacing).square();
     const Texture t = texture(about, periodic);
     ArealParameters s;
     s.Str_is_bound = t.Str_is_bound;

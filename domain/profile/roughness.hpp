@@ -77,8 +77,7 @@ Texture texture(const Profile& map, bool periodic = false);
 struct ArealParameters : SurfaceParameters {
     bool Str_is_bound = false; ///< as in Texture
 };
-/// The parameters of a map whose form is removed. Throws InputError on fewer than ten nodes along a side and
-/// on a flat map.
+/// The parameters of a map without form. Throws InputError on under ten nodes along a side and on a flat map.
 ArealParameters areal_parameters(const Profile& map, bool periodic = false);
 
 } // namespace rough

@@ -27,33 +27,59 @@ double width_of(const Profile& surface, const Extrusion& extrusion) {
                            : extrusion.width.value_or(surface.spacing * static_cast<double>(columns - 1) / 4);
 }
 
-/// Where the heights of a solid stand along one axis.
+/// The heights of a solid along one axis.
 struct SolidAxis {
     std::vector<double> at;  ///< positions, mm
     std::vector<Index> node; ///< nodes with these heights
-    double length() const { return at.back(); }
 };
 
-/// The axis of a map: its nodes, and its edges with the heights of the nodes nearest to them.
-SolidAxis map_axis(Index nodes, double spacing, bool periodic) {
+/// The axis of a line or map: its nodes, and a map's edges with the heights of the nodes nearest to them.
+SolidAxis axis_of(Index nodes, double spacing, bool is_2d, bool periodic) {
     SolidAxis axis;
-    const double first = periodic ? 0 : spacing / 2;
-    if (!periodic)
+    const bool has_cells = is_2d && !periodic;
+    if (has_cells)
         axis = {{0}, {0}};
     for (Index i = 0; i < nodes; ++i) {
-        axis.at.push_back(first + spacing * static_cast<double>(i));
+        axis.at.push_back((has_cells ? spacing / 2 : 0) + spacing * static_cast<double>(i));
         axis.node.push_back(i);
     }
-    axis.at.push_back(spacing * static_cast<double>(nodes));
-    axis.node.push_back(periodic ? 0 : nodes - 1);
+    if (is_2d) {
+        axis.at.push_back(spacing * static_cast<double>(nodes));
+        axis.node.push_back(periodic ? 0 : nodes - 1);
+    }
     return axis;
 }
 
-SolidAxis line_axis(Index nodes, double spacing) {
-    SolidAxis axis = map_axis(nodes, spacing, true);
-    axis.at.pop_back();
-    axis.node.pop_back();
-    return axis;
+constexpr double white = 65535, max_pixels = 25e6, max_side = 1e6; // the last is that of libpng
+
+void append(png_structp png, png_bytep data, std::size_t size) noexcept {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+/// Appends a PNG file; false if libpng refuses. As it leaves by longjmp, no object here has a destructor.
+bool write_png(std::string& bytes, Extent size, png_bytepp rows, png_textp text, int texts) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    if (!info) {
+        png_destroy_write_struct(&png, nullptr);
+        return false;
+    }
+    if (setjmp(png_jmpbuf(png))) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_set_write_fn(png, &bytes, append, nullptr);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(size.columns), static_cast<png_uint_32>(size.rows), 16,
+                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_text(png, info, text, texts);
+    png_write_info(png, info);
+    if (std::endian::native == std::endian::little)
+        png_set_swap(png);
+    png_write_image(png, rows);
+    png_write_end(png, nullptr);
+    png_destroy_write_struct(&png, &info);
+    return true;
 }
 
 } // namespace
@@ -66,12 +92,11 @@ Mesh solid(const Profile& surface, const Extrusion& extrusion) {
                "; give 2 x 2 or more without a width: maps are as wide as they are");
     const double lowest = surface.heights.minCoeff(), range = surface.heights.maxCoeff() - lowest;
     const double width = width_of(surface, extrusion);
-    const SolidAxis along_x = is_2d ? map_axis(nodes, surface.spacing, extrusion.periodic)
-                                    : line_axis(nodes, surface.spacing),
-                    along_y = is_2d ? map_axis(map_rows, surface.row_spacing, extrusion.periodic)
+    const SolidAxis along_x = axis_of(nodes, surface.spacing, is_2d, extrusion.periodic),
+                    along_y = is_2d ? axis_of(map_rows, surface.row_spacing, true, extrusion.periodic)
                                     : SolidAxis{{0, width}, {0, 0}}; // the ends of a profile's ridges
     const auto columns = static_cast<Index>(along_x.at.size()), rows = static_cast<Index>(along_y.at.size());
-    const double length = along_x.length();
+    const double length = along_x.at.back();
     const double thickest = range * levels / min_levels;
     const double base = extrusion.base.value_or(std::max(range, std::min(length / 10, thickest / 4)));
     const double m = extrusion.magnify;
@@ -179,43 +204,6 @@ std::string three_mf(const Profile& surface, const Extrusion& extrusion) {
                  "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n"},
          {"3D/3dmodel.model", model}});
 }
-
-namespace {
-
-constexpr double white = 65535, max_pixels = 25e6, max_side = 1e6; // the last is that of libpng
-
-void append(png_structp png, png_bytep data, std::size_t size) noexcept {
-    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
-}
-
-/// Appends a PNG file to `bytes`; false if libpng refuses. No object here has a destructor, because libpng
-/// leaves by longjmp.
-bool write_png(std::string& bytes, Extent size, png_bytepp rows, png_textp text, int texts) {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png_create_info_struct(png);
-    if (!info) {
-        png_destroy_write_struct(&png, nullptr);
-        return false;
-    }
-    if (setjmp(png_jmpbuf(png))) {
-        png_destroy_write_struct(&png, &info);
-        return false;
-    }
-    png_set_write_fn(png, &bytes, append, nullptr);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(size.columns), static_cast<png_uint_32>(size.rows), 16,
-                 PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_text(png, info, text, texts);
-    png_write_info(png, info);
-    if (std::endian::native == std::endian::little)
-        png_set_swap(png);
-    png_write_image(png, rows);
-    png_write_end(png, nullptr);
-    png_destroy_write_struct(&png, &info);
-    return true;
-}
-
-} // namespace
 
 HeightImage height_image(const Profile& surface, const Extrusion& extrusion) {
     const auto [columns, map_rows] = surface.shape();

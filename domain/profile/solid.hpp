@@ -32,8 +32,8 @@ struct Mesh {
 /// The solid under a profile that is extended in the second direction, or under a map. x is along the
 /// profile, y in the second direction, z up from the flat underside; mm. It is closed, with facets oriented
 /// outwards. C columns of R heights each give 2 C R vertices and 4 (C R - 1) facets. A profile has two rows.
-/// A map of N_x x N_y nodes reaches over its cells to L_x x L_y: it has (N_x + 2) x (N_y + 2) heights, the
-/// outer ones at the edges, or (N_x + 1) x (N_y + 1) if it is periodic.
+/// A map of N_x x N_y nodes reaches over its cells to L_x x L_y. It has (N_x + 2) x (N_y + 2) heights, of
+/// which the outer ones are at the edges. If it is periodic, it has (N_x + 1) x (N_y + 1).
 ///
 /// Throws InputError on lengths that are not above 0, on a width for a map, and on lengths, nodes or
 /// heights beyond single precision.

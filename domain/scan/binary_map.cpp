@@ -64,8 +64,7 @@ HeightMap surface_data_file(const std::string& bytes, const std::string& file) {
         return little_endian<std::uint16_t>(bytes, 42 + 2 * which);
     };
     const std::int64_t columns = count(0);
-    HeightMap map{"ISO 25178-71 (SDF)"};
-    map.height_unit = {"m", 1e3};
+    HeightMap map{.format = "ISO 25178-71 (SDF)", .height_unit = {"m", 1e3}};
     map.rows = count(1);
     map.spacing = 1e3 * little_endian<double>(bytes, scales);
     map.row_spacing = 1e3 * little_endian<double>(bytes, scales + 8);
@@ -174,8 +173,7 @@ HeightMap simple_field(const std::string& bytes, const std::string& file) {
     const std::size_t end = bytes.find('\0');
     if (end == std::string::npos || end > 1'000'000)
         refuse(file, ": a Gwyddion simple field whose header has no end; export it again");
-    HeightMap map{"Gwyddion simple field"};
-    map.height_unit = {"m", 1e3};
+    HeightMap map{.format = "Gwyddion simple field", .height_unit = {"m", 1e3}};
     double columns = 0, rows = 0, width = 1, height = 1, unit = 1e3; // without sizes 1 m, as in Gwyddion
     const std::pair<std::string_view, double*> numbers[] = {
         {"xres", &columns}, {"yres", &rows}, {"xreal", &width}, {"yreal", &height}};
@@ -224,6 +222,21 @@ const Format formats[] = {{"bISO-", surface_data_file},
                           {"Gwyddion Simple Field 1.", simple_field},
                           {"GWYP", read_gwy}};
 
+/// The greatest step of which all heights are multiples, up to rounding; 0 if a small one would be needed.
+double quantum(const Eigen::VectorXd& heights) {
+    const double largest = heights.cwiseAbs().maxCoeff(), rounding = 1e-9 * largest;
+    double step = 0;
+    for (double rest : heights)
+        for (rest = std::abs(rest); rest > rounding;) { // Euclid's algorithm
+            if (step == 0 || rest < step)
+                std::swap(rest, step);
+            if (step > 0 && step < 1e3 * rounding)
+                return 0;
+            rest = std::abs(std::remainder(rest, step));
+        }
+    return step;
+}
+
 } // namespace
 
 void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file) {
@@ -251,25 +264,6 @@ Eigen::VectorXd stored_numbers(std::string_view bytes, std::int64_t count, int t
     }
     return numbers;
 }
-
-namespace {
-
-/// The greatest step of which all heights are multiples, up to rounding; 0 if a small one would be needed.
-double quantum(const Eigen::VectorXd& heights) {
-    const double largest = heights.cwiseAbs().maxCoeff(), rounding = 1e-9 * largest;
-    double step = 0;
-    for (double rest : heights)
-        for (rest = std::abs(rest); rest > rounding;) { // Euclid's algorithm
-            if (step == 0 || rest < step)
-                std::swap(rest, step);
-            if (step > 0 && step < 1e3 * rounding)
-                return 0;
-            rest = std::abs(std::remainder(rest, step));
-        }
-    return step;
-}
-
-} // namespace
 
 bool is_binary_map(std::string_view head) {
     return std::any_of(std::begin(formats), std::end(formats),
@@ -338,6 +332,28 @@ std::string sur(const Profile& surface) {
     for (const std::int32_t height : heights)
         append_little_endian(bytes, height);
     return bytes;
+}
+
+std::string vtk(const Profile& map) {
+    const auto [columns, rows] = map.shape();
+    const std::string count = std::to_string(map.nodes());
+    std::string bytes = line_of("# vtk DataFile Version 3.0\nrugosa: a rough surface, mm\nBINARY\n"
+                                "DATASET STRUCTURED_GRID\nDIMENSIONS ",
+                                columns, " ", rows, " 1\nPOINTS ", count, " double\n");
+    const auto append = [&](double value) { // the highest byte first
+        std::string word;
+        append_little_endian(word, value);
+        bytes.append(word.rbegin(), word.rend());
+    };
+    for (Index k = 0; k < map.nodes(); ++k) {
+        append(map.spacing * static_cast<double>(k % columns));
+        append(map.row_spacing * static_cast<double>(k / columns));
+        append(map.heights[k]);
+    }
+    bytes += "\nPOINT_DATA " + count + "\nSCALARS height_mm double 1\nLOOKUP_TABLE default\n";
+    for (const double height : map.heights)
+        append(height);
+    return bytes + "\n";
 }
 
 } // namespace rough

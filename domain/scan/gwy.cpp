@@ -34,34 +34,24 @@ class Cursor {
         return text;
     }
     std::string_view object() { return name(), take(count()); }
+    /// A value of a type. Types in upper case are arrays, with their length before them.
     std::string_view value(char type) {
-        const std::string_view whole = rest_;
-        switch (type) {
-        case 'b':
-        case 'c':
-            return take(1);
-        case 'i':
-            return take(4);
-        case 'q':
-        case 'd':
-            return take(8);
-        case 's':
+        if (type == 's')
             return name();
-        case 'o':
+        if (type == 'o')
             return object();
-        case 'S':
-        case 'O':
+        if (type == 'S' || type == 'O') {
+            const std::string_view whole = rest_;
             for (std::uint32_t left = count(); left > 0; --left)
                 value(type == 'S' ? 's' : 'o');
             return whole.substr(0, whole.size() - rest_.size());
-        case 'C':
-        case 'I':
-        case 'Q':
-        case 'D':
-            return take(std::size_t{count()} * (type == 'C' ? 1 : type == 'I' ? 4 : 8));
-        default:
-            refuse(file_, ": a value of type '", type, "' in the Gwyddion file; save it again");
         }
+        constexpr std::string_view types = "bciqdCIQD";
+        constexpr std::size_t sizes[] = {1, 1, 4, 8, 8, 1, 4, 8, 8};
+        const std::size_t at = types.find(type);
+        if (at == types.npos)
+            refuse(file_, ": a value of type '", type, "' in the Gwyddion file; save it again");
+        return take(sizes[at] * (at < 5 ? 1 : count()));
     }
 
   private:

@@ -35,57 +35,44 @@ std::optional<Entry> entry(std::string_view line) {
     return std::nullopt;
 }
 
-enum class Meaning {
-    nothing,
-    unit,
-    x_unit,
-    y_unit,
-    height_unit,
-    spacing,
-    row_spacing,
-    width,
-    height,
-    columns,
-    rows
+/// A member of Header, and the keys that state it, as Entry::key. They are those of Gwyddion (also in German,
+/// French, Italian and Spanish), SPIP, Nova, Keyence, Wyko, Dektak and their like.
+template <class Value>
+struct Keys {
+    Value Header::*member;
+    std::string_view names;
 };
 
-/// The keys of headers, as Entry::key, and what their values mean. They are those of Gwyddion (also in
-/// German, French, Italian and Spanish), SPIP, Nova, Keyence, Wyko, Dektak and their like.
-constexpr std::array<std::pair<Meaning, std::string_view>, 10> keys{{
-    {Meaning::unit, " unit units lengthunit lengthunits einheit "},
-    {Meaning::x_unit, " xunit xunits unitx xaxisunit xyunit xyunits unitxy lateralunit lateralunits "
-                      "unitlateral horizontalunit "
-                      "horizontalunits positionunit positionunits "},
-    {Meaning::y_unit, " yunit yunits unity yaxisunit "},
-    {Meaning::height_unit,
-     " zunit zunits unitz zaxisunit heightunit heightunits unitheight valueunit valueunits dataunit "
-     "dataunits "
-     "unitdata verticalunit verticalunits einheiten unités unitàvalore unidadesdevalor "},
-    {Meaning::spacing,
+constexpr std::array<Keys<std::optional<LengthUnit>>, 3> unit_keys{{
+    {&Header::x_unit,
+     " unit units lengthunit lengthunits einheit xunit xunits unitx xaxisunit xyunit xyunits unitxy "
+     "lateralunit lateralunits unitlateral horizontalunit horizontalunits positionunit positionunits "},
+    {&Header::y_unit, " yunit yunits unity yaxisunit "},
+    {&Header::height_unit,
+     " unit units lengthunit lengthunits einheit zunit zunits unitz zaxisunit heightunit heightunits "
+     "unitheight valueunit valueunits dataunit dataunits unitdata verticalunit verticalunits einheiten "
+     "unités unitàvalore unidadesdevalor "},
+}};
+constexpr std::array<Keys<std::optional<HeaderLength>>, 4> length_keys{{
+    {&Header::spacing,
      " spacing samplespacing pointspacing xspacing spacingx step stepsize xstep stepx xstepsize dx deltax "
      "pixelsize pixelsizex xpixelsize pixelspacing increment xincrement pitch xpitch pitchx samplingpitch "
      "samplinginterval sampleinterval samplingstep pointdistance sampledistance xscale scalex xycalibration "
      "xcalibration lateralresolution "},
-    {Meaning::row_spacing,
+    {&Header::row_spacing,
      " yspacing spacingy rowspacing linespacing ystep stepy ystepsize dy deltay pixelsizey ypixelsize "
      "yincrement ypitch pitchy yscale scaley ycalibration linedistance "},
-    {Meaning::width, " width xlength xrange xreal xsize scanwidth breite largeur larghezza anchura "},
-    {Meaning::height, " height ylength yrange yreal ysize scanheight höhe hauteur altezza altura "},
-    {Meaning::columns, " xpixels columns cols ncols nx xres xsize horizontal pointsperline "},
-    {Meaning::rows, " ypixels rows lines nrows ny yres ysize vertical "},
+    {&Header::width, " width xlength xrange xreal xsize scanwidth breite largeur larghezza anchura "},
+    {&Header::height, " height ylength yrange yreal ysize scanheight höhe hauteur altezza altura "},
+}};
+constexpr std::array<Keys<long>, 2> count_keys{{
+    {&Header::columns, " xpixels columns cols ncols nx xres xsize horizontal pointsperline "},
+    {&Header::rows, " ypixels rows lines nrows ny yres ysize vertical "},
 }};
 
-Meaning meaning_of(std::string_view key, bool is_length) {
-    for (const auto& [meaning, names] : keys)
-        if (is_in(names, key) && (is_length || (key != "xsize" && key != "ysize") ||
-                                  meaning == Meaning::columns || meaning == Meaning::rows))
-            return meaning;
-    return Meaning::nothing;
-}
-
-bool is_unit_of(const std::optional<Entry>& read) {
-    return read && meaning_of(read->key, false) != Meaning::nothing &&
-           meaning_of(read->key, false) <= Meaning::height_unit;
+/// Whether a key states a unit.
+bool is_unit_key(std::string_view key) {
+    return std::ranges::any_of(unit_keys, [&](const auto& known) { return is_in(known.names, key); });
 }
 
 /// The content of a text in brackets, else the text.
@@ -131,31 +118,28 @@ void take(Header& header, const Entry& entry, const std::string& where) {
         header.height_unit = LengthUnit{"m", in_mm};
         return;
     }
-    const auto length = length_of(entry);
-    Meaning meaning = meaning_of(entry.key, length && length->unit);
-    if (entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos)
-        meaning = Meaning::spacing;
-    if (meaning == Meaning::nothing)
-        return;
-    if (meaning <= Meaning::height_unit) {
+    if (is_unit_key(entry.key)) {
         const auto units = length_units_in(entry.value, where);
         if (units.empty())
             refuse(where, ": '", entry.value, "' has no length unit; write one, as in 'unit: um'");
-        if (meaning == Meaning::unit || meaning == Meaning::x_unit)
-            header.x_unit = units.front();
-        if (meaning == Meaning::y_unit)
-            header.y_unit = units.front();
-        if (meaning == Meaning::unit || meaning == Meaning::height_unit)
-            header.height_unit = units.back();
-    } else if (meaning == Meaning::columns || meaning == Meaning::rows) {
-        if (length && length->value == std::floor(length->value) && length->value < 1e9)
-            (meaning == Meaning::columns ? header.columns : header.rows) = std::lround(length->value);
-    } else {
-        (meaning == Meaning::spacing       ? header.spacing
-         : meaning == Meaning::row_spacing ? header.row_spacing
-         : meaning == Meaning::width       ? header.width
-                                           : header.height) = length;
+        for (const auto& [member, names] : unit_keys)
+            if (is_in(names, entry.key))
+                header.*member = member == &Header::height_unit ? units.back() : units.front();
+        return;
     }
+    const auto length = length_of(entry);
+    const bool per_sample =
+        entry.key == "resolution" && entry.value.find("/sample") != std::string_view::npos;
+    const std::string_view key = per_sample ? "spacing" : std::string_view(entry.key);
+    const bool is_count = is_in(" xsize ysize ", key) && !(length && length->unit); // else a length
+    for (const auto& [member, names] : length_keys)
+        if (is_in(names, key) && !is_count) {
+            header.*member = length;
+            return;
+        }
+    for (const auto& [member, names] : count_keys)
+        if (is_in(names, key) && length && length->value == std::floor(length->value) && length->value < 1e9)
+            header.*member = std::lround(length->value);
 }
 
 /// Whether a line contains numbers, so that it is not a line of column names.
@@ -215,7 +199,7 @@ Header read_header(const Table& table, const std::string& file) {
     // The names are right above the table, their units with them or in a line below.
     for (auto line = lines.rbegin(); line != lines.rend() && line - lines.rbegin() < 3; ++line) {
         const auto read = entry(line->text);
-        if (holds_number(line->text) || is_unit_of(read))
+        if (holds_number(line->text) || (read && is_unit_key(read->key)))
             break;
         const auto names = column_names(line->text, table.dialect, columns);
         const auto units = column_units(line->text, names, columns, at(file, line->number));
@@ -234,8 +218,11 @@ Header read_header(const Table& table, const std::string& file) {
 
 bool names_spacing(std::string_view line) {
     const auto read = entry(line);
-    const Meaning meaning = read ? meaning_of(read->key, true) : Meaning::nothing;
-    return (meaning == Meaning::spacing || meaning == Meaning::width) && length_of(*read);
+    const auto is_stated = [&](const Keys<std::optional<HeaderLength>>& known) {
+        return (known.member == &Header::spacing || known.member == &Header::width) &&
+               is_in(known.names, read->key);
+    };
+    return read && std::ranges::any_of(length_keys, is_stated) && length_of(*read);
 }
 
 } // namespace rough

@@ -38,14 +38,13 @@ struct HeightMap {
     std::vector<int> line = {};   ///< line of each height in a text file; empty for a binary one
     long announced = -1;          ///< number of heights that the file states; -1: none stated
     std::vector<double> x = {};   ///< x of each height, mm, NaN if missing; empty with a known spacing
-    Rounding rounding = {};       ///< of x, mm
+    Rounding rounding = {};       ///< rounding of x, mm
     std::string units = {};       ///< units and spacing, with their sources, in words
 
     Index columns() const { return heights.size() / rows; } ///< points of a row
 };
 
-/// Throws InputError on a file without points, with more than 1e7 points in one line, or with more than 2e7
-/// points on a map.
+/// Throws InputError on a file without points, on over 1e7 points in one line, and on over 2e7 on a map.
 void expect_points(std::int64_t columns, std::int64_t rows, const std::string& file);
 
 /// The number that marks a missing value of a type; NaN if the type has no mark. Types have ISO 25178-71's
@@ -64,9 +63,8 @@ bool is_binary_map(std::string_view head);
 /// is allocated. Throws InputError with one line on a file that cannot be read.
 std::optional<HeightMap> binary_map(const std::string& bytes, const std::string& file);
 
-/// Reads text maps. Formats are ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2
-/// SMD). Others are Talysurf's PRF (as in NPL's softgauges), PTB's PR, SigmaSurf's data files, Wyko's ASC and
-/// Zygo's XYZ. Returns
+/// Reads ASCII surface data files (ISO 25178-71 SDF, BCR) and softgauges (ISO 5436-2 SMD). Also reads
+/// Talysurf's PRF (as in NPL's softgauges), PTB's PR, SigmaSurf's files, Wyko's ASC and Zygo's XYZ. Returns
 /// nothing for other lines. Throws InputError with file and line on a file that is not a profile or a map.
 std::optional<HeightMap> text_map(const Lines& lines, const std::string& file);
 

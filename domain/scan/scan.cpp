@@ -12,7 +12,7 @@ namespace {
 /// A scan's points as the file gives them; NaN if a value is missing.
 struct Points {
     double spacing = 0;          ///< mm; if above 0, point i is at i times this, and x is empty
-    Rounding rounding;           ///< of x, mm
+    Rounding rounding;           ///< rounding of x, mm
     std::vector<double> x;       ///< mm
     std::vector<double> heights; ///< mm
     std::vector<int> line;       ///< in the file; empty for a binary one
@@ -54,8 +54,7 @@ void fill(Points& points) {
     }
 }
 
-/// Heights at `nodes` even nodes from the first to the last x, linear between the points; x strictly
-/// increasing.
+/// Heights at `nodes` even nodes from the first to the last of strictly increasing x, linear between them.
 Profile resampled(const std::vector<double>& x, const std::vector<double>& heights, Index nodes) {
     Profile profile{Eigen::VectorXd(nodes), (x.back() - x.front()) / static_cast<double>(nodes - 1)};
     std::size_t right = 1;
@@ -69,16 +68,11 @@ Profile resampled(const std::vector<double>& x, const std::vector<double>& heigh
     return profile;
 }
 
-/// One line on what was read and done; numbers to six digits.
-struct ScanAccount {
-    PlainStream text;
-    template <class... Parts>
-    void say(const Parts&... parts) {
-        if (text.tellp() > 0)
-            text << "; ";
-        (text << ... << parts);
-    }
-};
+/// Adds a part to the account of a scan; its numbers have six digits.
+template <class... Parts>
+void say(std::string& account, const Parts&... parts) {
+    account += (account.empty() ? "" : "; ") + line_with_digits(6, parts...);
+}
 
 /// "1 point", "2 points".
 std::string counted(std::size_t count, const std::string& of) {
@@ -87,29 +81,28 @@ std::string counted(std::size_t count, const std::string& of) {
 
 /// The points of a profile, or of a map's requested row.
 Points points_of(const HeightMap& map, const ScanOptions& options, const std::string& file,
-                 ScanAccount& account) {
+                 std::string& account) {
     const std::string size = line_of(map.rows, " rows of ", map.columns(), " heights");
     if (map.rows == 1 && options.row > 0)
         throw InputError(file + ": " + map.format + " contains one profile; omit the row", "row");
     if (map.rows > 1 && (options.row < 1 || options.row > map.rows))
         throw InputError(line_of(file, ": an areal map of ", size, "; give the row to take, 1 to ", map.rows),
                          "row");
-    account.say(map.format.empty() ? "" : map.format + ", ", map.units,
-                map.rows > 1 ? line_of("; row ", options.row, " of ", size) : "");
+    say(account, map.format.empty() ? "" : map.format + ", ", map.units,
+        map.rows > 1 ? line_of("; row ", options.row, " of ", size) : "");
     const Index first = map.columns() * std::max<Index>(options.row - 1, 0);
     Points points{map.spacing, map.rounding, map.x, {}, {}};
     points.heights.assign(map.heights.begin() + first, map.heights.begin() + first + map.columns());
     if (!map.line.empty())
         points.line.assign(map.line.begin() + first, map.line.begin() + first + map.columns());
     if (map.announced >= 0 && map.announced != map.columns())
-        account.say("the file announces ", map.announced, " points");
+        say(account, "the file announces ", map.announced, " points");
     return points;
 }
 
-/// Refuses missing points unless they are to be filled or listed, and says what is filled. `first` is the
-/// first one's place.
+/// Refuses missing points, of which the first is at `first`, or says how they are filled or listed.
 void account_for(const MissingPoints& missing, bool is_2d, const std::string& first,
-                 const ScanOptions& options, ScanAccount& account) {
+                 const ScanOptions& options, std::string& account) {
     if (!missing)
         return;
     if (!options.fill && !options.keep_missing)
@@ -118,15 +111,15 @@ void account_for(const MissingPoints& missing, bool is_2d, const std::string& fi
                          "fill");
     if (options.fill)
         expect_fillable(missing, options.max_filled, is_2d, first);
-    account.say(in_words(missing, is_2d), options.fill ? " filled" : ", filled for parameters only",
-                is_2d ? " by Laplace's equation" : " linearly");
+    say(account, in_words(missing, is_2d), options.fill ? " filled" : ", filled for parameters only",
+        is_2d ? " by Laplace's equation" : " linearly");
     if (missing.share > doubtful_fill)
-        account.say("warning: more than 5 % of the points are filled");
+        say(account, "warning: more than 5 % of the points are filled");
 }
 
 /// The points without gaps, x growing from the first to the last, and those that were missing.
 Points in_order(Points points, const ScanOptions& options, MissingPoints& missing, const std::string& file,
-                ScanAccount& account) {
+                std::string& account) {
     const std::size_t all = points.size();
     std::size_t first = 0;
     while (first < all && points.is_whole(first))
@@ -141,7 +134,7 @@ Points in_order(Points points, const ScanOptions& options, MissingPoints& missin
     if (kept < 2)
         refuse(file, ": ", counted(kept, "point"), "; give 2 or more");
     if (points.at(0) > points.at(kept - 1)) {
-        account.say("x was decreasing, so the points were reversed");
+        say(account, "x was decreasing, so the points were reversed");
         points.each_list([](auto& list) { std::reverse(list.begin(), list.end()); });
     }
     missing = missing_points(
@@ -149,18 +142,18 @@ Points in_order(Points points, const ScanOptions& options, MissingPoints& missin
     account_for(missing, false, place, options, account);
     fill(points);
     if (all > kept)
-        account.say(counted(all - kept, "incomplete point"), " left out");
+        say(account, counted(all - kept, "incomplete point"), " left out");
     return points;
 }
 
-Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, ScanAccount& account) {
+Profile evenly_spaced(const Points& points, Index nodes, const std::string& file, std::string& account) {
     const Evenness fit =
         points.spacing > 0 ? Evenness{0, points.spacing, 0, true} : evenness(points.x, points.rounding);
     const Index all = static_cast<Index>(points.size());
     if (fit.even && (nodes == 0 || nodes == all)) {
         if (fit.deviation > 1e-9 * fit.spacing)
-            account.say("x deviates from even spacing by up to ", fit.deviation,
-                        " mm because of rounding and is treated as even");
+            say(account, "x deviates from even spacing by up to ", fit.deviation,
+                " mm because of rounding and is treated as even");
         return {Eigen::Map<const Eigen::VectorXd>(points.heights.data(), all), fit.spacing};
     }
     std::vector<double> x = points.x;
@@ -176,25 +169,25 @@ Profile evenly_spaced(const Points& points, Index nodes, const std::string& file
         std::vector<double> steps(x.size());
         std::adjacent_difference(x.begin(), x.end(), steps.begin());
         const auto [shortest, longest] = std::minmax_element(steps.begin() + 1, steps.end());
-        account.say("spacing uneven (", *shortest, " to ", *longest, " mm)");
+        say(account, "spacing uneven (", *shortest, " to ", *longest, " mm)");
     }
     const Index count = nodes == 0 ? all : nodes;
-    account.say("resampled linearly to ", count, " evenly spaced nodes");
+    say(account, "resampled linearly to ", count, " evenly spaced nodes");
     return resampled(x, points.heights, count);
 }
 
 /// Finds outliers and, if `remove` is set, replaces them. Returns the ones that are kept.
-std::vector<Index> take_outliers(Profile& profile, bool remove, ScanAccount& account) {
+std::vector<Index> take_outliers(Profile& profile, bool remove, std::string& account) {
     std::vector<Index> found = outliers(profile.heights);
     if (found.empty())
         return found;
     const Eigen::VectorXd without = interpolated(profile.heights, found);
     const double change = (without - profile.heights).cwiseAbs().maxCoeff(),
                  range = profile.heights.maxCoeff() - profile.heights.minCoeff();
-    account.say(counted(found.size(), "outlier"), " (", found.size() == 1 ? "at" : "from",
-                " x = ", profile.spacing * static_cast<double>(found.front()), " mm) ",
-                remove ? "replaced linearly" : "kept", ", up to ", change, " mm or ",
-                line_with_digits(3, 100 * change / range), " % of the range");
+    say(account, counted(found.size(), "outlier"), " (", found.size() == 1 ? "at" : "from",
+        " x = ", profile.spacing * static_cast<double>(found.front()), " mm) ",
+        remove ? "replaced linearly" : "kept", ", up to ", change, " mm or ",
+        line_with_digits(3, 100 * change / range), " % of the range");
     if (!remove)
         return found;
     profile.heights = without;
@@ -217,20 +210,20 @@ void check(const ScanOptions& options) {
 }
 
 /// Removes the form and the wavelengths outside of the cut-offs, and states it.
-void prepare(Profile& surface, const ScanOptions& options, ScanAccount& account) {
+void prepare(Profile& surface, const ScanOptions& options, std::string& account) {
     surface.heights = detrended(surface, options.detrend);
     if (surface.is_2d() && options.detrend == Detrend::line)
-        account.say("its plane removed");
+        say(account, "its plane removed");
     else
-        account.say("form removed from the heights: ",
-                    options.detrend == Detrend::none ? "nothing" : name_of(options.detrend));
+        say(account, "form removed from the heights: ",
+            options.detrend == Detrend::none ? "nothing" : name_of(options.detrend));
     if (options.lambda_s > 0) {
         surface.heights = low_passed(surface, options.lambda_s);
-        account.say("waves under lambda_s = ", options.lambda_s, " mm removed");
+        say(account, "waves under lambda_s = ", options.lambda_s, " mm removed");
     }
     if (options.lambda_c > 0) {
         surface.heights -= low_passed(surface, options.lambda_c);
-        account.say("waves over lambda_c = ", options.lambda_c, " mm removed");
+        say(account, "waves over lambda_c = ", options.lambda_c, " mm removed");
     }
 }
 
@@ -239,7 +232,7 @@ void prepare(Profile& surface, const ScanOptions& options, ScanAccount& account)
 Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();
-    ScanAccount account;
+    std::string account;
     MissingPoints missing;
     Points points = points_of(read_heights(path, options, false), options, file, account);
     const std::size_t read = points.size();
@@ -251,7 +244,7 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
         for (const Index node : missing.nodes)
             marks[static_cast<std::size_t>(node)] = 1;
         points.heights = std::move(marks);
-        ScanAccount none;
+        std::string none;
         const Profile marked = evenly_spaced(points, options.nodes, file, none);
         missing.nodes.clear();
         for (Index node = 0; node < marked.nodes(); ++node)
@@ -272,9 +265,8 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     const double rms = std::sqrt((profile.heights.array() - profile.heights.mean()).square().mean());
     return {.name = file,
             .measured = std::move(profile),
-            .account =
-                line_with_digits(6, file, ": ", counted(read, "point"), ", length ", length,
-                                 " mm, height range ", range, " mm, rms ", rms, " mm; ", account.text.str()),
+            .account = line_with_digits(6, file, ": ", counted(read, "point"), ", length ", length,
+                                        " mm, height range ", range, " mm, rms ", rms, " mm; ", account),
             .outliers = std::move(kept),
             .missing = std::move(missing)};
 }
@@ -292,9 +284,9 @@ Map read_map(const std::filesystem::path& path, const ScanOptions& options) {
     if (!std::isfinite(surface.spacing * static_cast<double>(surface.nodes()) * surface.row_spacing))
         refuse_value("spacing", surface.spacing, " mm x ", surface.row_spacing,
                      " mm is too large for an area; check the unit");
-    ScanAccount account;
-    account.say("a map of ", shape.columns, " x ", shape.rows, " heights (", read.format, ", ", read.units,
-                ")");
+    std::string account;
+    say(account, "a map of ", shape.columns, " x ", shape.rows, " heights (", read.format, ", ", read.units,
+        ")");
     map.missing = missing_points(surface);
     if (map.missing) {
         const Index first = map.missing.nodes.front();
@@ -307,7 +299,7 @@ Map read_map(const std::filesystem::path& path, const ScanOptions& options) {
         surface = filled(std::move(surface), map.missing);
     }
     prepare(surface, options, account);
-    map.account = account.text.str();
+    map.account = account;
     return map;
 }
 

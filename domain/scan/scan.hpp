@@ -20,8 +20,7 @@ struct ScanOptions {
     Detrend detrend = Detrend::line; ///< form to remove from the heights
     bool fill = false;               ///< whether missing heights are filled() instead of refused
     double max_filled = 0.3;         ///< largest share of the points that may be filled, 0 to 1
-    /// Whether missing points are listed instead of refused. The heights at these points are those of `fill`,
-    /// with any share.
+    /// Whether missing points are listed, not refused. Their heights are those of `fill`, with any share.
     bool keep_missing = false;
     Index row = 0; ///< row of an areal map to take, from 1; 0: the file has a profile
     /// Number of evenly spaced nodes to which heights are resampled, >= 2; 0: as many as the file has points.

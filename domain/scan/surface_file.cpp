@@ -144,33 +144,31 @@ Units units_of(const Header& header, const Layout& layout, const ScanOptions& op
     };
     // In the header of a profile, y may be the height.
     const auto height_key = header.height_unit || has_y ? header.height_unit : header.y_unit;
-    const auto x = named(layout.x, header.x_unit),
-               y = named(layout.y, header.y_unit ? header.y_unit : header.x_unit),
-               height = named(layout.height, height_key);
-    if (given && height && (!has_x || x) && (!has_y || y)) {
-        if (has_x)
-            agree(*x, given->x, "x", file);
-        if (has_y)
-            agree(*y, given->y, "y", file);
-        agree(*height, given->height, "heights", file);
-    }
+    struct Axis {
+        const char* name;
+        bool exists;
+        std::optional<LengthUnit> of_header;
+        LengthUnit Units::*unit;
+    };
+    const Axis axes[] = {
+        {"x", has_x, named(layout.x, header.x_unit), &Units::x},
+        {"y", has_y, named(layout.y, header.y_unit ? header.y_unit : header.x_unit), &Units::y},
+        {"heights", true, named(layout.height, height_key), &Units::height}};
+    const bool all_in_header =
+        std::ranges::all_of(axes, [](const Axis& axis) { return !axis.exists || axis.of_header; });
     const LengthUnit mm{"mm", 1};
-    const Units rest = given.value_or(Units{mm, mm, mm});
-    const auto say = [&](const char* what, const std::optional<LengthUnit>& of_header,
-                         const LengthUnit& other) {
-        account += (account.empty() ? "" : ", ") + std::string(what) + " in " +
-                   of_header.value_or(other).name +
+    Units units = given.value_or(Units{mm, mm, mm});
+    for (const auto& [name, exists, of_header, unit] : axes) {
+        if (!exists)
+            continue;
+        if (given && all_in_header)
+            agree(*of_header, units.*unit, name, file);
+        units.*unit = of_header.value_or(units.*unit);
+        account += (account.empty() ? "" : ", ") + std::string(name) + " in " + (units.*unit).name +
                    (of_header ? " (header)"
                     : given   ? " (given)"
                               : " (assumed)");
-        return of_header.value_or(other);
-    };
-    Units units = rest;
-    if (has_x)
-        units.x = say("x", x, rest.x);
-    if (has_y)
-        units.y = say("y", y, rest.y);
-    units.height = say("heights", height, rest.height);
+    }
     return units;
 }
 

@@ -60,10 +60,6 @@ RowSize visit_row(std::string_view line, const Dialect& dialect, Visit visit) {
     return size;
 }
 
-RowSize size_of_row(std::string_view line, const Dialect& dialect) {
-    return visit_row(line, dialect, [](const Number&) {});
-}
-
 struct Guess {
     Dialect dialect;
     std::size_t rows = 0;
@@ -95,7 +91,7 @@ Guess best_guess(const Lines& lines, bool one_column) {
         std::map<std::size_t, std::size_t> widths;
         Guess guess{dialect, 0, 0};
         for (const std::string_view line : sample)
-            if (const RowSize row = size_of_row(line, dialect); row.any_number) {
+            if (const RowSize row = visit_row(line, dialect, [](const Number&) {}); row.any_number) {
                 ++guess.rows;
                 ++widths[row.cells];
             }

@@ -71,8 +71,7 @@ std::string_view after(std::string_view text, char mark) {
     return trim(text.substr(std::min(text.find(mark), text.size() - 1) + 1));
 }
 
-/// Reads numbers up to a line that begins with `end`, or to the end of the file if `end` is empty. Stops
-/// before that if there are `count`.
+/// Reads up to `count` numbers, to a line that begins with `end` or, if it is empty, to the end of the file.
 void read_heights(HeightMap& map, Reader& in, std::string_view end,
                   std::size_t count = std::numeric_limits<std::size_t>::max()) {
     std::vector<double> heights;
@@ -108,8 +107,7 @@ void read_noted(HeightMap& map, Reader& in, std::string_view start, std::string_
 
 /// ISO 25178-71, ASCII: "Xscale = 5E-07" in metres, the heights between two lines of '*', then a trailer.
 HeightMap surface_data_file(Reader in) {
-    HeightMap map{"ISO 25178-71 (SDF)"};
-    map.height_unit = {"m", 1e3};
+    HeightMap map{.format = "ISO 25178-71 (SDF)", .height_unit = {"m", 1e3}};
     double missing = std::nan("");
     read_noted(map, in, "*", "*", "an Xscale", [&] {
         const std::string key = lower(trim(in.text().substr(0, in.text().find('='))));
@@ -216,8 +214,7 @@ HeightMap ptb(Reader in) {
     });
     if (words.end() - name < 2)
         in.refuse("a resolution");
-    HeightMap map{"PTB's PR"};
-    map.height_unit = {"µm", 1e-3};
+    HeightMap map{.format = "PTB's PR", .height_unit = {"µm", 1e-3}};
     map.spacing = 1 / in.positive(name[1], "a resolution");
     map.announced = in.count(words.back());
     in.next();
@@ -227,8 +224,7 @@ HeightMap ptb(Reader in) {
 
 /// SigmaSurf: "SPACING_UM: 0.25", other keys, "PROFILE_UM:", heights.
 HeightMap sigma_surf(Reader in) {
-    HeightMap map{"SigmaSurf"};
-    map.height_unit = {"µm", 1e-3};
+    HeightMap map{.format = "SigmaSurf", .height_unit = {"µm", 1e-3}};
     read_noted(map, in, "PROFILE_UM", "", "SPACING_UM", [&] {
         if (in.starts("SPACING_UM"))
             map.spacing = in.positive(after(in.text(), ':'), "a spacing") * 1e-3;
@@ -241,8 +237,7 @@ HeightMap sigma_surf(Reader in) {
 /// Wyko's and Vision's ASC: "X Size<tab>640", names with type, length and value, "RAW_DATA". Then follows a
 /// line along y for each x, in nm or in wavelengths. Other blocks may follow.
 HeightMap wyko(Reader in) {
-    HeightMap map{"Wyko (ASC)"};
-    map.height_unit = {"nm", 1e-6};
+    HeightMap map{.format = "Wyko (ASC)", .height_unit = {"nm", 1e-6}};
     const auto flags = in.words();
     const bool in_nm = flags.size() > 2 && flags[flags.size() - 2] != "0";
     long columns = 0;
@@ -282,8 +277,7 @@ HeightMap wyko(Reader in) {
 /// Zygo's XYZ: line 4 has the size of the phase map, line 8 the camera's resolution in m as its seventh
 /// number. Between two lines '#' are a column, a row and a height in µm or "No Data".
 HeightMap zygo(const Lines& lines, const std::string& file) {
-    HeightMap map{"Zygo XYZ"};
-    map.height_unit = {"µm", 1e-3};
+    HeightMap map{.format = "Zygo XYZ", .height_unit = {"µm", 1e-3}};
     Reader in(lines, file);
     const auto numbers_of = [&](std::size_t line, std::size_t count) {
         std::vector<double> numbers;

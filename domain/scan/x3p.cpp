@@ -131,8 +131,7 @@ HeightMap read_x3p(const Zip& archive, const std::string& file) {
                          matrix = child(record, "MatrixDimension"), link = child(record, "DataLink");
     if (!axes || !record)
         refuse(file, ": its main.xml has no axes or no data; export it as ISO 5436-2 (X3P)");
-    HeightMap map{"ISO 25178-72 (X3P)"};
-    map.height_unit = {"m", 1e3};
+    HeightMap map{.format = "ISO 25178-72 (X3P)", .height_unit = {"m", 1e3}};
     const std::int64_t columns =
         matrix ? size(matrix, "SizeX", 1, file) : size(record, "ListDimension", 0, file);
     map.rows = matrix ? size(matrix, "SizeY", 1, file) : 1;

@@ -23,11 +23,12 @@ namespace {
 /// An open file, closed at the end of its scope.
 class Descriptor {
   public:
-    explicit Descriptor(int file) : file_(file) {}
-    ~Descriptor() {
-        if (file_ >= 0)
-            ::close(file_);
+    /// Throws InputError if the file is not open: `path` cannot be `what` ("read").
+    Descriptor(int file, const std::filesystem::path& path, const char* what) : file_(file) {
+        if (file_ < 0)
+            refuse_path(path, what, errno);
     }
+    ~Descriptor() { ::close(file_); }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int get() const { return file_; }
@@ -64,52 +65,6 @@ constexpr std::size_t first_bytes = 4096, max_pipe_bytes = 40'000'000;
                      " bytes; give a smaller file");
 }
 
-} // namespace
-
-std::filesystem::path without_links(std::filesystem::path path) {
-    constexpr int max_links = 40; // as in the kernel
-    std::error_code none;
-    for (int k = 0; std::filesystem::is_symlink(path, none); ++k) {
-        if (k == max_links)
-            refuse_path(path, "written", ELOOP);
-        const auto next = std::filesystem::read_symlink(path, none);
-        path = path.parent_path() / next;
-    }
-    return path;
-}
-
-void write_atomically(const std::filesystem::path& name, std::string_view content) {
-    const std::filesystem::path path = ga::held_path(name);
-    struct stat there {};
-    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
-        const Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (device.get() < 0)
-            refuse_path(name, "written", errno);
-        return write_all(device.get(), content, name);
-    }
-    std::string draft = path.string() + ".XXXXXX";
-    // mkostemp opens exclusively: it never opens an existing file or link.
-    const Descriptor file(mkostemp(draft.data(), O_CLOEXEC));
-    if (file.get() < 0)
-        refuse_path(name, "written", errno);
-    try {
-        write_all(file.get(), content, name);
-        if (fchmod(file.get(), mode_for(path)) != 0 || fsync(file.get()) != 0 ||
-            std::rename(draft.c_str(), path.c_str()) != 0)
-            refuse_path(name, "written", errno);
-    } catch (...) {
-        unlink(draft.c_str());
-        throw;
-    }
-    // The rename survives a loss of power once the folder is on the disk. Not every file system can do that.
-    const std::filesystem::path folder = path.parent_path();
-    const Descriptor opened(open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (opened.get() >= 0)
-        fsync(opened.get());
-}
-
-namespace {
-
 /// The bytes of an open file that `there` describes.
 std::string read_open(const Descriptor& file, const struct stat& there, const std::filesystem::path& path,
                       std::size_t max, const std::function<void(std::string_view)>& expect) {
@@ -141,43 +96,73 @@ std::string read_open(const Descriptor& file, const struct stat& there, const st
 
 } // namespace
 
+std::filesystem::path without_links(std::filesystem::path path) {
+    constexpr int max_links = 40; // as in the kernel
+    std::error_code none;
+    for (int k = 0; std::filesystem::is_symlink(path, none); ++k) {
+        if (k == max_links)
+            refuse_path(path, "written", ELOOP);
+        const auto next = std::filesystem::read_symlink(path, none);
+        path = path.parent_path() / next;
+    }
+    return path;
+}
+
+void write_atomically(const std::filesystem::path& name, std::string_view content) {
+    const std::filesystem::path path = ga::held_path(name);
+    struct stat there {};
+    if (stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
+        const Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC), name, "written");
+        return write_all(device.get(), content, name);
+    }
+    std::string draft = path.string() + ".XXXXXX";
+    // mkostemp opens exclusively: it never opens an existing file or link.
+    const Descriptor file(mkostemp(draft.data(), O_CLOEXEC), name, "written");
+    try {
+        write_all(file.get(), content, name);
+        if (fchmod(file.get(), mode_for(path)) != 0 || fsync(file.get()) != 0 ||
+            std::rename(draft.c_str(), path.c_str()) != 0)
+            refuse_path(name, "written", errno);
+    } catch (...) {
+        unlink(draft.c_str());
+        throw;
+    }
+    // The rename survives a loss of power once the folder is on the disk. Not every file system can do that.
+    const std::filesystem::path folder = path.parent_path();
+    const int opened = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened >= 0)
+        fsync(opened), ::close(opened);
+}
+
 std::string read_whole(const std::filesystem::path& path, std::size_t max,
                        const std::function<void(std::string_view)>& expect) {
     // A pipe can be read once. Its bytes are stored under its device and number for later calls.
     static std::map<std::pair<dev_t, ino_t>, std::string> pipes;
     static std::mutex one_at_a_time;
-    const auto status_of = [&](auto stat_at) {
-        struct stat there {};
-        if (stat_at(&there) != 0)
+    const std::filesystem::path name = ga::held_path(path);
+    struct stat there {};
+    const auto expect_readable = [&](int failed) {
+        if (failed != 0)
             refuse_path(path, "read", errno);
         if (S_ISDIR(there.st_mode))
             throw InputError(path.string() + ": is a folder; give a file");
         if ((S_ISCHR(there.st_mode) || S_ISBLK(there.st_mode)) && there.st_rdev != makedev(1, 3)) // /dev/null
             throw InputError(path.string() + ": is a device; give a file or a pipe");
-        return there;
     };
-    const std::filesystem::path name = ga::held_path(path);
+    const auto content = [&](std::size_t most) {
+        const Descriptor file(open(name.c_str(), O_RDONLY | O_CLOEXEC), path, "read");
+        expect_readable(fstat(file.get(), &there));
+        return read_open(file, there, path, most, expect);
+    };
     // Opening a pipe that was read waits for another writer, so its status comes first.
-    const struct stat named = status_of([&](struct stat* there) { return stat(name.c_str(), there); });
-    if (!S_ISFIFO(named.st_mode)) {
-        const Descriptor file(open(name.c_str(), O_RDONLY | O_CLOEXEC));
-        if (file.get() < 0)
-            refuse_path(path, "read", errno);
-        const struct stat opened = status_of([&](struct stat* there) { return fstat(file.get(), there); });
-        return read_open(file, opened, path, max, expect);
-    }
+    expect_readable(stat(name.c_str(), &there));
+    if (!S_ISFIFO(there.st_mode))
+        return content(max);
     const std::lock_guard lock(one_at_a_time);
-    const auto [known, is_new] = pipes.try_emplace({named.st_dev, named.st_ino});
-    if (is_new)
-        try {
-            const Descriptor file(open(name.c_str(), O_RDONLY | O_CLOEXEC));
-            if (file.get() < 0)
-                refuse_path(path, "read", errno);
-            known->second = read_open(file, named, path, std::min(max, max_pipe_bytes), expect);
-        } catch (...) {
-            pipes.erase(known);
-            throw;
-        }
+    const std::pair key(there.st_dev, there.st_ino);
+    auto known = pipes.find(key);
+    if (known == pipes.end())
+        known = pipes.emplace(key, content(std::min(max, max_pipe_bytes))).first;
     return known->second;
 }
 

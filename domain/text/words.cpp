@@ -3,6 +3,7 @@
 #include "domain/errors.hpp"
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <boost/locale/utf.hpp>
 
 #include <algorithm>
@@ -50,15 +51,84 @@ bool says_missing(std::string_view cell) {
     return cell.size() <= longest && std::find(words.begin(), words.end(), lower(cell)) != words.end();
 }
 
+constexpr std::size_t max_lines = 12'000'000; // a table of 1e7 rows and its header
+
+/// Units of UTF-8 or UTF-16 as UTF-8. A unit outside any character becomes the code `replace(unit)`.
+template <class Units, class Replace>
+std::string transcoded(const Units& units, Replace replace) {
+    namespace utf = boost::locale::utf;
+    std::string text;
+    text.reserve(units.size());
+    for (auto at = units.begin(); at != units.end();) {
+        auto next = at;
+        utf::code_point code = utf::utf_traits<typename Units::value_type>::decode(next, units.end());
+        if (!utf::is_valid_codepoint(code)) {
+            code = replace(*at);
+            next = at + 1;
+        }
+        if (code == 0xA0 || code == 0x202F)
+            code = ' ';
+        else if (code == 0x2212)
+            code = '-';
+        utf::utf_traits<char>::encode(code, std::back_inserter(text));
+        at = next;
+    }
+    return text;
+}
+
+bool is_utf16(std::string_view bytes) {
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
+std::string to_utf8(std::string bytes) {
+    const auto byte = [](char c) { return static_cast<unsigned char>(c); };
+    if (is_utf16(bytes)) {
+        const std::size_t high = bytes[0] == '\xFE' ? 0 : 1; // place of a unit's high byte
+        std::u16string units;
+        for (std::size_t i = 2; i + 1 < bytes.size(); i += 2)
+            units += static_cast<char16_t>(byte(bytes[i + high]) << 8 | byte(bytes[i + 1 - high]));
+        return transcoded(units, [](char16_t) { return 0xFFFDu; }); // half of a surrogate pair
+    }
+    if (std::all_of(bytes.begin(), bytes.end(), [&](char c) { return byte(c) < 0x80; }))
+        return bytes;
+    const std::size_t mark = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    return transcoded(std::string_view(bytes).substr(mark), byte); // other bytes are Latin-1
+}
+
+/// The kind of a binary file by its first bytes, in brackets; empty if it is not known.
+std::string kind_of(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    constexpr std::array<std::pair<std::string_view, const char*>, 15> kinds{
+        {{"PK\x03\x04"sv, "a zip archive"},
+         {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
+         {"\x89HDF"sv, "an HDF5 file, as Zygo's DATX"},
+         {"CDF"sv, "a NetCDF file"},
+         {"\x88\x1B\x03"sv, "a Zygo MetroPro file, DAT"},
+         {"\x01\0Directory"sv, "a Wyko file, OPD"},
+         {"AliconaImaging"sv, "an Alicona file, AL3D"},
+         {"VK4_"sv, "a Keyence file, VK4"},
+         {"VK6"sv, "a Keyence file, VK6"},
+         {"KPK"sv, "a Keyence file, ZON"},
+         {"Binary TrueMap"sv, "a TrueMap file, TMD"},
+         {"FRTM_GLIDER"sv, "an FRT file"},
+         {"fileformat = bcr"sv, "a BCR-STM file of SPIP, BCRF"},
+         {"II*\0"sv, "a TIFF image"},
+         {"MATLAB"sv, "a MATLAB file"}}};
+    for (const auto& [start, kind] : kinds)
+        if (bytes.starts_with(start))
+            return std::string(" (") + kind + ")";
+    return "";
+}
+
+[[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
+    throw InputError(file + ": holds binary data" + kind_of(bytes) +
+                     "; export it as X3P, SDF or text with the instrument's program or Gwyddion");
+}
+
 } // namespace
 
 std::string_view trim(std::string_view text) {
-    const auto is_end = [](char c) { return is_blank(c) || c == '\r' || c == '\n'; };
-    while (!text.empty() && is_end(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && is_end(text.back()))
-        text.remove_suffix(1);
-    return text;
+    return boost::algorithm::trim_copy_if(text, [](char c) { return is_blank(c) || c == '\r' || c == '\n'; });
 }
 
 std::vector<std::string> listed(const std::string& text) {
@@ -143,9 +213,7 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
     const auto parsed = std::from_chars(text.data(), end, result.value);
     if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(result.value))
         return not_a_number();
-    std::size_t exponent = 0;
-    while (exponent < text.size() && text[exponent] != 'e' && text[exponent] != 'E')
-        ++exponent;
+    const std::size_t exponent = std::min({text.find('e'), text.find('E'), text.size()});
     int power = 0;
     if (exponent + 1 < text.size()) {
         const char* const first = text.data() + exponent + (text[exponent + 1] == '+' ? 2 : 1);
@@ -155,84 +223,6 @@ std::optional<Number> number(std::string_view cell, const Dialect& dialect) {
     result.last_place = std::clamp(power, -1000, 1000) - decimals;
     return result;
 }
-
-namespace {
-
-constexpr std::size_t max_lines = 12'000'000; // a table of 1e7 rows and its header
-
-/// Units of UTF-8 or UTF-16 as UTF-8. A unit outside any character becomes the code `replace(unit)`.
-template <class Units, class Replace>
-std::string transcoded(const Units& units, Replace replace) {
-    namespace utf = boost::locale::utf;
-    std::string text;
-    text.reserve(units.size());
-    for (auto at = units.begin(); at != units.end();) {
-        auto next = at;
-        utf::code_point code = utf::utf_traits<typename Units::value_type>::decode(next, units.end());
-        if (!utf::is_valid_codepoint(code)) {
-            code = replace(*at);
-            next = at + 1;
-        }
-        if (code == 0xA0 || code == 0x202F)
-            code = ' ';
-        else if (code == 0x2212)
-            code = '-';
-        utf::utf_traits<char>::encode(code, std::back_inserter(text));
-        at = next;
-    }
-    return text;
-}
-
-bool is_utf16(std::string_view bytes) {
-    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
-}
-
-std::string to_utf8(std::string bytes) {
-    const auto byte = [](char c) { return static_cast<unsigned char>(c); };
-    if (is_utf16(bytes)) {
-        const std::size_t high = bytes[0] == '\xFE' ? 0 : 1; // place of a unit's high byte
-        std::u16string units;
-        for (std::size_t i = 2; i + 1 < bytes.size(); i += 2)
-            units += static_cast<char16_t>(byte(bytes[i + high]) << 8 | byte(bytes[i + 1 - high]));
-        return transcoded(units, [](char16_t) { return 0xFFFDu; }); // half of a surrogate pair
-    }
-    if (std::all_of(bytes.begin(), bytes.end(), [&](char c) { return byte(c) < 0x80; }))
-        return bytes;
-    const std::size_t mark = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-    return transcoded(std::string_view(bytes).substr(mark), byte); // other bytes are Latin-1
-}
-
-/// The kind of a binary file by its first bytes, in brackets; empty if it is not known.
-std::string kind_of(std::string_view bytes) {
-    using namespace std::string_view_literals;
-    constexpr std::array<std::pair<std::string_view, const char*>, 15> kinds{
-        {{"PK\x03\x04"sv, "a zip archive"},
-         {"\xD0\xCF\x11\xE0"sv, "an old Office document"},
-         {"\x89HDF"sv, "an HDF5 file, as Zygo's DATX"},
-         {"CDF"sv, "a NetCDF file"},
-         {"\x88\x1B\x03"sv, "a Zygo MetroPro file, DAT"},
-         {"\x01\0Directory"sv, "a Wyko file, OPD"},
-         {"AliconaImaging"sv, "an Alicona file, AL3D"},
-         {"VK4_"sv, "a Keyence file, VK4"},
-         {"VK6"sv, "a Keyence file, VK6"},
-         {"KPK"sv, "a Keyence file, ZON"},
-         {"Binary TrueMap"sv, "a TrueMap file, TMD"},
-         {"FRTM_GLIDER"sv, "an FRT file"},
-         {"fileformat = bcr"sv, "a BCR-STM file of SPIP, BCRF"},
-         {"II*\0"sv, "a TIFF image"},
-         {"MATLAB"sv, "a MATLAB file"}}};
-    for (const auto& [start, kind] : kinds)
-        if (bytes.starts_with(start))
-            return std::string(" (") + kind + ")";
-    return "";
-}
-
-[[noreturn]] void refuse_binary(std::string_view bytes, const std::string& file) {
-    throw InputError(file + ": holds binary data" + kind_of(bytes) +
-                     "; export it as X3P, SDF or text with the instrument's program or Gwyddion");
-}
-
-} // namespace
 
 std::string at(const std::string& file, int line) {
     return line > 0 ? file + ", line " + std::to_string(line) : file;

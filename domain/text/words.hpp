@@ -45,8 +45,7 @@ struct Dialect {
     bool decimal_comma = false;              ///< "0,5" is a half
 };
 
-/// Visits the cells of a line, trimmed and without quotes, until `visit` returns false. Empty cells are
-/// visited too, except at the line's end.
+/// Visits a line's cells, trimmed and unquoted, until `visit` returns false; empty ones except at the end.
 void for_each_cell(std::string_view line, Dialect::Separator separator,
                    const std::function<bool(std::string_view)>& visit);
 /// The cells of a line as for_each_cell visits them.
@@ -60,8 +59,7 @@ struct Number {
 /// A cell as a number; nothing if it is neither a number nor a word for a missing value.
 std::optional<Number> number(std::string_view cell, const Dialect& dialect);
 
-/// The lines of a text. Only their starts are stored, because a list of views would take four times the
-/// memory.
+/// The lines of a text. It stores only their starts; a list of views would take four times the memory.
 class Lines {
   public:
     /// `text` must outlive the lines. Each one begins at a start and ends before its line breaks.
@@ -86,8 +84,7 @@ class Lines {
 /// InputError on binary content and on more than 12 million lines.
 Lines text_lines(std::string& bytes, const std::string& file);
 
-/// Throws InputError if a file that begins with these bytes is binary, before a large file is read
-/// completely.
+/// Throws InputError if a file that begins with these bytes is binary, before all of it is read.
 void expect_text(std::string_view head, const std::string& file);
 
 /// The place in a message: "scan.txt, line 7", or only the file if `line` is 0.

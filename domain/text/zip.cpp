@@ -77,11 +77,10 @@ std::string zipped(const std::vector<std::pair<std::string, std::string>>& entri
     }
     expect(zip_close(zip.get()) == 0, "be written");
     zip.release();
-    expect(zip_source_open(memory.get()) == 0 && zip_source_seek(memory.get(), 0, SEEK_END) == 0, "be read");
-    std::string bytes(static_cast<std::size_t>(zip_source_tell(memory.get())), '\0');
-    expect(zip_source_seek(memory.get(), 0, SEEK_SET) == 0 &&
-               zip_source_read(memory.get(), bytes.data(), bytes.size()) ==
-                   static_cast<zip_int64_t>(bytes.size()) &&
+    zip_stat_t written;
+    expect(zip_source_stat(memory.get(), &written) == 0 && zip_source_open(memory.get()) == 0, "be read");
+    std::string bytes(written.size, '\0');
+    expect(zip_source_read(memory.get(), bytes.data(), bytes.size()) == std::ssize(bytes) &&
                zip_source_close(memory.get()) == 0,
            "be read");
     return bytes;

@@ -30,8 +30,7 @@ class Zip {
     std::size_t max_unpacked_;
 };
 
-/// The bytes of a zip archive of entries (name, content). All are dated 1980-01-01, so that equal entries
-/// give equal bytes.
+/// The bytes of a zip archive of entries (name, content), dated 1980-01-01: equal entries give equal bytes.
 std::string zipped(const std::vector<std::pair<std::string, std::string>>& entries);
 
 } // namespace rough

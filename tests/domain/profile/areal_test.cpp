@@ -148,7 +148,7 @@ TEST_CASE("a map's spectrum has its mean square and its wavenumber", "[areal]") 
         return std::normal_distribution<double>(2, 0.5)(random);
     });
     const Spectrum flat = continuous_spectrum(noise);
-    const double width = 2 * pi / (256 * 0.01); // of a ring; the first has longer waves, too
+    const double width = 2 * pi / (256 * 0.01); // width of a ring; the first has longer waves, too
     for (Index ring = 1; ring < flat.power.size(); ++ring)
         CHECK(std::abs(flat.wave_number[ring] / width - static_cast<double>(ring + 1)) <= 0.5);
     const double expected = 0.25 * 0.01 * 0.02 / (4 * pi * pi);

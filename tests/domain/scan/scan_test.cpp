@@ -314,7 +314,7 @@ TEST_CASE("a text map's header gives units and spacings, or is refused", "[map]"
           std::vector<Index>{3, 8, 9, 10, 11});
 }
 
-TEST_CASE("a count and a length on lines of their own are not heights") {
+TEST_CASE("a count and a length on separate lines are not heights") {
     std::string heights;
     for (int i = 0; i < 30; ++i)
         heights += std::to_string(i % 7) + ".5\n";
