@@ -86,7 +86,8 @@ Points points_of(const HeightMap& map, const ScanOptions& options, const std::st
     if (map.rows == 1 && options.row > 0)
         throw InputError(file + ": " + map.format + " contains one profile; omit the row", "row");
     if (map.rows > 1 && (options.row < 1 || options.row > map.rows))
-        throw InputError(line_of(file, ": an areal map of ", size, "; give the row to take, 1 to ", map.rows),
+        throw InputError(line_of(file, ": an areal map of ", size, "; give the row to take, 1 to ", map.rows,
+                                 ", or give the map as a surface"),
                          "row");
     say(account, map.format.empty() ? "" : map.format + ", ", map.units,
         map.rows > 1 ? line_of("; row ", options.row, " of ", size) : "");

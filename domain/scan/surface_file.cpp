@@ -83,9 +83,10 @@ Layout profile_layout(const Table& table, const Header& header, bool spacing_giv
         return {.x = 1, .height = 2};
     const bool commas = table.dialect.separator == Dialect::Separator::comma;
     throw InputError(
-        line_of(at(file, table.line[0]), ": ", table.columns,
-                " columns; give heights, or x and height, or for an areal matrix the row to take",
-                commas ? " (decimal commas need another separator)" : ""),
+        line_of(
+            at(file, table.line[0]), ": ", table.columns,
+            " columns; give heights, or x and height; of a map give the row to take, or give it as a surface",
+            commas ? " (decimal commas need another separator)" : ""),
         "row");
 }
 
