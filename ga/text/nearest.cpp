@@ -1,5 +1,7 @@
 #include "ga/text/nearest.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <numeric>
 
@@ -33,10 +35,7 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
         return "; did you mean '" + *root + "'?";
     if (nearest != names.end() && edits(given, *nearest) <= std::max<std::size_t>(1, given.size() / 3))
         return "; did you mean '" + *nearest + "'?";
-    std::string list;
-    for (const auto& name : names)
-        list += (list.empty() ? "; use one of " : ", ") + name;
-    return names.empty() ? "; define one first" : list;
+    return names.empty() ? "; define one first" : "; use one of " + boost::algorithm::join(names, ", ");
 }
 
 } // namespace ga
