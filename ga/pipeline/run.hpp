@@ -105,10 +105,8 @@ template <Problem P>
     if (population.empty() || !comparable(population))
         return;
     const std::string objective = population.front().fitness.objective();
-    const auto& objectives = context.problem().objectives();
-    const bool known = std::any_of(objectives.begin(), objectives.end(),
-                                   [&](const auto& each) { return each.name == objective; });
-    if (!known)
+    if (std::ranges::none_of(context.problem().objectives(),
+                             [&](const auto& each) { return each.name == objective; }))
         return;
     for (auto& individual : population)
         individual.fitness = {};
@@ -189,12 +187,5 @@ template <Problem P, class G = typename P::Genome>
     return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers),
                   checkpointer);
 }
-
-/// A genome that the caller evaluates.
-template <class G>
-struct Proposal {
-    std::size_t id; ///< number of the genome in the run, from 0
-    G genome;       ///< genome to evaluate
-};
 
 } // namespace ga
