@@ -4,10 +4,6 @@
 
 namespace ga {
 
-/// The volume that only this point dominates, for each point (exclusive hypervolume). Points and reference
-/// are as for `hypervolume`; copies have the volume 0.
-std::vector<double> hypervolume_contributions(const std::vector<Point>& points, const Point& reference);
-
 /// Positions of the mu individuals that SMS-EMOA keeps (Beume, Naujoks and Emmerich 2007): whole fronts from
 /// the first on, while they fit. From the next front, the individual with the smallest exclusive hypervolume
 /// is removed until the rest fits. Objectives are divided by their ranges in this front. The reference point

@@ -186,32 +186,4 @@ class Serial : public OnThreads<P> {
     Serial() : OnThreads<P>(1) {}
 };
 
-/// Records the genomes of all calls to another evaluator, for tests.
-template <Problem P>
-class Recording : public Evaluator<P> {
-  public:
-    /// Records the calls to `by`, which must outlive it.
-    explicit Recording(Evaluator<P>& by) : by_(by) {}
-
-    std::vector<typename P::Genome> evaluated;      ///< evaluated genomes in the order of the calls
-    std::vector<typename P::Genome> differentiated; ///< genomes of derivatives in the order of the requests
-    std::vector<std::size_t> batches;               ///< number of calls in each batch
-
-    void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
-        batches.push_back(calls.size());
-        for (const EvaluationCall<P>& call : calls)
-            evaluated.push_back(*call.genome);
-        by_.outcomes(problem, calls, watch);
-    }
-    void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch& watch) override {
-        for (const Slope<P>* slope : slopes)
-            differentiated.push_back(slope->genome);
-        by_.slopes(problem, slopes, watch);
-    }
-    int threads() const override { return by_.threads(); }
-
-  private:
-    Evaluator<P>& by_;
-};
-
 } // namespace ga

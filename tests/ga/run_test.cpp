@@ -5,6 +5,28 @@ using namespace ga;
 
 namespace {
 
+/// Records the genomes of all calls to another evaluator.
+template <Problem P>
+struct Recording : Evaluator<P> {
+    Evaluator<P>& by;
+    std::vector<typename P::Genome> evaluated, differentiated; ///< in the order of the calls
+    std::vector<std::size_t> batches;                          ///< number of calls in each batch
+
+    explicit Recording(Evaluator<P>& other) : by(other) {}
+    void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
+        batches.push_back(calls.size());
+        for (const EvaluationCall<P>& call : calls)
+            evaluated.push_back(*call.genome);
+        by.outcomes(problem, calls, watch);
+    }
+    void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch& watch) override {
+        for (const Slope<P>* slope : slopes)
+            differentiated.push_back(slope->genome);
+        by.slopes(problem, slopes, watch);
+    }
+    int threads() const override { return by.threads(); }
+};
+
 /// Reals with slow evaluations of uneven length; records the threads that made them.
 struct Uneven {
     std::mutex mutex;
