@@ -4,7 +4,6 @@
 /// Refinement by every method of the engine. It is not part of ga/ga.hpp, because it needs Eigen and NLopt.
 #include "ga/pipeline/stage.hpp"
 #include "ga/refinement/levenberg_marquardt.hpp"
-#include "ga/refinement/mma.hpp"
 #include "ga/refinement/nlopt.hpp"
 
 namespace ga {
