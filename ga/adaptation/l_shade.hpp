@@ -206,10 +206,7 @@ struct LShade : Operator {
             return;
         auto order = ranking(population, target);
         std::sort(order.begin(), order.end());
-        Population<G> left;
-        for (const std::size_t i : order)
-            left.push_back(std::move(population[i]));
-        population = std::move(left);
+        population = individuals_at(order, population);
     }
 };
 
