@@ -182,13 +182,8 @@ struct Emit : Operator {
             for (const std::size_t i : chosen) {
                 const auto& each = population[i];
                 const std::size_t objective = context.objective_index(each.fitness.objective());
-                slopes.push_back({each.genome,
-                                  each.fitness.objective_name(),
-                                  context.problem().objectives()[objective].level,
-                                  Sensitive<P>,
-                                  {},
-                                  {},
-                                  {}});
+                slopes.push_back({each.genome, each.fitness.objective_name(),
+                                  context.problem().objectives()[objective].level, Sensitive<P>});
             }
             EvaluationRequest<P> request;
             for (auto& slope : slopes)
