@@ -25,7 +25,7 @@ struct Clearing : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         PopulationOf<P> left;
         for (const std::size_t i : ranking(population)) {
-            const auto near = std::count_if(left.begin(), left.end(), [&](const auto& better) {
+            const auto near = std::ranges::count_if(left, [&](const auto& better) {
                 return distance(context.problem(), better.genome, population[i].genome) < radius;
             });
             if (static_cast<std::size_t>(near) < capacity)

@@ -23,8 +23,8 @@ Parameter number(std::string name, double lower, double upper, std::string meani
     return number(std::move(name), std::nullopt, lower, upper, std::move(meaning)).optional();
 }
 Parameter whole(std::string name, std::optional<std::string> standard, double lower, std::string meaning) {
-    return {std::move(name),    Parameter::Kind::whole, std::move(standard),
-            std::move(meaning), lower,                  Parameter::max_whole};
+    return {std::move(name), Parameter::Kind::whole, std::move(standard), std::move(meaning),
+            lower,           Parameter::max_whole};
 }
 Parameter whole(std::string name, double lower, std::string meaning) {
     return whole(std::move(name), std::nullopt, lower, std::move(meaning)).optional();

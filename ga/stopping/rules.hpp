@@ -161,7 +161,7 @@ struct AtFitness : StoppingRule {
 
     template <class G>
     bool operator()(const BlockProgress<G>& now, Numbers&) const {
-        return std::any_of(now.population.begin(), now.population.end(), [&](const auto& individual) {
+        return std::ranges::any_of(now.population, [&](const auto& individual) {
             const Fitness& f = individual.fitness;
             return f.known() && f.feasible() && (f.minimises() ? f.value() <= value : f.value() >= value);
         });
