@@ -177,11 +177,4 @@ class OnThreads : public Evaluator<P> {
     std::size_t batches_ = 0;
 };
 
-/// Makes one call after the other, on the calling thread.
-template <Problem P>
-class Serial : public OnThreads<P> {
-  public:
-    Serial() : OnThreads<P>(1) {}
-};
-
 } // namespace ga
