@@ -55,8 +55,7 @@ struct SuccessHistory {
 
 /// L-SHADE (Tanabe and Fukunaga 2014): differential evolution by current-to-pbest/1/bin with an archive of
 /// replaced parents. It learns F and CR from successful trials, and shrinks its population linearly to 4 over
-/// `evaluations`. Every individual is replaced by its trial. The stage `duel` after `score` keeps the better
-/// of parent and trial. Without a limit on evaluations the population keeps its size, which is SHADE.
+/// `evaluations`. Without a limit on evaluations the population keeps its size, which is SHADE.
 struct LShade : Operator {
     long evaluations = 0;   ///< number of evaluations after which the population is 4; 0 for the run's budget
     std::size_t memory = 6; ///< number H of entries of the success history

@@ -89,10 +89,9 @@ template <Problem P, class G = typename P::Genome>
             0, stages->begins()};
 }
 
-/// Runs a body n times, each time on the previous result. Each time is a generation. Each generation draws
-/// different random numbers. Stages such as `elite` and `plus` read the best individuals of the generation's
-/// start, which is the population at its beginning. After 10,000 generations without a requested evaluation
-/// the block ends with a note, like every block of generations.
+/// Runs a body n times, each time on the previous result. Each time is a generation, with different random
+/// numbers. After 10,000 generations without a requested evaluation the block ends with a note, like every
+/// block of generations.
 template <class Body>
 struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1

@@ -83,10 +83,9 @@ class Table {
     std::size_t room_ = 0;                         ///< number of entries at which the index must grow
 };
 
-/// Evaluations by fingerprint in bounded memory. The memory has two halves, `young` and `old`. When the young
-/// half is full, the old half is removed and the young half becomes the old half. An evaluation that is read
-/// in the old half becomes young again. Only the order of requests decides which evaluations are removed. A
-/// removed evaluation costs time but does not affect a result, because evaluations are pure.
+/// Evaluations by fingerprint in bounded memory. When the young half is full, the old half is removed and the
+/// young half becomes the old half. An evaluation that is read in the old half becomes young again. Only the
+/// order of requests decides which evaluations are removed, and no result depends on it.
 ///
 /// A large memory slows cheap evaluations down, so it grows only if it saves some: a half has room for 16,384
 /// evaluations at first. The next half has twice the room if one in 1,024 was read in the old half, otherwise
