@@ -62,9 +62,9 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
             idle_generations = price > std::exchange(price_of_generations, price) ? 0 : idle_generations + 1;
         }
     } catch (const Stopped&) {
-        auto& stopped_population = context.state.stopped_population;
-        if (stopped_population && !frame->kept.empty())
-            stopped_population = joined_with(frame->kept[0], std::move(*stopped_population));
+        auto& stopped = context.state.stopped_population;
+        if (stopped && !frame->kept.empty())
+            stopped = joined_with(frame->kept[0], std::move(*stopped));
         throw;
     }
     return without_levels(std::move(frame->population));
@@ -192,9 +192,8 @@ struct Restarts : Operator {
                 context.need_room(answers.size(), {}, answers.empty() ? nullptr : &answers.front().genome);
             }
         } catch (const Stopped&) {
-            auto& stopped_population = context.state.stopped_population;
-            stopped_population =
-                joined_with(answers, stopped_population ? std::move(*stopped_population) : Population<G>());
+            auto& stopped = context.state.stopped_population;
+            stopped = joined_with(answers, stopped.value_or(Population<G>()));
             throw;
         }
         return std::move(answers);

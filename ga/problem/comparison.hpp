@@ -83,6 +83,14 @@ Population<G> best_of(const Population<G>& population, std::size_t n) {
     return individuals_at(ranking(population, n), population);
 }
 
+/// Replaces the worst individuals by others, the worst by the first, as far as there are as many.
+template <class G>
+void replace_worst(Population<G>& population, Population<G> by) {
+    const std::vector<std::size_t> order = ranking(population);
+    for (std::size_t i = 0; i < std::min(by.size(), order.size()); ++i)
+        population[order[order.size() - 1 - i]] = std::move(by[i]);
+}
+
 /// The part of a generation's start that a block keeps: the best `reads` individuals, or all for
 /// `all_individuals`.
 template <class G>

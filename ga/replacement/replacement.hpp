@@ -138,10 +138,7 @@ struct Steady : Operator {
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> children, Context<P>& context) const {
         auto population = context.generation_start();
-        const std::vector<std::size_t> order = ranking(population);
-        const std::size_t count = std::min(children.size(), population.size());
-        for (std::size_t i = 0; i < count; ++i)
-            population[order[order.size() - 1 - i]] = std::move(children[i]);
+        replace_worst(population, std::move(children));
         return population;
     }
 };

@@ -49,8 +49,7 @@ std::vector<Point> latin_points(std::size_t n, std::size_t dimensions, Stream& s
 template <bool latin>
 struct SampleEvenly : Operator {
     std::size_t n = 1; ///< number of individuals, >= 1
-    static constexpr bool begins = true;
-    static constexpr bool keeps_size = true; ///< the number of individuals is known
+    static constexpr bool begins = Sample::begins, keeps_size = Sample::keeps_size;
     static constexpr const char* needs = "a problem that samples genomes, with bounded real genes";
     static Words words() {
         if (latin)
