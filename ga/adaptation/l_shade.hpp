@@ -131,13 +131,8 @@ struct LShade : Operator {
                 second = stream.below(n + state.beaten.size());
             while (second == i || second == first);
             const std::size_t towards = order[stream.below(order.size())];
-            const Difference difference{genes[i],
-                                        genes[towards],
-                                        genes[first],
-                                        second < n ? genes[second] : state.beaten[second - n],
-                                        f,
-                                        f,
-                                        cr};
+            const auto& last = second < n ? genes[second] : state.beaten[second - n];
+            const Difference difference{genes[i], genes[towards], genes[first], last, f, f, cr};
             auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
             Trial trial{0, f, cr, fitness.violation(), merit(fitness), genes[i]};

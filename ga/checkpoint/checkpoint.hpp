@@ -10,11 +10,8 @@
 
 namespace ga {
 
-/// A sealed file has this mark, then the length and the fingerprint of its content, then the content. So a
+/// The head of a sealed file: a mark, then the length and the fingerprint of the content that follows. So a
 /// file that was cut off or damaged is detected.
-inline const std::string seal_mark = "rugosa checkpoint 2\n";
-
-/// The mark, length and fingerprint for a content.
 std::string seal_of(std::string_view bytes);
 
 /// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is

@@ -50,7 +50,7 @@ void CheckState::need_comparable_start(const std::string& stage) const {
 std::string CheckState::objective(const std::string& stage, const std::string& name) const {
     if (name.empty())
         return objectives.front();
-    if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())
+    if (std::ranges::count(objectives, name) > 0)
         return name;
     throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " +
                      boost::algorithm::join(objectives, ", "));

@@ -236,19 +236,23 @@ decltype(auto) with_work(const Function& function, Work& work, Arguments&&... ar
         return function(std::forward<Arguments>(arguments)...);
 }
 
-/// A named choice of genes for refinement: which genes may move, and how far.
-template <class G>
-struct Variables {
-    std::string name; ///< name in pipelines, as in "genes=NAME"
-    /// The function that returns the genes for a genome.
-    std::function<std::vector<Variable>(const G&, Work&)> of;
+/// A function that text pipelines name.
+template <class Result, class... Arguments>
+struct NamedFunction {
+    std::string name;                              ///< name in pipelines
+    std::function<Result(Arguments..., Work&)> of; ///< the function; it adds to the Work
 
-    /// @param function  from a genome, and a Work if it is one, to the genes that may move
-    template <gives_with_work<std::vector<Variable>, const G&> Function>
-    Variables(std::string word, Function function)
-        : name(std::move(word)),
-          of([function](const G& genome, Work& work) { return with_work(function, work, genome); }) {}
+    /// @param function  may take a Work as its last argument
+    template <gives_with_work<Result, Arguments...> Function>
+    NamedFunction(std::string word, Function function)
+        : name(std::move(word)), of([function](Arguments... arguments, Work& work) {
+              return Result(with_work(function, work, arguments...));
+          }) {}
 };
+
+/// A choice of genes for refinement, from a genome to the genes that may move and how far.
+template <class G>
+using Variables = NamedFunction<std::vector<Variable>, const G&>;
 
 /// Optional: the genes that operators (and refinement with `genes=all`) may move, with their bounds, in
 /// ascending order. The member may return a reference.

@@ -24,10 +24,9 @@ std::size_t edits(const std::string& a, const std::string& b) {
 }
 
 std::string suggestion(const std::string& given, const std::vector<std::string>& names) {
-    const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-        return edits(given, a) < edits(given, b);
-    });
-    const auto root = std::find_if(names.begin(), names.end(), [&](const auto& name) { // crossover: cross
+    const auto nearest =
+        std::ranges::min_element(names, {}, [&](const auto& name) { return edits(given, name); });
+    const auto root = std::ranges::find_if(names, [&](const auto& name) { // crossover: cross
         const auto shorter = std::min(given.size(), name.size());
         return shorter >= 4 && given.compare(0, shorter, name, 0, shorter) == 0;
     });
