@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <bit>
 #include <fstream>
 
 namespace ga {
@@ -75,24 +74,11 @@ void to_json(json& j, const Frame<G>& frame) {
     json states = json::object();
     for (const auto& [path, state] : frame.states)
         state.write(states[path]);
-    // JSON cannot store infinity
-    std::vector<std::vector<std::uint64_t>> bits;
-    for (const auto& row : frame.numbers) {
-        bits.emplace_back();
-        for (const double number : row)
-            bits.back().push_back(std::bit_cast<std::uint64_t>(number));
-    }
-    j = {frame.next, frame.population, frame.kept, bits, std::move(states)};
+    j = {frame.next, frame.population, frame.kept, frame.numbers, std::move(states)};
 }
 template <class G>
 void from_json(const json& j, Frame<G>& frame) {
-    std::vector<std::vector<std::uint64_t>> numbers;
-    read_parts(j, frame.next, frame.population, frame.kept, numbers);
-    for (const auto& row : numbers) {
-        frame.numbers.emplace_back();
-        for (const std::uint64_t bits : row)
-            frame.numbers.back().push_back(std::bit_cast<double>(bits));
-    }
+    read_parts(j, frame.next, frame.population, frame.kept, frame.numbers);
     for (const auto& [path, state] : j.at(4).items())
         frame.states[path] = OperatorState(std::make_shared<const json>(state));
 }
@@ -275,7 +261,7 @@ class Checkpoints : public Checkpointer<P> {
     }
 
   private:
-    static constexpr int version = 5;
+    static constexpr int version = 6;
 
     struct StoredItem {
         std::string name;
