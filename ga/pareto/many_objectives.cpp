@@ -129,7 +129,7 @@ std::vector<std::size_t> chosen_by_hypervolume(std::span<const Fitness* const> a
         for (Point& point : points)
             point[k] = (point[k] - worst) / range + beyond;
     }
-    // A removal makes no exclusive volume smaller, so the smallest one is only computed again if it is stale.
+    // A removal never makes an exclusive volume smaller, so only a stale smallest one is computed again.
     std::vector<double> volumes(points.size(), 0);
     std::vector<bool> stale(points.size(), true);
     while (next.size() > room) {
@@ -208,7 +208,7 @@ std::vector<std::size_t> chosen_by_directions(std::span<const Fitness* const> al
         if (i < first_of_next)
             ++count[niche[i]];
     }
-    std::vector<std::vector<std::size_t>> waiting(directions.size()); // of `next`, nearest last
+    std::vector<std::vector<std::size_t>> waiting(directions.size()); // members of `next`, nearest last
     for (std::size_t i = first_of_next; i < both.size(); ++i)
         waiting[niche[i]].push_back(i);
     for (auto& members : waiting)
@@ -254,7 +254,7 @@ std::vector<Point> ReferenceDirections::of(std::size_t objectives) const {
     while (size(outer + 1) <= most)
         ++outer;
     while (outer < objectives && second + 1 < outer && size(outer) + size(second + 1) <= most)
-        ++second; // a single layer with so few divisions has no inner point
+        ++second; // one layer with fewer divisions than objectives has no inner point
     return reference_directions(objectives, outer, second);
 }
 

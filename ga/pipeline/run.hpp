@@ -158,7 +158,7 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipelin
         if (ledger.all_failed())
             throw Stopped{ledger.failure_text(), true};
     } catch (const Stopped& stop) {
-        // If one island cannot continue, a stop may have cut the others short.
+        // If one island cannot continue, a stop may have ended other islands early.
         result.is_dead_end = stop.is_dead_end && !context.watch().expired();
         result.stopped = stop.is_dead_end == result.is_dead_end ? stop.reason : context.watch().reason();
         if (context.state.stopped_population)

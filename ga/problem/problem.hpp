@@ -216,7 +216,7 @@ struct Variable {
     bool is_choice = false;
 };
 
-/// What a problem's function costs that computes more than its result shows, for example curves to compare.
+/// The cost of a problem's function that computes more than its result shows, for example curves to compare.
 /// The function takes it as its last argument and adds to it. It then counts as evaluations do.
 struct Work {
     double price = 0; ///< price, in evaluations of level 0
@@ -340,9 +340,9 @@ template <class Member>
 constexpr bool is_function_member =
     std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// Gives a compile-time error with the name of a member that does not fit its concept, or that has a likely
-/// misspelling of an optional member's name. Without this check such a member would be ignored. Overloaded
-/// and templated members are not checked.
+/// Gives a compile-time error with the name of a member that does not fit its concept, or whose name is a
+/// likely misspelling. Without this check such a member would be ignored. Overloaded and templated members
+/// are not checked.
 template <class P>
 constexpr bool members_fit() {
 #define GA_MEMBER_FITS(member, Concept)                                                                      \
