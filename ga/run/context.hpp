@@ -294,26 +294,20 @@ class Context {
     }
     /// The current state of the run between two stages, with or without its frames.
     [[gnu::cold]] Snapshot<Genome> snapshot(bool with_frames = true) const {
-        return {with_frames ? state.frames : std::list<Frame<Genome>>(),
+        return {state,
+                with_frames ? state.frames : std::list<Frame<Genome>>(),
                 ledger_.counters,
-                state.next_identity,
-                state.best,
-                state.notes,
                 seconds(),
                 ledger_.memory.young.size(),
-                ledger_.heaviest(),
-                state.idle_generations};
+                ledger_.heaviest()};
     }
     /// Continues from a snapshot: blocks find their frames in it when they open.
     [[gnu::cold]] void resume(Snapshot<Genome> snapshot) {
         state.saved = std::move(snapshot.frames);
-        ledger_.counters = snapshot.counters;
-        state.next_identity = snapshot.next_identity;
-        state.best = std::move(snapshot.best);
-        state.notes = std::move(snapshot.notes);
         state.earlier_seconds = snapshot.seconds;
-        state.idle_generations = snapshot.idle_generations;
+        ledger_.counters = snapshot.counters;
         ledger_.resume(snapshot.heaviest);
+        static_cast<Progress<Genome>&>(state) = std::move(snapshot);
     }
     /// Writes the checkpoint of a stopping run, once. `before` is the state before the interrupted stage or
     /// between two stages. The frames of the open blocks are added to it.
