@@ -116,11 +116,8 @@ template <Problem P>
 }
 
 /// Runs a pipeline on a population. `evaluator` makes every call of `evaluate` and computes every derivative.
-/// Throws UsageError before any evaluation if the pipeline cannot work.
-///
-/// The same seed gives the same bits for any number of threads, any memory and any evaluator with the same
-/// outcomes. The result may differ only if a time limit or a stop request ends the run. A run that is resumed
-/// from its checkpoints gives the same bits, too.
+/// Throws UsageError before any evaluation if the pipeline cannot work. The same seed gives the same bits for
+/// any evaluator with the same outcomes (ga/README.md, "Guarantees").
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>

@@ -383,10 +383,9 @@ constexpr bool members_fit() {
     return true;
 }
 
-/// Whether a genome from outside the run is usable. It may come from a start population, a checkpoint or a
-/// program in another language. A permutation must have each number once. If the problem has the member
-/// `valid`, this member decides. Otherwise, in a vector of double, every gene that has bounds must exist and
-/// be finite.
+/// Whether a genome from outside the run is usable. A permutation must have each number once. If the problem
+/// has the member `valid`, this member decides. Otherwise, in a vector of double, every gene that has bounds
+/// must exist and be finite.
 template <Problem P>
 bool is_valid(const P& problem, const typename P::Genome& genome) {
     if constexpr (std::same_as<typename P::Genome, Permutation>)

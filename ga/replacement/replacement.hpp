@@ -103,8 +103,7 @@ struct Distinct : Operator {
     }
 };
 
-/// Adds the individuals of the generation's start to the population, so that the next stages choose among the
-/// individuals of both populations.
+/// Adds the individuals of the generation's start, so that the next stages choose among both populations.
 struct JoinParents : Operator {
     static Words words() {
         return {"parents", "replacement",

@@ -149,10 +149,9 @@ class Context {
         serve(population);
     }
 
-    /// Adds n replicates of a noisy evaluation to each individual that has not failed. An individual gets at
-    /// most max(n, limit) replicates in total. Its fitness becomes the mean of all its replicates. Known
-    /// replicates are not evaluated again. If one replicate fails, the individual is marked as failed. If
-    /// `limit` is above n, individuals of the generation's start that may come back get replicates, too.
+    /// Adds n replicates to each individual that has not failed, up to max(n, limit) in total (Average). If
+    /// one replicate fails, the individual is marked as failed. If `limit` is above n, individuals of the
+    /// generation's start that may come back get replicates, too.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);

@@ -32,7 +32,6 @@ class Syntax {
     static constexpr std::size_t longest = 1000000;
 
     PipelineText read_pipeline();
-
     StageText read_stage();
 
     static bool is_symbol(char c) { return std::string_view("|{}(),=").find(c) != std::string_view::npos; }
