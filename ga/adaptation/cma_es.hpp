@@ -98,8 +98,8 @@ struct CmaPlan {
     Run next(long spent, bool both, Stream& random);
 };
 
-/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants; the
-/// differences are in ga/README.md). It starts at the best of the population. Then new children replace the
+/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants).
+/// ga/README.md lists the differences. It starts at the best of the population. Then new children replace the
 /// population in each generation. Steps are given as fractions of the distance between a gene's bounds. Steps
 /// of refined children are shortened to sqrt(n) + 2n/(n + 2) standard deviations (Hansen 2011, Injecting
 /// external solutions into CMA-ES). After a run has ended (`stop_criterion`), CmaPlan starts another at a

@@ -60,7 +60,7 @@ std::vector<std::vector<double>> all_genes(const PopulationOf<P>& population, Co
 }
 
 /// Differential evolution (Storn and Price 1997) by rand/1, best/1 or current-to-best/1 with binomial or
-/// exponential cross-over: every individual is replaced by its trial, which is its child.
+/// exponential cross-over. Every individual is replaced by its trial, which is its child.
 struct DifferentialEvolution : Operator {
     std::string base = "rand";    ///< choice of base: rand, best or current-to-best
     double F = 0.5;               ///< weight of differences, above 0

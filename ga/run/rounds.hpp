@@ -9,9 +9,9 @@
 namespace ga {
 
 /// Runs job(i, queue) for i = 0 .. n-1, each on a separate thread, and answers their requests in rounds. When
-/// every unfinished job waits for an answer, all requests go to the queue `through` together, in the order of
-/// the jobs and from the caller's thread. So jobs with one request at a time use all threads of the
-/// evaluator, equal requests are evaluated once, and the result does not depend on which job is faster.
+/// every unfinished job waits for an answer, all requests go to the queue `through` together. They go in the
+/// order of the jobs and from the caller's thread. So jobs with one request at a time use all threads of the
+/// evaluator. Equal requests are evaluated once. The result does not depend on which job is faster.
 ///
 /// At most `threads` jobs run at once; for 1, no member of the problem is called from two threads at once.
 /// `after` is called after every round. An exception does not stop the other jobs. That of the smallest i is

@@ -130,8 +130,8 @@ template <Problem P, class G = typename P::Genome>
 
 /// Keeps the individuals with a fitness above a threshold (`below`: under it), in the population's order.
 /// Failed individuals and individuals that violate constraints do not pass. If fewer than at_least pass, the
-/// at_least individuals nearest to passing are taken, with a note: those that have not failed, by their
-/// violation, then by their fitness. An empty result ends the run.
+/// at_least individuals nearest to passing are taken, with a note. Nearness goes by violation, then by
+/// fitness; failed individuals are left out. An empty result ends the run.
 template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< fitness; an individual with exactly this fitness does not pass
