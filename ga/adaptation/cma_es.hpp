@@ -98,14 +98,12 @@ struct CmaPlan {
     Run next(long spent, bool both, Stream& random);
 };
 
-/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants). It
-/// starts at the best of the population. It learns from those children of the previous generation that are
-/// still in the population. Then new children replace the population. Steps are given as fractions of the
-/// distance between a gene's bounds. A gene outside its bounds is reflected at them until it is inside.
-/// Negative weights of reflected children are set to 0. Steps of refined children are shortened to sqrt(n) +
-/// 2n/(n + 2) standard deviations (Hansen 2011, Injecting external solutions into CMA-ES). After a run has
-/// ended (`stop_criterion`), CmaPlan starts another at a uniform random mean; genes without bounds start as
-/// in the first run.
+/// CMA-ES with active covariance adaptation (Hansen and Ostermeier 2001; Hansen 2016, see CmaConstants).
+/// ga/README.md lists the differences. It starts at the best of the population. Then new children replace the
+/// population in each generation. Steps are given as fractions of the distance between a gene's bounds. Steps
+/// of refined children are shortened to sqrt(n) + 2n/(n + 2) standard deviations (Hansen 2011, Injecting
+/// external solutions into CMA-ES). After a run has ended (`stop_criterion`), CmaPlan starts another at a
+/// uniform random mean; genes without bounds start as in the first run.
 struct CmaEs : Operator {
     double sigma = 0.3; ///< first standard deviation, as a fraction of the distance between bounds, > 0
     std::size_t population = 0; ///< number of children of the first run; 0 for 4 + 3 ln n

@@ -59,9 +59,8 @@ std::vector<std::vector<double>> all_genes(const PopulationOf<P>& population, Co
     return all;
 }
 
-/// Differential evolution (Storn and Price 1997): every individual is replaced by its trial, which is its
-/// child. Trials are made by rand/1, best/1 or current-to-best/1 with binomial or exponential cross-over. The
-/// stage `duel` after `score` keeps the better of parent and trial.
+/// Differential evolution (Storn and Price 1997) by rand/1, best/1 or current-to-best/1 with binomial or
+/// exponential cross-over. Every individual is replaced by its trial, which is its child.
 struct DifferentialEvolution : Operator {
     std::string base = "rand";    ///< choice of base: rand, best or current-to-best
     double F = 0.5;               ///< weight of differences, above 0

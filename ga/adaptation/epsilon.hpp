@@ -7,13 +7,10 @@
 namespace ga {
 
 /// The epsilon-constrained method (Takahama and Sakai 2006), used after `score`. A constraint counts as met
-/// if its violation is at most its level, in the population and in the generation's start. Good individuals
-/// that are almost feasible therefore stay in the search.
-///
-/// In generation t the level is e (1 - t/generations)^power, and later 0. e is chosen so that a share `share`
-/// of the first population has a violation below e. Unlike in the source, every constraint has a separate
-/// level, so that units do not matter. The levels apply only inside the block and not to the best individual
-/// of the run.
+/// if its violation is at most its level, in the population and in the generation's start. In generation t
+/// the level is e (1 - t/generations)^power, and later 0. e is chosen so that a share `share` of the first
+/// population has a violation below e. Unlike in the source, every constraint has a separate level, so that
+/// units do not matter. The levels apply only inside the block and not to the best individual of the run.
 struct Epsilon : Operator {
     std::size_t generations = 1; ///< number of generations until the levels are 0
     double share = 0.2;          ///< share of the first population within the levels, 0 to 1

@@ -55,8 +55,7 @@ struct SuccessHistory {
 
 /// L-SHADE (Tanabe and Fukunaga 2014): differential evolution by current-to-pbest/1/bin with an archive of
 /// replaced parents. It learns F and CR from successful trials, and shrinks its population linearly to 4 over
-/// `evaluations`. Every individual is replaced by its trial. The stage `duel` after `score` keeps the better
-/// of parent and trial. Without a limit on evaluations the population keeps its size, which is SHADE.
+/// `evaluations`. Without a limit on evaluations the population keeps its size, which is SHADE.
 struct LShade : Operator {
     long evaluations = 0;   ///< number of evaluations after which the population is 4; 0 for the run's budget
     std::size_t memory = 6; ///< number H of entries of the success history
@@ -132,13 +131,8 @@ struct LShade : Operator {
                 second = stream.below(n + state.beaten.size());
             while (second == i || second == first);
             const std::size_t towards = order[stream.below(order.size())];
-            const Difference difference{genes[i],
-                                        genes[towards],
-                                        genes[first],
-                                        second < n ? genes[second] : state.beaten[second - n],
-                                        f,
-                                        f,
-                                        cr};
+            const auto& last = second < n ? genes[second] : state.beaten[second - n];
+            const Difference difference{genes[i], genes[towards], genes[first], last, f, f, cr};
             auto& individual = population[i];
             const Fitness& fitness = individual.fitness;
             Trial trial{0, f, cr, fitness.violation(), merit(fitness), genes[i]};
@@ -206,10 +200,7 @@ struct LShade : Operator {
             return;
         auto order = ranking(population, target);
         std::sort(order.begin(), order.end());
-        Population<G> left;
-        for (const std::size_t i : order)
-            left.push_back(std::move(population[i]));
-        population = std::move(left);
+        population = individuals_at(order, population);
     }
 };
 

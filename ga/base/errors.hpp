@@ -23,8 +23,7 @@ inline void expect_fit(bool fits) {
         throw UsageError("the checkpoint does not fit its pipeline; use one that this pipeline has written");
 }
 
-/// Thrown through the stages if a budget is spent, a stop was requested or the run cannot continue; `run`
-/// catches it.
+/// Ends a run through its stages, because a limit is reached or it cannot continue; `run` catches it.
 struct Stopped {
     std::string reason;       ///< "time budget spent", "stop requested", ...
     bool is_dead_end = false; ///< whether the run cannot continue, e.g. because a selection is empty

@@ -115,9 +115,8 @@ struct Islands : Operator {
                     try {
                         population = body(std::move(population), island);
                     } catch (const Stopped&) {
-                        population = joined_with(start, island.state.stopped_population
-                                                            ? *island.state.stopped_population
-                                                            : Population<G>());
+                        population =
+                            joined_with(start, island.state.stopped_population.value_or(Population<G>()));
                         throw;
                     }
                 },
@@ -154,18 +153,13 @@ struct Islands : Operator {
 
     template <class G>
     static void migrate(std::vector<Population<G>>& islands, std::size_t migrants) {
-        const std::size_t n = islands.size();
         if (migrants == 0)
             return;
         std::vector<Population<G>> leaving;
-        for (std::size_t i = 0; i < n; ++i)
-            leaving.push_back(best_of(islands[i], migrants));
-        for (std::size_t i = 0; i < n; ++i) {
-            auto& island = islands[(i + 1) % n];
-            const std::vector<std::size_t> order = ranking(island);
-            for (std::size_t k = 0; k < std::min(leaving[i].size(), island.size()); ++k)
-                island[order[order.size() - 1 - k]] = leaving[i][k];
-        }
+        for (const auto& island : islands)
+            leaving.push_back(best_of(island, migrants));
+        for (std::size_t i = 0; i < islands.size(); ++i)
+            replace_worst(islands[(i + 1) % islands.size()], std::move(leaving[i]));
     }
 };
 

@@ -6,18 +6,7 @@ namespace ga {
 
 /// A function that makes a child of two individuals, or none.
 template <class G>
-struct Combine {
-    std::string name; ///< name of the function in text pipelines
-    /// The function; returns a child or nothing.
-    std::function<std::optional<G>(const Individual<G>&, const Individual<G>&, Work&)> of;
-
-    /// @param function  from two parents, and a Work if it is one, to a child or nothing
-    template <gives_with_work<std::optional<G>, const Individual<G>&, const Individual<G>&> Function>
-    Combine(std::string word, Function function)
-        : name(std::move(word)), of([function](const Individual<G>& a, const Individual<G>& b, Work& work) {
-              return std::optional<G>(with_work(function, work, a, b));
-          }) {}
-};
+using Combine = NamedFunction<std::optional<G>, const Individual<G>&, const Individual<G>&>;
 
 /// Runs two pipelines on the same population. Combines every individual of the left result with every
 /// individual of the right result. One of several equal children is kept, for example of the children of (i,
@@ -33,7 +22,7 @@ struct Pair : Operator {
     Stage<P> stage() const {
         const auto on_left = std::make_shared<const Pipeline<P>>(left),
                    on_right = std::make_shared<const Pipeline<P>>(right);
-        const Name left_name(std::string("left")), right_name(std::string("right"));
+        const Name left_name("left"), right_name("right");
         return {"pair(" + on_left->text() + ", " + on_right->text() + ", " + combine.name + ")",
                 [=](CheckState& known) {
                     CheckState other = known;

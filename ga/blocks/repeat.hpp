@@ -6,42 +6,36 @@ namespace ga {
 
 constexpr double max_idle_generations = 10000; ///< generations without progress after which a block ends
 
-/// Whether the last progress was 10,000 generations ago. Progress is an improvement; if `paying` is set, a
-/// requested evaluation is progress, too.
-template <Problem P, class G = typename P::Genome>
-bool idle(const BlockProgress<G>& now, Numbers& numbers, Numbers& improvement, bool paying,
-          Context<P>& context) {
-    const double requested = context.counters().requested_price;
-    double &last_requested = numbers[2], &last_progress = numbers[3];
-    if (improves(now, improvement) || (paying && requested > last_requested))
-        last_progress = static_cast<double>(now.generation);
-    last_requested = requested;
-    return static_cast<double>(now.generation) - last_progress >= max_idle_generations;
-}
-
 /// Runs the body of a block of generations until the first rule holds.
 template <Problem P, class G = typename P::Genome>
 Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>>& rules,
                               Population<G> population, Context<P>& context) {
     typename Context<P>::OpenFrame frame(context.state, std::move(population), true);
+    const double& price = context.counters().requested_price;
     auto& numbers = frame->numbers; // the block's, those of `improves`, then each rule's
     if (!frame.resumed()) {
+        numbers = {{price, context.seconds(), price, 0, price}};
         numbers.resize(2 + rules.size());
-        const double requested = context.counters().requested_price;
-        // price of evaluations and seconds at the start, price at the last look of `idle`, generation of the
-        // last progress, price at the end of the last generation
-        numbers[0] = {requested, context.seconds(), requested, 0, requested};
     }
     expect_fit(numbers.size() == 2 + rules.size() && numbers[0].size() == 5 &&
                (!frame.resumed() || frame->kept.size() == 1));
-    bool sure = false, paying = false;
-    for (const Rule<G>& rule : rules) {
-        sure |= rule.sure;
-        paying |= rule.text.starts_with(AfterEvaluations::words().name);
-    }
+    const double first_price = numbers[0][0], first_seconds = numbers[0][1];
+    double &price_at_check = numbers[0][2], &last_progress = numbers[0][3],
+           &price_of_generations = numbers[0][4];
+    const auto paying = [](const Rule<G>& rule) {
+        return rule.text.starts_with(AfterEvaluations::words().name);
+    };
+    // Progress is an improvement, or with the rule `evaluations` a requested evaluation.
+    const auto idle = [&](const BlockProgress<G>& now) {
+        const bool paid = price > std::exchange(price_at_check, price);
+        const auto generation = static_cast<double>(now.generation);
+        if (improves(now, numbers[1]) || (paid && std::ranges::any_of(rules, paying)))
+            last_progress = generation;
+        return generation - last_progress >= max_idle_generations;
+    };
     const auto ended = [&] {
-        const BlockProgress<G> now{frame->next, context.counters().requested_price - numbers[0][0],
-                                   context.seconds() - numbers[0][1], frame->population};
+        const BlockProgress<G> now{frame->next, price - first_price, context.seconds() - first_seconds,
+                                   frame->population};
         bool end = false;
         for (std::size_t i = 0; i < rules.size(); ++i)
             if (rules[i].holds(now, numbers[2 + i])) {
@@ -53,7 +47,7 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
             return true;
         // idle generations of all blocks are counted, so that blocks inside each other do not multiply them
         end = (frame->next > 0 && context.state.idle_generations >= max_idle_generations) ||
-              (!sure && idle(now, numbers[0], numbers[1], paying, context));
+              (std::ranges::none_of(rules, &Rule<G>::sure) && idle(now));
         if (end)
             context.note("ended after 10000 generations without progress towards its end");
         return end;
@@ -64,14 +58,13 @@ Population<G> run_generations(const Pipeline<P>& body, const std::vector<Rule<G>
                 frame->kept = {start_of_generation(frame->population, body.reads_of_start())};
             const typename Context<P>::Round round(context.position, frame->next, &frame->kept[0]);
             frame->population = body(std::move(frame->population), context);
-            const double requested = context.counters().requested_price;
-            double &before = frame->numbers[0][4], &idle = context.state.idle_generations;
-            idle = requested > std::exchange(before, requested) ? 0 : idle + 1;
+            double& idle_generations = context.state.idle_generations;
+            idle_generations = price > std::exchange(price_of_generations, price) ? 0 : idle_generations + 1;
         }
     } catch (const Stopped&) {
-        auto& stopped_population = context.state.stopped_population;
-        if (stopped_population && !frame->kept.empty())
-            stopped_population = joined_with(frame->kept[0], std::move(*stopped_population));
+        auto& stopped = context.state.stopped_population;
+        if (stopped && !frame->kept.empty())
+            stopped = joined_with(frame->kept[0], std::move(*stopped));
         throw;
     }
     return without_levels(std::move(frame->population));
@@ -87,8 +80,7 @@ template <Problem P, class G = typename P::Genome>
             [=](CheckState& known) {
                 check_generation(*stages, name, known, [&](const CheckState& inside) {
                     for (const Rule<G>& rule : rules)
-                        if (rule.check)
-                            rule.check(inside, name);
+                        rule.check(inside, name);
                 });
             },
             [=](Population<G> population, Context<P>& context) {
@@ -97,10 +89,9 @@ template <Problem P, class G = typename P::Genome>
             0, stages->begins()};
 }
 
-/// Runs a body n times, each time on the previous result. Each time is a generation. Each generation draws
-/// different random numbers. Stages such as `elite` and `plus` read the best individuals of the generation's
-/// start, which is the population at its beginning. After 10,000 generations without a requested evaluation
-/// the block ends with a note, like every block of generations.
+/// Runs a body n times, each time on the previous result. Each time is a generation, with different random
+/// numbers. After 10,000 generations without a requested evaluation the block ends with a note, like every
+/// block of generations.
 template <class Body>
 struct Repeat : Operator {
     std::size_t n = 1; ///< number of generations, >= 1
@@ -201,9 +192,8 @@ struct Restarts : Operator {
                 context.need_room(answers.size(), {}, answers.empty() ? nullptr : &answers.front().genome);
             }
         } catch (const Stopped&) {
-            auto& stopped_population = context.state.stopped_population;
-            stopped_population =
-                joined_with(answers, stopped_population ? std::move(*stopped_population) : Population<G>());
+            auto& stopped = context.state.stopped_population;
+            stopped = joined_with(answers, stopped.value_or(Population<G>()));
             throw;
         }
         return std::move(answers);

@@ -5,16 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <bit>
 #include <fstream>
 
 namespace ga {
 
-/// A sealed file has this mark, then the length and the fingerprint of its content, then the content. So a
+/// The head of a sealed file: a mark, then the length and the fingerprint of the content that follows. So a
 /// file that was cut off or damaged is detected.
-inline const std::string seal_mark = "rugosa checkpoint 2\n";
-
-/// The mark, length and fingerprint for a content.
 std::string seal_of(std::string_view bytes);
 
 /// Reads the content of a sealed file. Throws UsageError, with the file's name, if it cannot be read or is
@@ -78,24 +74,11 @@ void to_json(json& j, const Frame<G>& frame) {
     json states = json::object();
     for (const auto& [path, state] : frame.states)
         state.write(states[path]);
-    // JSON cannot store infinity
-    std::vector<std::vector<std::uint64_t>> bits;
-    for (const auto& row : frame.numbers) {
-        bits.emplace_back();
-        for (const double number : row)
-            bits.back().push_back(std::bit_cast<std::uint64_t>(number));
-    }
-    j = {frame.next, frame.population, frame.kept, bits, std::move(states)};
+    j = {frame.next, frame.population, frame.kept, frame.numbers, std::move(states)};
 }
 template <class G>
 void from_json(const json& j, Frame<G>& frame) {
-    std::vector<std::vector<std::uint64_t>> numbers;
-    read_parts(j, frame.next, frame.population, frame.kept, numbers);
-    for (const auto& row : numbers) {
-        frame.numbers.emplace_back();
-        for (const std::uint64_t bits : row)
-            frame.numbers.back().push_back(std::bit_cast<double>(bits));
-    }
+    read_parts(j, frame.next, frame.population, frame.kept, frame.numbers);
     for (const auto& [path, state] : j.at(4).items())
         frame.states[path] = OperatorState(std::make_shared<const json>(state));
 }
@@ -278,7 +261,7 @@ class Checkpoints : public Checkpointer<P> {
     }
 
   private:
-    static constexpr int version = 5;
+    static constexpr int version = 6;
 
     struct StoredItem {
         std::string name;

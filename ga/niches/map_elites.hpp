@@ -24,9 +24,8 @@ descriptors_of(const P& problem, const std::vector<std::string>& names, const st
 }
 
 /// MAP-Elites (Mouret and Clune 2015, Illuminating search spaces by mapping elites). The range of each
-/// descriptor is divided into `cells` cells. The best individual of every cell stays, from the generation's
-/// start and the population together. A descriptor beyond its range belongs to the outermost cell. The
-/// population is the archive: the stages before this one choose elites and vary them.
+/// descriptor is divided into `cells` cells; values beyond it belong to the outermost ones. The best
+/// individual of every cell stays, from the generation's start and the population. These are the archive.
 struct MapElites : Operator {
     std::vector<std::string> descriptors; ///< names of at least one of the problem's descriptors
     std::size_t cells = 10;               ///< number of cells per descriptor, >= 1
@@ -182,13 +181,8 @@ struct Emit : Operator {
             for (const std::size_t i : chosen) {
                 const auto& each = population[i];
                 const std::size_t objective = context.objective_index(each.fitness.objective());
-                slopes.push_back({each.genome,
-                                  each.fitness.objective_name(),
-                                  context.problem().objectives()[objective].level,
-                                  Sensitive<P>,
-                                  {},
-                                  {},
-                                  {}});
+                slopes.push_back({each.genome, each.fitness.objective_name(),
+                                  context.problem().objectives()[objective].level, Sensitive<P>});
             }
             EvaluationRequest<P> request;
             for (auto& slope : slopes)

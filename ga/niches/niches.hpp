@@ -25,7 +25,7 @@ struct Clearing : Operator {
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         PopulationOf<P> left;
         for (const std::size_t i : ranking(population)) {
-            const auto near = std::count_if(left.begin(), left.end(), [&](const auto& better) {
+            const auto near = std::ranges::count_if(left, [&](const auto& better) {
                 return distance(context.problem(), better.genome, population[i].genome) < radius;
             });
             if (static_cast<std::size_t>(near) < capacity)
@@ -104,8 +104,7 @@ struct Sharing : ByFitness {
     /// The weights, one per individual.
     template <HasDistance P>
     std::vector<double> of(const PopulationOf<P>& population, const P& problem) const {
-        std::vector<double> shared =
-            ByFitness::of(population, problem); // 0 for individuals that do not count
+        auto shared = ByFitness::of(population, problem); // 0 for individuals that do not count
         double lowest = 0, highest = -HUGE_VAL;
         for (std::size_t i = 0; i < population.size(); ++i)
             if (const Fitness& f = population[i].fitness; f.feasible()) {
@@ -126,11 +125,9 @@ struct Sharing : ByFitness {
             shared[i] /= crowd[i];
         return shared;
     }
-    /// The entry in the listing of operators.
     static Words words() {
         return {"share", "niches", "chooses in proportion to the fitness divided by the crowd nearby"};
     }
-    /// Describes the parameters.
     static void describe(auto& self, auto visit) {
         visit(self.radius, number("radius", std::nullopt, above_zero, no_limit,
                                   "niche radius: rms of genes in widths, or share of bits that differ"));

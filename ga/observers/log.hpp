@@ -8,9 +8,8 @@
 
 namespace ga {
 
-/// A table with one row per stage of a run: path, generation, individuals, best, median, diversity, asked,
-/// evaluations, gradients, failures, seconds. The table is written to FILE.part, which `close` renames, so
-/// that FILE is always complete. If it cannot be written, the run continues. With `checkpoints.keep("log",
+/// A table with one row per stage of a run. It is written to FILE.part, which `close` renames, so that FILE
+/// is always complete. If it cannot be written, the run continues. With `checkpoints.keep("log",
 /// log.position)` a resumed run continues after the row of the checkpoint.
 class Log {
   public:

@@ -89,18 +89,6 @@ double exclusive_volume(std::vector<Point>& points, std::size_t i) {
     return std::max(0.0, volume);
 }
 
-/// The points relative to a reference; 0 in all coordinates for those that are not above it.
-std::vector<Point> above(std::vector<Point> points, const Point& reference) {
-    for (Point& point : points) {
-        bool is_above = true;
-        for (std::size_t k = 0; k < point.size(); ++k)
-            is_above &= point[k] > reference[k];
-        for (std::size_t k = 0; k < point.size(); ++k)
-            point[k] = is_above ? point[k] - reference[k] : 0;
-    }
-    return points;
-}
-
 /// Adds every point of the simplex that continues `point`, of which `left` of `divisions` are to be shared.
 void add_shares(std::vector<Point>& all, Point point, std::size_t objectives, std::size_t left,
                 std::size_t divisions) {
@@ -118,17 +106,13 @@ void add_shares(std::vector<Point>& all, Point point, std::size_t objectives, st
 } // namespace
 
 double hypervolume(std::vector<Point> points, const Point& reference) {
-    points = above(std::move(points), reference);
+    for (Point& point : points) { // 0 in all coordinates if it is not above the reference
+        const bool is_above = std::ranges::equal(point, reference, std::greater());
+        for (std::size_t k = 0; k < point.size(); ++k)
+            point[k] = is_above ? point[k] - reference[k] : 0;
+    }
     keep_undominated(points);
     return volume_of(std::move(points), reference.size());
-}
-
-std::vector<double> hypervolume_contributions(const std::vector<Point>& points, const Point& reference) {
-    std::vector<Point> all = above(points, reference);
-    std::vector<double> volumes;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        volumes.push_back(exclusive_volume(all, i));
-    return volumes;
 }
 
 std::vector<std::size_t> chosen_by_hypervolume(std::span<const Fitness* const> all, std::size_t mu,
@@ -145,7 +129,7 @@ std::vector<std::size_t> chosen_by_hypervolume(std::span<const Fitness* const> a
         for (Point& point : points)
             point[k] = (point[k] - worst) / range + beyond;
     }
-    // A removal makes no exclusive volume smaller, so the smallest one is only computed again if it is stale.
+    // A removal never makes an exclusive volume smaller, so only a stale smallest one is computed again.
     std::vector<double> volumes(points.size(), 0);
     std::vector<bool> stale(points.size(), true);
     while (next.size() > room) {
@@ -224,7 +208,7 @@ std::vector<std::size_t> chosen_by_directions(std::span<const Fitness* const> al
         if (i < first_of_next)
             ++count[niche[i]];
     }
-    std::vector<std::vector<std::size_t>> waiting(directions.size()); // of `next`, nearest last
+    std::vector<std::vector<std::size_t>> waiting(directions.size()); // members of `next`, nearest last
     for (std::size_t i = first_of_next; i < both.size(); ++i)
         waiting[niche[i]].push_back(i);
     for (auto& members : waiting)
@@ -270,7 +254,7 @@ std::vector<Point> ReferenceDirections::of(std::size_t objectives) const {
     while (size(outer + 1) <= most)
         ++outer;
     while (outer < objectives && second + 1 < outer && size(outer) + size(second + 1) <= most)
-        ++second; // a single layer with so few divisions has no inner point
+        ++second; // one layer with fewer divisions than objectives has no inner point
     return reference_directions(objectives, outer, second);
 }
 

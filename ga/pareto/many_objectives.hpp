@@ -4,13 +4,9 @@
 
 namespace ga {
 
-/// The volume that only this point dominates, for each point (exclusive hypervolume). Points and reference
-/// are as for `hypervolume`; copies have the volume 0.
-std::vector<double> hypervolume_contributions(const std::vector<Point>& points, const Point& reference);
-
 /// Positions of the mu individuals that SMS-EMOA keeps (Beume, Naujoks and Emmerich 2007): whole fronts from
 /// the first on, while they fit. From the next front, the individual with the smallest exclusive hypervolume
-/// is removed until the rest fits. Objectives are divided by their ranges in this front. The reference point
+/// is removed until all others fit. Objectives are divided by their ranges in this front. The reference point
 /// is `beyond` ranges below the worst values. Infeasible individuals follow, by their violation.
 std::vector<std::size_t> chosen_by_hypervolume(std::span<const Fitness* const> all, std::size_t mu,
                                                double beyond);
@@ -22,8 +18,8 @@ std::vector<Point> reference_directions(std::size_t objectives, std::size_t divi
 
 /// Positions of the mu individuals that NSGA-III keeps (Deb and Jain 2014): whole fronts from the first on,
 /// while they fit. The next front fills the directions that have the fewest individuals. Objectives are
-/// shifted by their best values and divided by the worst values of the extreme individuals (the paper: by
-/// intercepts of the plane through these).
+/// shifted by their best values and divided by the worst values of the extreme individuals. The paper divides
+/// by intercepts of the plane through these.
 std::vector<std::size_t> chosen_by_directions(std::span<const Fitness* const> all, std::size_t mu,
                                               const std::vector<Point>& directions, Stream& stream);
 

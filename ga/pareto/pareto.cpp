@@ -12,11 +12,8 @@ double dominated_share(const std::vector<Point>& points, const Point& reference,
             const double u = stream.uniform();
             sample[k] = reference[k] + width[k] * u / (1 - u);
         }
-        dominated += std::any_of(points.begin(), points.end(), [&](const Point& point) {
-            for (std::size_t k = 0; k < sample.size(); ++k)
-                if (!(point[k] >= sample[k]))
-                    return false;
-            return true;
+        dominated += std::ranges::any_of(points, [&](const Point& point) {
+            return std::ranges::equal(point, sample, std::greater_equal());
         });
     }
     return static_cast<double>(dominated) / count;

@@ -5,10 +5,10 @@
 namespace ga {
 
 /// The volume above the point `reference` that the points dominate (Zitzler and Thiele 1998). Higher is
-/// better in every objective. Only points above `reference` in all objectives count. The volume is the sum of
-/// what each point adds to those that are better in the last objective (WFG: While, Bradstreet and Barone
-/// 2012). This takes a time of order n log n for n points and two objectives. For each further objective it
-/// is at most n times as long, and mostly far less.
+/// better in every objective. Only points above `reference` in all objectives count. The volume is a sum
+/// over the points. Each adds a part to those that are better in the last objective (WFG: While, Bradstreet
+/// and Barone 2012). This takes a time of order n log n for n points and two objectives. For each further
+/// objective it is at most n times as long, and mostly far less.
 double hypervolume(std::vector<Point> points, const Point& reference);
 
 /// The share of a fixed sample of 4096 points that the points dominate. It estimates the hypervolume for many

@@ -4,23 +4,20 @@
 
 namespace ga {
 
-/// A pipeline that hands genomes to its caller for evaluation:
-///
-///     AskTell<P> search(sample(20) | score() | ..., problem);
-///     while (auto proposals = search.ask(); !proposals.empty(); proposals = search.ask())
-///         for (auto& [id, genome] : proposals)
-///             search.tell(id, outcome_of(genome));
-///     search.result().best->genome;
-///
-/// The pipeline runs on a separate thread, which waits while proposals are open. Observers are called on this
-/// thread. Equal outcomes give the same bits as `run`. The problem's `evaluate` is never called, but its
-/// members for derivatives are. Several threads may use an object.
+/// A pipeline that hands genomes to its caller for evaluation (example in ga/README.md). It runs on a
+/// separate thread, which waits while proposals are open. Observers are called on this thread. Equal outcomes
+/// give the same bits as `run`. The problem's `evaluate` is never called, but its members for derivatives
+/// are. Several threads may use an object.
 template <Problem P>
 class AskTell : Evaluator<P> {
   public:
-    using Genome = typename P::Genome;     ///< genome of the problem
-    using Outcome = typename P::Outcome;   ///< type of the caller's answers
-    using Proposal = ga::Proposal<Genome>; ///< genome to evaluate, with its number
+    using Genome = typename P::Genome;   ///< genome of the problem
+    using Outcome = typename P::Outcome; ///< type of the caller's answers
+    /// A genome that the caller evaluates.
+    struct Proposal {
+        std::size_t id; ///< number of the genome in the run, from 0
+        Genome genome;  ///< genome to evaluate
+    };
 
     /// Starts the run; the parameters are those of `run_by`. Throws UsageError if the pipeline cannot work.
     AskTell(Pipeline<P> pipeline, P problem, Population<Genome> population = {}, RunOptions options = {},

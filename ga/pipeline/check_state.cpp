@@ -1,5 +1,7 @@
 #include "ga/pipeline/stage.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+
 namespace ga {
 
 void CheckState::need_score(const std::string& stage) const {
@@ -48,12 +50,10 @@ void CheckState::need_comparable_start(const std::string& stage) const {
 std::string CheckState::objective(const std::string& stage, const std::string& name) const {
     if (name.empty())
         return objectives.front();
-    if (std::find(objectives.begin(), objectives.end(), name) != objectives.end())
+    if (std::ranges::count(objectives, name) > 0)
         return name;
-    std::string list;
-    for (const auto& each : objectives)
-        list += (list.empty() ? "" : ", ") + each;
-    throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " + list);
+    throw UsageError("stage '" + stage + "': unknown objective '" + name + "'; use one of " +
+                     boost::algorithm::join(objectives, ", "));
 }
 
 } // namespace ga

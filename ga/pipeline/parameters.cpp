@@ -1,5 +1,7 @@
 #include "ga/pipeline/parameters.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+
 namespace ga {
 
 std::string Parameter::expected(bool in_full) const {
@@ -15,33 +17,26 @@ std::string Parameter::expected(bool in_full) const {
 
 Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
                  std::string meaning) {
-    return {std::move(name), Parameter::Kind::number, std::move(standard), lower, upper, std::move(meaning)};
+    return {std::move(name), Parameter::Kind::number, std::move(standard), std::move(meaning), lower, upper};
 }
-
-Parameter whole(std::string name, std::optional<std::string> standard, double lower, std::string meaning) {
-    return {std::move(name), Parameter::Kind::whole, std::move(standard),
-            lower,           Parameter::max_whole,   std::move(meaning)};
-}
-
-Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
-    return {std::move(name), Parameter::Kind::word, std::move(standard), -no_limit,
-            no_limit,        std::move(meaning)};
-}
-
-Parameter word_list(std::string name, std::string meaning) {
-    return {std::move(name), Parameter::Kind::words, std::nullopt, -no_limit, no_limit, std::move(meaning)};
-}
-
 Parameter number(std::string name, double lower, double upper, std::string meaning) {
     return number(std::move(name), std::nullopt, lower, upper, std::move(meaning)).optional();
 }
-
+Parameter whole(std::string name, std::optional<std::string> standard, double lower, std::string meaning) {
+    return {std::move(name), Parameter::Kind::whole, std::move(standard), std::move(meaning),
+            lower,           Parameter::max_whole};
+}
 Parameter whole(std::string name, double lower, std::string meaning) {
     return whole(std::move(name), std::nullopt, lower, std::move(meaning)).optional();
 }
-
+Parameter word(std::string name, std::optional<std::string> standard, std::string meaning) {
+    return {std::move(name), Parameter::Kind::word, std::move(standard), std::move(meaning)};
+}
 Parameter word(std::string name, std::string meaning) {
     return word(std::move(name), std::nullopt, std::move(meaning)).optional();
+}
+Parameter word_list(std::string name, std::string meaning) {
+    return {std::move(name), Parameter::Kind::words, std::nullopt, std::move(meaning)};
 }
 
 std::string BoundParameter::in_words() const {
@@ -54,12 +49,8 @@ std::string BoundParameter::in_words() const {
                 return std::to_string(*at);
             else if constexpr (std::is_same_v<Value, std::string>)
                 return *at;
-            else {
-                std::string text;
-                for (const auto& each : *at)
-                    text += (text.empty() ? "" : " ") + each;
-                return text;
-            }
+            else
+                return boost::algorithm::join(*at, " ");
         },
         value);
 }
@@ -73,14 +64,6 @@ std::optional<double> BoundParameter::as_number() const {
                 return std::nullopt;
         },
         value);
-}
-
-std::vector<BoundParameter> with_defaults(std::vector<BoundParameter> fields,
-                                          const std::vector<BoundParameter>& usual) {
-    for (std::size_t i = 0; i < fields.size(); ++i)
-        if (fields[i].parameter.is_of_operator)
-            fields[i].parameter.standard = usual[i].in_words();
-    return fields;
 }
 
 std::string values_in_words(const std::vector<BoundParameter>& fields) {

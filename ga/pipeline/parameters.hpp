@@ -26,9 +26,9 @@ struct Parameter {
     std::string name;                    ///< name, the KEY in KEY=VALUE
     Kind kind;                           ///< kind of value
     std::optional<std::string> standard; ///< default; none if a value must be given, "" for an absent value
+    std::string meaning;                 ///< meaning in one line, for the listing
     double lower = -no_limit;            ///< smallest allowed number
     double upper = no_limit;             ///< largest allowed number
-    std::string meaning = {};            ///< meaning in one line, for the listing
     bool is_keyed = false;               ///< whether it is written as KEY=VALUE in a stage's text
     bool is_quiet = false;               ///< whether it is omitted from the text if it has its default
     bool is_of_operator = false;         ///< whether the default is the value that a new operator has
@@ -59,21 +59,17 @@ struct Parameter {
     std::string expected(bool in_full = false) const;
 };
 
-/// A parameter that takes a real number in [lower, upper].
+///@{ A parameter that takes a real number in [lower, upper], a whole number from `lower` on, a word, or all
+/// remaining words. Without `standard` the default is the value that a new operator has.
 Parameter number(std::string name, std::optional<std::string> standard, double lower, double upper,
                  std::string meaning);
-/// A real number whose default is the value that a new operator has.
 Parameter number(std::string name, double lower, double upper, std::string meaning);
-/// A parameter that takes a whole number, `lower` or more.
 Parameter whole(std::string name, std::optional<std::string> standard, double lower, std::string meaning);
-/// A whole number whose default is the value that a new operator has.
 Parameter whole(std::string name, double lower, std::string meaning);
-/// A parameter that takes a word.
 Parameter word(std::string name, std::optional<std::string> standard, std::string meaning);
-/// A word whose default is the value that a new operator has.
 Parameter word(std::string name, std::string meaning);
-/// A parameter that takes all remaining words.
 Parameter word_list(std::string name, std::string meaning);
+///@}
 
 /// An operator's name and purpose, for text and listing.
 struct Words {
@@ -112,21 +108,20 @@ struct BoundParameter {
     std::optional<double> as_number() const;
 };
 
-/// The fields, whose optional parameters get the values of a new operator, `usual`, as defaults.
-std::vector<BoundParameter> with_defaults(std::vector<BoundParameter> fields,
-                                          const std::vector<BoundParameter>& usual);
 /// The parameters of an object that describes itself, with pointers to its values.
 template <class T>
 [[gnu::cold]] std::vector<BoundParameter> bound_parameters(T& described) {
-    const auto fields_in = [](T& object) {
-        std::vector<BoundParameter> fields;
-        T::describe(object, [&](auto& value, Parameter parameter) {
-            fields.push_back({std::move(parameter), BoundParameter::Pointer(&value)});
-        });
-        return fields;
+    std::vector<BoundParameter> fields;
+    const auto add = [&](auto& value, Parameter parameter) {
+        if (parameter.is_of_operator)
+            parameter.standard = BoundParameter{{}, &value}.in_words();
+        fields.push_back({std::move(parameter), &value});
     };
     T usual{};
-    return with_defaults(fields_in(described), fields_in(usual));
+    T::describe(usual, add);
+    std::size_t i = 0;
+    T::describe(described, [&](auto& value, const Parameter&) { fields[i++].value = &value; });
+    return fields;
 }
 /// The values of these parameters, as they are written after the name in a pipeline's text.
 std::string values_in_words(const std::vector<BoundParameter>& fields);
@@ -139,9 +134,9 @@ template <Described T>
 /// The parameters of a type that describes itself.
 template <class T>
 [[gnu::cold]] std::vector<Parameter> parameters_of() {
-    T standard{};
+    T usual{};
     std::vector<Parameter> parameters;
-    for (BoundParameter& field : bound_parameters(standard))
+    for (BoundParameter& field : bound_parameters(usual))
         parameters.push_back(std::move(field.parameter));
     return parameters;
 }

@@ -105,10 +105,8 @@ template <Problem P>
     if (population.empty() || !comparable(population))
         return;
     const std::string objective = population.front().fitness.objective();
-    const auto& objectives = context.problem().objectives();
-    const bool known = std::any_of(objectives.begin(), objectives.end(),
-                                   [&](const auto& each) { return each.name == objective; });
-    if (!known)
+    if (std::ranges::none_of(context.problem().objectives(),
+                             [&](const auto& each) { return each.name == objective; }))
         return;
     for (auto& individual : population)
         individual.fitness = {};
@@ -118,11 +116,8 @@ template <Problem P>
 }
 
 /// Runs a pipeline on a population. `evaluator` makes every call of `evaluate` and computes every derivative.
-/// Throws UsageError before any evaluation if the pipeline cannot work.
-///
-/// The same seed gives the same bits for any number of threads, any memory and any evaluator with the same
-/// outcomes. The result may differ only if a time limit or a stop request ends the run. A run that is resumed
-/// from its checkpoints gives the same bits, too.
+/// Throws UsageError before any evaluation if the pipeline cannot work. The same seed gives the same bits for
+/// any evaluator with the same outcomes (ga/README.md, "Guarantees").
 /// @param population  may be empty if the pipeline begins with `sample`
 template <Problem P, class G = typename P::Genome>
 [[gnu::cold, gnu::noinline]] Result<G>
@@ -160,7 +155,7 @@ run_by(Evaluator<P>& evaluator, const std::type_identity_t<Pipeline<P>>& pipelin
         if (ledger.all_failed())
             throw Stopped{ledger.failure_text(), true};
     } catch (const Stopped& stop) {
-        // If one island cannot continue, a stop may have cut the others short.
+        // If one island cannot continue, a stop may have ended other islands early.
         result.is_dead_end = stop.is_dead_end && !context.watch().expired();
         result.stopped = stop.is_dead_end == result.is_dead_end ? stop.reason : context.watch().reason();
         if (context.state.stopped_population)
@@ -189,12 +184,5 @@ template <Problem P, class G = typename P::Genome>
     return run_by(threads, pipeline, problem, std::move(population), options, std::move(observers),
                   checkpointer);
 }
-
-/// A genome that the caller evaluates.
-template <class G>
-struct Proposal {
-    std::size_t id; ///< number of the genome in the run, from 0
-    G genome;       ///< genome to evaluate
-};
 
 } // namespace ga

@@ -33,10 +33,9 @@ Score score(const Objective<Outcome>& objective) {
     return score(objective.name);
 }
 
-/// Gives each individual the mean fitness of n replicates of a noisy evaluation. This stage is used instead
-/// of `score`. When it runs again, it adds n replicates to each individual that is still in the population,
-/// until the individual has `limit` replicates. So an individual does not stay the best only because of lucky
-/// draws. Known replicates are not evaluated again.
+/// Gives each individual the mean fitness of n replicates of a noisy evaluation, in place of `score`. When it
+/// runs again, it adds n replicates to each individual that is still there, until it has `limit`. So an
+/// individual does not stay the best only because of lucky draws. Known replicates are not evaluated again.
 struct Average : Operator {
     std::size_t n = 2;     ///< number of replicates that the stage adds each time
     std::string objective; ///< name of the objective; empty: the problem's first

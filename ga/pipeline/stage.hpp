@@ -44,19 +44,15 @@ struct CheckState {
 
 /// One operator for one type of problem: its text ("best 3"; the first word is its name), its check and its
 /// action.
-///
-/// In a block that runs in generations, e.g. `repeat`, the *start* of a generation is the population at its
-/// beginning.
 template <Problem P>
 struct Stage {
     using Genome = typename P::Genome;      ///< genome of the problem
     std::string text;                       ///< text of the operator in pipelines
     std::function<void(CheckState&)> check; ///< checks whether the operator can work, updates the CheckState
     std::function<Population<Genome>(Population<Genome>, Context<P>&)> apply; ///< the operator's action
-    /// Number of the best individuals of the generation's start that the operator reads.
-    std::size_t reads_of_start = 0;
-    bool begins = false;     ///< whether the operator works without a population
-    bool keeps_size = false; ///< whether its check keeps CheckState::at_most
+    std::size_t reads_of_start = 0;                                           ///< see Operator
+    bool begins = false;                                                      ///< see Operator
+    bool keeps_size = false;                                                  ///< see Operator
 };
 
 // clang-format off
@@ -73,18 +69,19 @@ struct Stage {
 ///     struct State;                           state from one generation to the next; to_json and from_json
 ///                                             write and read it; the call takes a State& as last parameter
 ///     static constexpr const char* needs;     members that the problem must have, in words
-///     std::size_t reads_of_start() const;     number of the best individuals of the generation's start that
-///                                             the operator reads, or `all_individuals`
-///     static constexpr bool begins = true;    if the operator works without a population
-///     static constexpr bool keeps_size = true;        if it adds no individual, or check sets
-///                                             CheckState::at_most
 /// @endcode
 /// A block is an operator that contains pipelines. Instead of check and operator() it has
 /// @code
 ///     template <Problem P> Stage<P> stage() const;
 /// @endcode
 // clang-format on
-struct Operator : NoParameters {};
+struct Operator : NoParameters {
+    static constexpr bool begins = false;     ///< whether it works without a population
+    static constexpr bool keeps_size = false; ///< whether it adds no individual, or check sets `at_most`
+    /// Number of the best individuals that it reads of the generation's start, the population at its
+    /// beginning.
+    std::size_t reads_of_start() const { return 0; }
+};
 
 /// Returns the operator. Throws UsageError if a value is out of range.
 template <class Op>
@@ -252,22 +249,16 @@ class Pipeline {
             // Not callable; here the compiler names the constraint.
             using Called [[maybe_unused]] = decltype(op(Population<Genome>(), std::declval<Context<P>&>()));
         } else {
-            Stage<P> stage;
+            std::string text;
             if constexpr (requires { op.text(); })
-                stage.text = op.text();
+                text = op.text();
             else
-                stage.text = text_of(op);
-            stage.check = [op](CheckState& known) { op.check(known); };
-            stage.apply = [op](Population<Genome> population, Context<P>& context) {
-                return applied(op, std::move(population), context);
-            };
-            if constexpr (requires { op.reads_of_start(); })
-                stage.reads_of_start = op.reads_of_start();
-            if constexpr (requires { Op::begins; })
-                stage.begins = Op::begins;
-            if constexpr (requires { Op::keeps_size; })
-                stage.keeps_size = Op::keeps_size;
-            add(std::move(stage));
+                text = text_of(op);
+            add({std::move(text), [op](CheckState& known) { op.check(known); },
+                 [op](Population<Genome> population, Context<P>& context) {
+                     return applied(op, std::move(population), context);
+                 },
+                 op.reads_of_start(), Op::begins, Op::keeps_size});
         }
     }
     template <class Op>

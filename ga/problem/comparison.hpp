@@ -68,14 +68,27 @@ std::vector<std::size_t> ranking(const Population<G>& population, std::size_t n 
     return ranking(merits(population), n);
 }
 
+/// Copies of the individuals at these positions, in their order.
+template <class G>
+Population<G> individuals_at(const std::vector<std::size_t>& positions, const Population<G>& population) {
+    Population<G> chosen;
+    chosen.reserve(positions.size());
+    for (const std::size_t i : positions)
+        chosen.push_back(population[i]);
+    return chosen;
+}
 /// The n best individuals, best first, failed ones last; all if there are fewer.
 template <class G>
 Population<G> best_of(const Population<G>& population, std::size_t n) {
-    Population<G> chosen;
-    chosen.reserve(std::min(n, population.size()));
-    for (const std::size_t i : ranking(population, n))
-        chosen.push_back(population[i]);
-    return chosen;
+    return individuals_at(ranking(population, n), population);
+}
+
+/// Replaces the worst individuals by others, the worst by the first, as far as there are as many.
+template <class G>
+void replace_worst(Population<G>& population, Population<G> by) {
+    const std::vector<std::size_t> order = ranking(population);
+    for (std::size_t i = 0; i < std::min(by.size(), order.size()); ++i)
+        population[order[order.size() - 1 - i]] = std::move(by[i]);
 }
 
 /// The part of a generation's start that a block keeps: the best `reads` individuals, or all for
@@ -128,7 +141,7 @@ inline bool better(const Fitness& a, const Fitness& b) {
 /// Whether all individuals are scored under one policy.
 template <class G>
 bool comparable(const Population<G>& population) {
-    return std::all_of(population.begin(), population.end(), [&](const auto& each) {
+    return std::ranges::all_of(population, [&](const auto& each) {
         return each.fitness.known() && each.fitness.known(population.front().fitness.objective_name());
     });
 }
@@ -141,11 +154,12 @@ Population<G> front_of(const Population<G>& population) {
     for (const auto& individual : population)
         if (individual.fitness.known() && !individual.fitness.has_failed())
             scored.push_back(individual);
+    if (scored.empty())
+        return scored;
     const std::vector<double> worth = merits(scored);
-    const bool several = !scored.empty() && scored.front().fitness.several();
-    const double highest = worth.empty() ? 0 : *std::max_element(worth.begin(), worth.end());
-    const double lowest =
-        several ? std::min(0.0, highest) : highest; // merits of the first front are 0 or more
+    const double highest = std::ranges::max(worth);
+    const bool several = scored.front().fitness.several();
+    const double lowest = several ? std::min(0.0, highest) : highest; // the first front has merits from 0 on
     Population<G> front;
     for (std::size_t i = 0; i < scored.size(); ++i)
         if (worth[i] >= lowest)

@@ -32,7 +32,7 @@ Fitness Fitness::failed(Name policy, Reason why) {
 
 Fitness Fitness::constrained(std::vector<double> violations, std::optional<double> sum) const {
     Fitness fitness = *this;
-    if (std::any_of(violations.begin(), violations.end(), [](double each) { return each > 0; })) {
+    if (std::ranges::any_of(violations, [](double each) { return each > 0; })) {
         for (double& each : violations)
             each = std::max(each, 0.0);
         fitness.detail_ = std::make_shared<const Detail>(

@@ -216,7 +216,7 @@ struct Variable {
     bool is_choice = false;
 };
 
-/// What a problem's function costs that computes more than its result shows, for example curves to compare.
+/// The cost of a problem's function that computes more than its result shows, for example curves to compare.
 /// The function takes it as its last argument and adds to it. It then counts as evaluations do.
 struct Work {
     double price = 0; ///< price, in evaluations of level 0
@@ -236,19 +236,23 @@ decltype(auto) with_work(const Function& function, Work& work, Arguments&&... ar
         return function(std::forward<Arguments>(arguments)...);
 }
 
-/// A named choice of genes for refinement: which genes may move, and how far.
-template <class G>
-struct Variables {
-    std::string name; ///< name in pipelines, as in "genes=NAME"
-    /// The function that returns the genes for a genome.
-    std::function<std::vector<Variable>(const G&, Work&)> of;
+/// A function that text pipelines name.
+template <class Result, class... Arguments>
+struct NamedFunction {
+    std::string name;                              ///< name in pipelines
+    std::function<Result(Arguments..., Work&)> of; ///< the function; it adds to the Work
 
-    /// @param function  from a genome, and a Work if it is one, to the genes that may move
-    template <gives_with_work<std::vector<Variable>, const G&> Function>
-    Variables(std::string word, Function function)
-        : name(std::move(word)),
-          of([function](const G& genome, Work& work) { return with_work(function, work, genome); }) {}
+    /// @param function  may take a Work as its last argument
+    template <gives_with_work<Result, Arguments...> Function>
+    NamedFunction(std::string word, Function function)
+        : name(std::move(word)), of([function](Arguments... arguments, Work& work) {
+              return Result(with_work(function, work, arguments...));
+          }) {}
 };
+
+/// A choice of genes for refinement, from a genome to the genes that may move and how far.
+template <class G>
+using Variables = NamedFunction<std::vector<Variable>, const G&>;
 
 /// Optional: the genes that operators (and refinement with `genes=all`) may move, with their bounds, in
 /// ascending order. The member may return a reference.
@@ -336,9 +340,9 @@ template <class Member>
 constexpr bool is_function_member =
     std::is_member_function_pointer_v<Member> || std::is_function_v<std::remove_pointer_t<Member>>;
 
-/// Gives a compile-time error with the name of a member that does not fit its concept, or that has a likely
-/// misspelling of an optional member's name. Without this check such a member would be ignored. Overloaded
-/// and templated members are not checked.
+/// Gives a compile-time error with the name of a member that does not fit its concept, or whose name is a
+/// likely misspelling. Without this check such a member would be ignored. Overloaded and templated members
+/// are not checked.
 template <class P>
 constexpr bool members_fit() {
 #define GA_MEMBER_FITS(member, Concept)                                                                      \
@@ -379,10 +383,9 @@ constexpr bool members_fit() {
     return true;
 }
 
-/// Whether a genome from outside the run is usable. It may come from a start population, a checkpoint or a
-/// program in another language. A permutation must have each number once. If the problem has the member
-/// `valid`, this member decides. Otherwise, in a vector of double, every gene that has bounds must exist and
-/// be finite.
+/// Whether a genome from outside the run is usable. A permutation must have each number once. If the problem
+/// has the member `valid`, this member decides. Otherwise, in a vector of double, every gene that has bounds
+/// must exist and be finite.
 template <Problem P>
 bool is_valid(const P& problem, const typename P::Genome& genome) {
     if constexpr (std::same_as<typename P::Genome, Permutation>)

@@ -100,8 +100,4 @@ Eigen::VectorXd LevenbergMarquardt::improve(const Landscape& land) const {
     return best.x;
 }
 
-ResidualMethod lm(int evaluations, int sharpen) {
-    return method_of(LevenbergMarquardt{evaluations, sharpen});
-}
-
 } // namespace ga

@@ -29,6 +29,8 @@ struct LevenbergMarquardt {
 };
 
 /// The method `lm evaluations sharpen=sharpen`.
-ResidualMethod lm(int evaluations = 30, int sharpen = 0);
+inline ResidualMethod lm(int evaluations = 30, int sharpen = 0) {
+    return method_of(LevenbergMarquardt{evaluations, sharpen});
+}
 
 } // namespace ga

@@ -1,6 +1,5 @@
 #include "ga/refinement/nlopt.hpp"
 
-#include "ga/refinement/mma.hpp"
 #include "ga/refinement/nlopt_search.hpp"
 
 namespace ga {
@@ -89,8 +88,6 @@ Eigen::VectorXd Nlopt::improve(const Landscape& land) const {
     return best.x;
 }
 
-Method nlopt_method(const std::string& name, int evaluations) { return method_of(Nlopt{name, evaluations}); }
-
 ResidualMerit minus_largest(const Eigen::VectorXd& residuals) {
     Eigen::Index worst = 0;
     const double largest = residuals.cwiseAbs().maxCoeff(&worst);
@@ -177,8 +174,5 @@ Eigen::VectorXd Minimax::improve(const Landscape& land) const {
     search.from(start);
     return best.x;
 }
-
-ResidualMethod mma(int evaluations) { return method_of(Mma{evaluations}); }
-ResidualMethod minimax(int evaluations) { return method_of(Minimax{evaluations}); }
 
 } // namespace ga

@@ -64,15 +64,13 @@ class NloptSearch {
         double value = 0;
         try {
             search_.optimize(x, value);
-        } catch (const nlopt::roundoff_limited&) {
-        } catch (const nlopt::forced_stop&) {
         } catch (const std::runtime_error&) {
-            // "nlopt failure": the points seen until then still count
+            // stopped, limited by rounding, or "nlopt failure": the points seen until then still count
         } catch (const std::invalid_argument& error) {
             throw UsageError(
                 std::string("refine nlopt ") +
-                nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) +
-                ": " + error.what() + "; use another algorithm, or finite bounds");
+                nlopt_algorithm_to_string(static_cast<nlopt_algorithm>(search_.get_algorithm())) + ": " +
+                error.what() + "; use another algorithm, or finite bounds");
         }
         if (error_)
             std::rethrow_exception(error_);

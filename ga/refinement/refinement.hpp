@@ -4,7 +4,6 @@
 /// Refinement by every method of the engine. It is not part of ga/ga.hpp, because it needs Eigen and NLopt.
 #include "ga/pipeline/stage.hpp"
 #include "ga/refinement/levenberg_marquardt.hpp"
-#include "ga/refinement/mma.hpp"
 #include "ga/refinement/nlopt.hpp"
 
 namespace ga {
@@ -59,8 +58,8 @@ class Search {
         };
         if constexpr (Constrained<P>)
             land.constrained = [this](const Eigen::VectorXd& x) {
-                if (seen_at_.size() != x.size() ||
-                    seen_at_ != x) { // called for the fitness, then for the constraints
+                // called for the fitness, then for the constraints
+                if (seen_at_.size() != x.size() || seen_at_ != x) {
                     seen_fitness_ = fitness(x);
                     seen_at_ = x;
                 }
@@ -115,30 +114,24 @@ class Search {
         EvaluationRequest<P> request;
         request.outcomes.push_back({&genome, true, 0, objective().level});
         request.use = [&] {
-            const auto* answer = request.outcomes.front().answer;
-            if (!answer || std::holds_alternative<Pending>(*answer))
+            const auto& wanted = request.outcomes.front();
+            if (!wanted.is_answered())
                 return;
-            found = fitness_of(problem_, *answer, objective(), individual_.fitness.objective_name());
+            found = fitness_of(problem_, *wanted.answer, objective(), individual_.fitness.objective_name());
             if (found.has_failed())
-                request.fail(found, 1);
-            if constexpr (Constrained<P>)
-                if (!found.has_failed()) {
-                    auto each = violations_of(problem_, std::get<typename P::Outcome>(*answer));
-                    violations_ = as_vector(each);
-                }
+                return request.fail(found, 1);
+            if constexpr (Constrained<P>) {
+                auto each = violations_of(problem_, std::get<typename P::Outcome>(*wanted.answer));
+                violations_ = as_vector(each);
+            }
         };
         ask(request, price_of(problem_, objective().level).evaluation);
         return found;
     }
     /// The slope at a point; unknown parts are empty.
     Slope<P> slope(const Eigen::VectorXd& x, bool of_residuals) {
-        Slope<P> slope{x.allFinite() ? at(x) : individual_.genome,
-                       individual_.fitness.objective_name(),
-                       objective().level,
-                       of_residuals,
-                       {},
-                       {},
-                       {}};
+        Slope<P> slope{x.allFinite() ? at(x) : individual_.genome, individual_.fitness.objective_name(),
+                       objective().level, of_residuals};
         EvaluationRequest<P> request;
         request.slopes.push_back(&slope);
         if (x.allFinite())
@@ -208,40 +201,34 @@ struct Refine : Operator {
             if (!individual.fitness.has_failed())
                 jobs.push_back(&individual);
         std::vector<std::vector<Variable>> genes(jobs.size());
-        const auto original = [&](std::size_t i) -> const G& {
-            return jobs[i]->origin ? *jobs[i]->origin : jobs[i]->genome;
-        };
-        if constexpr (!std::same_as<Choice, EveryGene>) {
-            std::vector<Work> work(jobs.size());
-            parallel_for(jobs.size(), context.threads(),
-                         [&](std::size_t i) { genes[i] = variables.of(original(i), work[i]); });
-            context.charge(work);
-        }
+        std::vector<Work> work(jobs.size());
+        parallel_for(jobs.size(), context.threads(), [&](std::size_t i) {
+            const G& original = jobs[i]->origin ? *jobs[i]->origin : jobs[i]->genome;
+            if constexpr (std::same_as<Choice, EveryGene>)
+                genes[i] = checked_bounds(context.problem(), original);
+            else
+                genes[i] = variables.of(original, work[i]);
+            std::erase_if(genes[i], [](const Variable& gene) { return !(gene.lower < gene.upper); });
+        });
+        context.charge(work);
         // One evaluation is reserved for each result. The rest of the budget is divided before any search.
-        const auto count = static_cast<long>(jobs.size());
+        const auto count = static_cast<double>(jobs.size());
         const std::size_t which =
             jobs.empty() ? 0 : context.objective_index(jobs.front()->fitness.objective());
         const double price =
             price_of(context.problem(), context.problem().objectives()[which].level).evaluation;
-        const double left = std::floor(context.ledger().left_after(static_cast<double>(count) * price));
+        const double left = std::floor(context.ledger().left_after(count * price));
         if (left <= 0) {
             context.state.stopped_population = population;
             throw Stopped{"evaluation budget spent"};
         }
+        const double share = std::floor(left / count), rest = left - share * count;
         std::vector<std::optional<G>> found(jobs.size());
         std::vector<Reason> missing(jobs.size());
         const int threads = context.ledger().evaluator().threads();
         Rounds<P>::run(jobs.size(), context.queue(), threads, [&](std::size_t i, EvaluationQueue<P>& queue) {
-            const auto& individual = *jobs[i];
-            std::vector<Variable> moving = std::move(genes[i]);
-            if constexpr (std::same_as<Choice, EveryGene>)
-                moving = checked_bounds(context.problem(), original(i));
-            std::erase_if(moving,
-                          [](const Variable& variable) { return !(variable.lower < variable.upper); });
-            const double share = std::floor(left / static_cast<double>(count)),
-                         rest = left - share * static_cast<double>(count);
             const double limit = share + (static_cast<double>(i) < rest ? 1 : 0);
-            Search<P> search(context.problem(), queue, context.watch(), individual, std::move(moving), limit);
+            Search<P> search(context.problem(), queue, context.watch(), *jobs[i], std::move(genes[i]), limit);
             found[i] = search.by(method, context.stream(i)());
             missing[i] = search.missing_derivative();
         });

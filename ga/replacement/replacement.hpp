@@ -4,9 +4,8 @@
 
 namespace ga {
 
-/// Brings back the k best individuals of the generation's start in place of the worst of the population. An
-/// individual that is still in the population is not added again. A better individual is never replaced by a
-/// worse one. Under several objectives both populations are first ranked together.
+/// Brings back the k best individuals of the generation's start that the population lacks, in place of worse
+/// ones. Under several objectives both populations are first ranked together.
 struct Elite : Operator {
     std::size_t k = 1; ///< number of individuals that come back, >= 1
     static Words words() {
@@ -19,18 +18,15 @@ struct Elite : Operator {
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> population, Context<P>& context) const {
         const auto& start = context.generation_start();
+        const std::size_t n = population.size();
         std::vector<double> worth = merits(population, start);
-        const auto first_of_start = static_cast<std::ptrdiff_t>(population.size());
         for (std::size_t i = 0; i < std::min(k, start.size()); ++i) {
-            const auto& old = start[i];
-            const auto same = [&](const auto& each) { return each.identity == old.identity; };
-            if (std::any_of(population.begin(), population.end(), same))
+            if (std::ranges::count(population, start[i].identity, &Individual<typename P::Genome>::identity))
                 continue;
-            const auto worst = std::min_element(worth.begin(), worth.begin() + first_of_start);
-            const double worth_of_old = worth[population.size() + i];
-            if (*worst < worth_of_old) {
-                *worst = worth_of_old;
-                population[static_cast<std::size_t>(worst - worth.begin())] = old;
+            const auto worst = std::ranges::min_element(std::span(worth).first(n));
+            if (*worst < worth[n + i]) {
+                *worst = worth[n + i];
+                population[static_cast<std::size_t>(&*worst - worth.data())] = start[i];
             }
         }
         return population;
@@ -38,9 +34,8 @@ struct Elite : Operator {
 };
 
 /// (mu + lambda) replacement (Schwefel 1975). Returns the mu best individuals of the generation's start and
-/// of the population. Under several objectives the two populations are ranked as one. This is NSGA-II's
-/// replacement (Deb et al. 2002). With `copies=none`, individuals with equal genomes stay only if there are
-/// fewer than mu different genomes.
+/// of the population, ranked as one: under several objectives NSGA-II's replacement (Deb et al. 2002). With
+/// `copies=none`, individuals with equal genomes stay only if there are fewer than mu different genomes.
 struct Plus : Operator {
     std::size_t mu = 0;         ///< number of individuals that stay; 0 for the size of the generation's start
     std::string copies = "any"; ///< whether genomes may be equal: any or none
@@ -67,8 +62,7 @@ struct Plus : Operator {
             return best_of(population, n);
         const auto left = take_copies(population, context.problem());
         population = best_of(population, n);
-        for (const auto& each : best_of(left, n - population.size()))
-            population.push_back(each);
+        std::ranges::move(best_of(left, n - population.size()), std::back_inserter(population));
         return population;
     }
 };
@@ -109,8 +103,7 @@ struct Distinct : Operator {
     }
 };
 
-/// Adds the individuals of the generation's start to the population, so that the next stages choose among the
-/// individuals of both populations.
+/// Adds the individuals of the generation's start, so that the next stages choose among both populations.
 struct JoinParents : Operator {
     static Words words() {
         return {"parents", "replacement",
@@ -144,10 +137,7 @@ struct Steady : Operator {
     template <Problem P>
     PopulationOf<P> operator()(PopulationOf<P> children, Context<P>& context) const {
         auto population = context.generation_start();
-        const std::vector<std::size_t> order = ranking(population);
-        const std::size_t count = std::min(children.size(), population.size());
-        for (std::size_t i = 0; i < count; ++i)
-            population[order[order.size() - 1 - i]] = std::move(children[i]);
+        replace_worst(population, std::move(children));
         return population;
     }
 };

@@ -131,27 +131,27 @@ class Context {
         request_.stop_mode = stop_mode;
         request_.use = [&] {
             for (std::size_t i = 0; i < requested_.size(); ++i) {
-                const Evaluation<Outcome>* answer = request_.outcomes[i].answer;
-                if (!answer || std::holds_alternative<Pending>(*answer))
+                const Requested& wanted = request_.outcomes[i];
+                if (!wanted.is_answered())
                     continue;
                 auto& individual = *requested_[i];
                 const auto levels = static_cast<std::uint8_t>(individual.fitness.levels() | bit_of(level));
-                assign(individual, *answer);
+                assign(individual, *wanted.answer);
                 individual.fitness.set_levels(levels);
                 if (individual.fitness.has_failed())
-                    request_.fail(individual.fitness, request_.outcomes[i].counts ? 1 : 0);
+                    request_.fail(individual.fitness, wanted.counts ? 1 : 0);
                 else if constexpr (HasFinalGenome<P>)
-                    individual.genome = problem().final_genome(individual.genome, std::get<Outcome>(*answer));
+                    individual.genome =
+                        problem().final_genome(individual.genome, std::get<Outcome>(*wanted.answer));
                 offer(individual);
             }
         };
         serve(population);
     }
 
-    /// Adds n replicates of a noisy evaluation to each individual that has not failed. An individual gets at
-    /// most max(n, limit) replicates in total. Its fitness becomes the mean of all its replicates. Known
-    /// replicates are not evaluated again. If one replicate fails, the individual is marked as failed. If
-    /// `limit` is above n, individuals of the generation's start that may come back get replicates, too.
+    /// Adds n replicates to each individual that has not failed, up to max(n, limit) in total (Average). If
+    /// one replicate fails, the individual is marked as failed. If `limit` is above n, individuals of the
+    /// generation's start that may come back get replicates, too.
     void average(Population<Genome>& population, const std::string& objective_name, std::size_t n,
                  std::size_t limit) {
         const std::size_t which = objective_index(objective_name);
@@ -185,14 +185,13 @@ class Context {
         request_.use = [&] {
             auto& best = root_.state.best;
             for (std::size_t i = 0; i < requested_.size(); ++i) {
-                const auto mean = mean_of(firsts[i], firsts[i + 1] - firsts[i], which);
+                const auto replicates =
+                    std::span(request_.outcomes).subspan(firsts[i], firsts[i + 1] - firsts[i]);
+                const auto mean = mean_of(replicates, which);
                 if (!mean)
                     continue;
                 if (mean->has_failed())
-                    request_.fail(*mean,
-                                  std::count_if(request_.outcomes.begin() + std::ptrdiff_t(firsts[i]),
-                                                request_.outcomes.begin() + std::ptrdiff_t(firsts[i + 1]),
-                                                [](const auto& wanted) { return wanted.counts; }));
+                    request_.fail(*mean, std::ranges::count(replicates, true, &Requested::counts));
                 const std::uint8_t levels = requested_[i]->fitness.levels();
                 requested_[i]->fitness = *mean;
                 requested_[i]->fitness.set_levels(static_cast<std::uint8_t>(levels | bit_of(level)));
@@ -294,26 +293,20 @@ class Context {
     }
     /// The current state of the run between two stages, with or without its frames.
     [[gnu::cold]] Snapshot<Genome> snapshot(bool with_frames = true) const {
-        return {with_frames ? state.frames : std::list<Frame<Genome>>(),
+        return {state,
+                with_frames ? state.frames : std::list<Frame<Genome>>(),
                 ledger_.counters,
-                state.next_identity,
-                state.best,
-                state.notes,
                 seconds(),
                 ledger_.memory.young.size(),
-                ledger_.heaviest(),
-                state.idle_generations};
+                ledger_.heaviest()};
     }
     /// Continues from a snapshot: blocks find their frames in it when they open.
     [[gnu::cold]] void resume(Snapshot<Genome> snapshot) {
         state.saved = std::move(snapshot.frames);
-        ledger_.counters = snapshot.counters;
-        state.next_identity = snapshot.next_identity;
-        state.best = std::move(snapshot.best);
-        state.notes = std::move(snapshot.notes);
         state.earlier_seconds = snapshot.seconds;
-        state.idle_generations = snapshot.idle_generations;
+        ledger_.counters = snapshot.counters;
         ledger_.resume(snapshot.heaviest);
+        static_cast<Progress<Genome>&>(state) = std::move(snapshot);
     }
     /// Writes the checkpoint of a stopping run, once. `before` is the state before the interrupted stage or
     /// between two stages. The frames of the open blocks are added to it.
@@ -337,6 +330,7 @@ class Context {
     }
 
   private:
+    using Requested = typename EvaluationRequest<P>::OutcomeRequest;
     struct Shown {
         std::string path;
         std::vector<std::size_t> generation;
@@ -381,26 +375,26 @@ class Context {
             throw;
         }
     }
-    /// The mean of n answers, the first at `from`; none if an answer is missing.
-    std::optional<Fitness> mean_of(std::size_t from, std::size_t n, std::size_t which) const {
+    /// The mean of some answers; none if one is missing.
+    std::optional<Fitness> mean_of(std::span<const Requested> replicates, std::size_t which) const {
         const auto& objective = problem().objectives()[which];
+        const auto n = static_cast<double>(replicates.size());
         double value = 0;
         std::vector<double> violations;
-        for (std::size_t i = from; i < from + n; ++i) {
-            const Evaluation<Outcome>* answer = request_.outcomes[i].answer;
-            if (!answer || std::holds_alternative<Pending>(*answer))
+        for (const Requested& replicate : replicates) {
+            if (!replicate.is_answered())
                 return std::nullopt;
-            const Fitness one = fitness_of(problem(), *answer, objective, names_[which]);
+            const Fitness one = fitness_of(problem(), *replicate.answer, objective, names_[which]);
             if (one.has_failed())
                 return one;
-            value += one.value() / static_cast<double>(n);
+            value += one.value() / n;
             violations.resize(std::max(violations.size(), one.violations().size()), 0);
             for (std::size_t k = 0; k < one.violations().size(); ++k)
-                violations[k] += one.violations()[k] / static_cast<double>(n);
+                violations[k] += one.violations()[k] / n;
         }
         return Fitness(names_[which], value, objective.minimise)
             .constrained(std::move(violations))
-            .averaged(n);
+            .averaged(replicates.size());
     }
 
     Ledger<P>& ledger_;

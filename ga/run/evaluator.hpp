@@ -33,17 +33,16 @@ struct EvaluationCall {
 /// `gradient`). The answer is one of the last three members.
 template <Problem P>
 struct Slope {
-    typename P::Genome genome;                      ///< genome at which the derivative is computed
-    Name objective;                                 ///< name of the objective
-    Level level = {};                               ///< level of evaluation that the objective reads
-    bool of_residuals = true;                       ///< true: of the residuals; false: of the fitness
-    std::shared_ptr<const Sensitivity> sensitivity; ///< residuals and their derivatives
-    std::vector<double> gradient;                   ///< derivative of the fitness, one per gene
-    Reason failure;                                 ///< why the derivative is missing
+    typename P::Genome genome;                           ///< genome at which the derivative is computed
+    Name objective;                                      ///< name of the objective
+    Level level = {};                                    ///< level of evaluation that the objective reads
+    bool of_residuals = true;                            ///< true: of the residuals; false: of the fitness
+    std::shared_ptr<const Sensitivity> sensitivity = {}; ///< residuals and their derivatives
+    std::vector<double> gradient = {};                   ///< derivative of the fitness, one per gene
+    Reason failure = {};                                 ///< why the derivative is missing
 };
 
-/// The outcome of `evaluate`, or the reason of its failure. It is pending if the problem itself stopped the
-/// evaluation by throwing Stopped.
+/// The outcome of `evaluate`, or the reason of its failure; pending if the problem threw Stopped.
 template <Problem P>
 Evaluation<typename P::Outcome> evaluated(const P& problem, const typename P::Genome& genome,
                                           std::uint64_t replicate = 0, Level level = {}) {
@@ -101,8 +100,8 @@ void differentiate(const P& problem, Slope<P>& slope) {
 }
 
 /// Makes the calls that are not answered from memory. Derive from this class to evaluate in other processes,
-/// on other machines or with a surrogate. The engine manages memory, counts and budget before it calls this
-/// class, from one thread at a time. Answers must not depend on the order of the calls.
+/// on other machines or with a surrogate. The engine calls it from one thread at a time. Answers must not
+/// depend on the order of the calls.
 template <Problem P>
 class Evaluator {
   public:
@@ -117,9 +116,8 @@ class Evaluator {
     virtual int threads() const { return 1; } ///< number of threads for work other than evaluations
 };
 
-/// Distributes the calls over threads. Each thread takes the next calls, so that all threads are busy even if
-/// costs differ. The calling thread alone makes the calls of a short batch if this was faster before.
-/// Measured times do not affect an answer.
+/// Distributes the calls over threads, each of which takes the next calls. The calling thread alone makes the
+/// calls of a short batch if this was faster before. Measured times do not affect an answer.
 template <Problem P>
 class OnThreads : public Evaluator<P> {
   public:
@@ -177,41 +175,6 @@ class OnThreads : public Evaluator<P> {
     double by_all_ = HUGE_VAL;                 ///< mean time per call if all threads are used, s
     double by_one_ = 0;                        ///< mean time per call if one thread is used, s
     std::size_t batches_ = 0;
-};
-
-/// Makes one call after the other, on the calling thread.
-template <Problem P>
-class Serial : public OnThreads<P> {
-  public:
-    Serial() : OnThreads<P>(1) {}
-};
-
-/// Records the genomes of all calls to another evaluator, for tests.
-template <Problem P>
-class Recording : public Evaluator<P> {
-  public:
-    /// Records the calls to `by`, which must outlive it.
-    explicit Recording(Evaluator<P>& by) : by_(by) {}
-
-    std::vector<typename P::Genome> evaluated;      ///< evaluated genomes in the order of the calls
-    std::vector<typename P::Genome> differentiated; ///< genomes of derivatives in the order of the requests
-    std::vector<std::size_t> batches;               ///< number of calls in each batch
-
-    void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
-        batches.push_back(calls.size());
-        for (const EvaluationCall<P>& call : calls)
-            evaluated.push_back(*call.genome);
-        by_.outcomes(problem, calls, watch);
-    }
-    void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch& watch) override {
-        for (const Slope<P>* slope : slopes)
-            differentiated.push_back(slope->genome);
-        by_.slopes(problem, slopes, watch);
-    }
-    int threads() const override { return by_.threads(); }
-
-  private:
-    Evaluator<P>& by_;
 };
 
 } // namespace ga

@@ -83,10 +83,9 @@ class Table {
     std::size_t room_ = 0;                         ///< number of entries at which the index must grow
 };
 
-/// Evaluations by fingerprint in bounded memory. The memory has two halves, `young` and `old`. When the young
-/// half is full, the old half is removed and the young half becomes the old half. An evaluation that is read
-/// in the old half becomes young again. Only the order of requests decides which evaluations are removed. A
-/// removed evaluation costs time but does not affect a result, because evaluations are pure.
+/// Evaluations by fingerprint in bounded memory. When the young half is full, the old half is removed and the
+/// young half becomes the old half. An evaluation that is read in the old half becomes young again. Only the
+/// order of requests decides which evaluations are removed, and no result depends on it.
 ///
 /// A large memory slows cheap evaluations down, so it grows only if it saves some: a half has room for 16,384
 /// evaluations at first. The next half has twice the room if one in 1,024 was read in the old half, otherwise
@@ -172,6 +171,8 @@ struct EvaluationRequest {
         Fingerprint print = {};      ///< fingerprint of the genome, set by the queue
         /// The answer, set by the queue; null or pending if the run had to end.
         const Evaluation<Outcome>* answer = nullptr;
+        /// Whether there is an answer that is not pending.
+        bool is_answered() const { return answer && !std::holds_alternative<Pending>(*answer); }
     };
 
     std::vector<OutcomeRequest> outcomes;   ///< requested outcomes, which are counted in this order
@@ -212,8 +213,7 @@ class EvaluationQueue {
 };
 
 /// Manages memory, budget and counts for an evaluator. Known outcomes are not evaluated again, and budgets
-/// are exact to one call. Questions are answered in their order, so the number of threads does not affect a
-/// result.
+/// are exact to one call. Requests are answered in their order, whatever the number of threads.
 template <Problem P>
 class Ledger : public EvaluationQueue<P> {
   public:
@@ -231,11 +231,8 @@ class Ledger : public EvaluationQueue<P> {
         slopes_.clear();
         for (EvaluationRequest<P>* request : requests)
             look_up(*request);
-        const bool to_the_end =
-            std::any_of(requests.begin(), requests.end(), [](const EvaluationRequest<P>* each) {
-                return each->stop_mode == StopMode::after_request;
-            });
-        evaluate(to_the_end);
+        evaluate(std::ranges::any_of(
+            requests, [](const auto* each) { return each->stop_mode == StopMode::after_request; }));
         const bool cut_short = book();
         for (EvaluationRequest<P>* request : requests)
             answer(*request, cut_short);
@@ -246,8 +243,7 @@ class Ledger : public EvaluationQueue<P> {
                     request->error = std::make_exception_ptr(Stopped{failure_text(), true});
     }
 
-    /// What is left of the budget after this further price, in evaluations of level 0; 0 or less if nothing
-    /// is.
+    /// The budget left after this further price, in evaluations of level 0; 0 or less if it is spent.
     double left_after(double price) const {
         return static_cast<double>(budget_.evaluations) - counters.requested_price - price;
     }
@@ -370,11 +366,9 @@ class Ledger : public EvaluationQueue<P> {
     }
 
     void answer(EvaluationRequest<P>& request, bool cut_short) {
-        const bool open =
-            cut_short &&
-            std::any_of(request.outcomes.begin(), request.outcomes.end(), [](const auto& wanted) {
-                return wanted.answer && std::holds_alternative<Pending>(*wanted.answer);
-            });
+        const bool open = cut_short && std::ranges::any_of(request.outcomes, [](const auto& wanted) {
+                              return wanted.answer && !wanted.is_answered();
+                          });
         try {
             if (request.use)
                 request.use();

@@ -9,15 +9,14 @@
 namespace ga {
 
 /// Runs job(i, queue) for i = 0 .. n-1, each on a separate thread, and answers their requests in rounds. When
-/// every unfinished job waits for an answer, all requests go to the queue `through` together. The requests go
-/// in the order of the jobs and from the caller's thread. So jobs with one request at a time use all threads
-/// of the evaluator, and equal requests are evaluated once. The result does not depend on which job is
-/// faster.
+/// every unfinished job waits for an answer, all requests go to the queue `through` together. They go in the
+/// order of the jobs and from the caller's thread. So jobs with one request at a time use all threads of the
+/// evaluator. Equal requests are evaluated once. The result does not depend on which job is faster.
 ///
 /// At most `threads` jobs run at once; for 1, no member of the problem is called from two threads at once.
-/// `after` is called after every round. An exception does not stop the other jobs. The exception of the
-/// smallest i is thrown at the end. At most `room` jobs run at the same time. Rounds inside a job share this
-/// number, so that nested islands do not exhaust the system's threads.
+/// `after` is called after every round. An exception does not stop the other jobs. That of the smallest i is
+/// thrown at the end. At most `room` threads exist at the same time. Rounds inside a job share this number,
+/// so that nested islands do not exhaust the system's threads.
 template <Problem P>
 class Rounds {
   public:

@@ -198,39 +198,41 @@ struct Frame {
     std::map<std::string, OperatorState> states; ///< states of the operators inside, by path
 };
 
-/// The state of a run between two stages, from which it can continue.
+/// The part of a run's state that stages change and checkpoints store.
 template <class G>
-struct Snapshot {
-    std::list<Frame<G>> frames;        ///< one per open block, outermost first; empty if the run is done
-    Counters counters;                 ///< evaluations spent so far
-    Identity next_identity = 0;        ///< identity of the next child
-    std::optional<Individual<G>> best; ///< best individual under the problem's first objective
-    std::vector<std::string> notes;    ///< remarks so far
-    double seconds = 0;                ///< time spent so far in all processes of the run, s
-    std::size_t remembered = 0;        ///< number of evaluations in the newer half of the memory
-    std::size_t heaviest = 0;          ///< bytes of the largest outcome or failure message so far
-    double idle_generations = 0;       ///< see RunState
+struct Progress {
+    Identity next_identity = 0;             ///< identity of the next new individual
+    std::optional<Individual<G>> best = {}; ///< best individual under the problem's first objective
+    std::vector<std::string> notes = {};    ///< remarks, in the order they were made
+    double idle_generations = 0;            ///< generations, of any block, since an evaluation was requested
 };
 
-/// The values that a run needs to be resumed: frames of open blocks, identities, the best individual and the
-/// notes. When a run has to stop, its population is stored here too.
+/// The state of a run between two stages, from which it can continue.
 template <class G>
-class RunState {
+struct Snapshot : Progress<G> {
+    std::list<Frame<G>> frames; ///< one per open block, outermost first; empty if the run is done
+    Counters counters;          ///< evaluations spent so far
+    double seconds = 0;         ///< time spent so far in all processes of the run, s
+    std::size_t remembered = 0; ///< number of evaluations in the newer half of the memory
+    std::size_t heaviest = 0;   ///< bytes of the largest outcome or failure message so far
+};
+
+/// The state of a run that stages change. When a run has to stop, its population is stored here too.
+template <class G>
+class RunState : public Progress<G> {
   public:
+    using Progress<G>::notes;
+
     /// @param next  the first new individual's identity; greater than any in the population
     /// @param step  difference of two successive identities
-    explicit RunState(Identity next, Identity step = 1) : next_identity(next), identity_step(step) {}
+    explicit RunState(Identity next, Identity step = 1) : Progress<G>{next}, identity_step(step) {}
 
-    Identity next_identity;                          ///< identity of the next new individual
     Identity identity_step;                          ///< difference of two successive identities
     std::list<Frame<G>> frames;                      ///< one per open block, outermost first
     std::list<Frame<G>> saved;                       ///< frames of blocks that will open again after a resume
     std::vector<Frame<G>*> loops;                    ///< frames of blocks whose stages run repeatedly
-    std::optional<Individual<G>> best;               ///< best under the problem's first objective
     std::optional<Population<G>> stopped_population; ///< the population of a run that has to stop
-    double idle_generations = 0;    ///< generations, of any block, since an evaluation was requested
-    double earlier_seconds = 0;     ///< time spent in earlier processes of the run, s
-    std::vector<std::string> notes; ///< remarks, in the order they were made
+    double earlier_seconds = 0;                      ///< time spent in earlier processes of the run, s
 
     /// Adds a remark; after the first hundred they are only counted.
     void note(std::string text) {

@@ -41,12 +41,10 @@ struct Random : Operator {
     }
 };
 
-/// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). If there
-/// is a tie, the individual that was drawn first is chosen. If a large population has as many places as
-/// individuals, the best individual gets about k places.
-///
-/// With `draw=each`, individuals are drawn from a shuffled list of all, and the list is shuffled again when
-/// it is empty. So each competes k times, as in NSGA-II (Deb et al. 2002).
+/// Fills each place with the best of k individuals that are drawn with replacement (Brindle 1981). On a tie
+/// the individual that was drawn first is chosen. The best of a large population gets about k places. With
+/// `draw=each`, individuals are drawn from a shuffled list of all, which is shuffled again when it is empty.
+/// So each competes k times, as in NSGA-II (Deb et al. 2002).
 struct Tournament : Operator {
     std::size_t k = 2;        ///< number of individuals drawn for each place, >= 1
     std::size_t size = 0;     ///< number of places; 0 for the population's size
@@ -102,26 +100,6 @@ struct AtLeast {
     std::size_t count = 0; ///< number; 0 for no minimum
 };
 
-/// The `at_least` individuals that are nearest to passing a threshold, in the population's order. Individuals
-/// with smaller violations of the constraints are nearer. If violations are equal, a higher fitness is nearer
-/// (a lower one if `upwards` is false). Failed individuals are left out.
-template <class G>
-[[gnu::cold]] Population<G> nearest_to_passing(const Population<G>& population, std::size_t at_least,
-                                               bool upwards) {
-    auto order = in_order(population.size(), [&](std::size_t a, std::size_t b) {
-        const Fitness &x = population[a].fitness, &y = population[b].fitness;
-        return std::pair(x.violation(), upwards ? -x.value() : x.value()) <
-               std::pair(y.violation(), upwards ? -y.value() : y.value());
-    });
-    std::erase_if(order, [&](std::size_t i) { return population[i].fitness.has_failed(); });
-    order.resize(std::min(at_least, order.size()));
-    std::sort(order.begin(), order.end());
-    Population<G> nearest;
-    for (const std::size_t i : order)
-        nearest.push_back(population[i]);
-    return nearest;
-}
-
 /// The individuals above a threshold (below it if `upwards` is false), or the nearest ones; see Threshold.
 template <Problem P, class G = typename P::Genome>
 [[gnu::noinline]] Population<G> passing(const Population<G>& population, double threshold, AtLeast least,
@@ -135,17 +113,25 @@ template <Problem P, class G = typename P::Genome>
         return passed;
     const std::string counted = std::to_string(passed.size()) + " of " + std::to_string(population.size()) +
                                 (upwards ? " above " : " below ") + number(threshold);
-    Population<G> nearest = nearest_to_passing(population, least.count, upwards);
+    const auto distance = [&](std::size_t i) { // to passing
+        const Fitness& f = population[i].fitness;
+        return std::pair(f.violation(), upwards ? -f.value() : f.value());
+    };
+    auto nearest =
+        in_order(population.size(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    std::erase_if(nearest, [&](std::size_t i) { return population[i].fitness.has_failed(); });
+    nearest.resize(std::min(least.count, nearest.size()));
     if (nearest.empty())
         context.end_with(population, counted + "; change the bound, or give at_least=K");
     context.note(counted + "; took the " + std::to_string(nearest.size()) + (upwards ? " best" : " lowest"));
-    return nearest;
+    std::sort(nearest.begin(), nearest.end());
+    return individuals_at(nearest, population);
 }
 
 /// Keeps the individuals with a fitness above a threshold (`below`: under it), in the population's order.
 /// Failed individuals and individuals that violate constraints do not pass. If fewer than at_least pass, the
-/// at_least individuals nearest to passing are taken, with a note. These may violate constraints, but have
-/// not failed. An empty result ends the run.
+/// at_least individuals nearest to passing are taken, with a note. Nearness goes by violation, then by
+/// fitness; failed individuals are left out. An empty result ends the run.
 template <bool upwards>
 struct Threshold : Operator {
     double threshold = 0; ///< fitness; an individual with exactly this fitness does not pass
@@ -181,8 +167,8 @@ struct ByFitness : NoParameters {
     /// The weights, one per individual, in [0, 1].
     template <Problem P>
     std::vector<double> of(const PopulationOf<P>& population, const P&) const {
-        const bool any_feasible = std::any_of(population.begin(), population.end(),
-                                              [](const auto& each) { return each.fitness.feasible(); });
+        const bool any_feasible =
+            std::ranges::any_of(population, [](const auto& each) { return each.fitness.feasible(); });
         std::vector<double> weights;
         for (const auto& individual : population) {
             const Fitness& f = individual.fitness;
@@ -201,14 +187,12 @@ struct ByFitness : NoParameters {
                                            : 1;
         return weights;
     }
-    /// Throws UsageError unless individuals are scored under one objective.
     void check(const CheckState& known, const std::string& stage) const { known.need_one_objective(stage); }
 };
 
 /// Roulette: each place is filled by a separate random number (spin).
 struct Roulette : ByFitness {
     static constexpr bool one_spin = false; ///< whether one spin fills all places
-    /// The entry in the listing of operators.
     static Words words() {
         return {"roulette", "selection", "chooses in proportion to the fitness above the worst"};
     }
@@ -217,7 +201,6 @@ struct Roulette : ByFitness {
 /// individual gets its expected number of places, rounded up or down.
 struct Universal : ByFitness {
     static constexpr bool one_spin = true; ///< whether one spin fills all places
-    /// The entry in the listing of operators.
     static Words words() {
         return {"sus", "selection", "like roulette, by equally spaced marks on one spin"};
     }
@@ -247,11 +230,8 @@ struct ByRank {
         }
         return weights;
     }
-    /// Throws UsageError if individuals may be unscored.
     void check(const CheckState& known, const std::string& stage) const { known.need_score(stage); }
-    /// The entry in the listing of operators.
     static Words words() { return {"rank", "selection", "chooses in linear proportion to the rank"}; }
-    /// Describes the parameter.
     static void describe(auto& self, auto visit) {
         visit(self.pressure, number("pressure", 1.0001, 2, "expected places of the best"));
     }

@@ -18,39 +18,33 @@ struct BlockProgress {
 /// Numbers that a rule stores from one generation to the next; checkpoints contain them.
 using Numbers = std::vector<double>;
 
-/// A stopping rule is a small struct that derives from this tag. It has words() and describe() like an
+/// A stopping rule is a small struct that derives from this base. It has words() and describe() like an
 /// operator, and this member:
 ///
 /// @code
 ///     template <class G> bool operator()(const BlockProgress<G>&, Numbers& memory) const;
 /// @endcode
-/// It may also have
-/// @code
-///     void check(const CheckState&, const std::string& stage) const;   checks whether the rule can work
-///     static constexpr bool sure = true;                               if the rule certainly holds at some
-///     time
-/// @endcode
-struct StoppingRule {};
+struct StoppingRule {
+    static constexpr bool sure = false; ///< whether the rule certainly holds at some time
+    /// Throws UsageError if the rule cannot work in the stage of this name.
+    void check(const CheckState&, const std::string&) const {}
+};
 
 /// A stopping rule for one type of genome.
 template <class G>
 struct Rule {
-    std::string text; ///< text of the rule, e.g. "stagnation 5"
-    std::function<void(const CheckState&, const std::string&)>
-        check; ///< checks whether the rule can work in the stage of this name; may be empty
-    std::function<bool(const BlockProgress<G>&, Numbers&)> holds; ///< whether to end the block
-    bool sure = false;                                            ///< whether it certainly holds at some time
+    std::string text;                                                 ///< text, e.g. "stagnation 5"
+    std::function<void(const CheckState&, const std::string&)> check; ///< see StoppingRule
+    std::function<bool(const BlockProgress<G>&, Numbers&)> holds;     ///< whether to end the block
+    bool sure;                                                        ///< see StoppingRule
 };
 
 /// The rule for one type of genome.
 template <class G, class R>
 requires std::derived_from<R, StoppingRule> Rule<G> rule_of(R rule) {
-    Rule<G> made{text_of(rule), {}, rule};
-    if constexpr (requires(const CheckState& known) { rule.check(known, ""); })
-        made.check = [rule](const CheckState& known, const std::string& stage) { rule.check(known, stage); };
-    if constexpr (requires { R::sure; })
-        made.sure = R::sure;
-    return made;
+    return {text_of(rule),
+            [rule](const CheckState& known, const std::string& stage) { rule.check(known, stage); }, rule,
+            R::sure};
 }
 
 /// Whether the population is better than in all earlier generations of the block. Under one objective the
@@ -167,7 +161,7 @@ struct AtFitness : StoppingRule {
 
     template <class G>
     bool operator()(const BlockProgress<G>& now, Numbers&) const {
-        return std::any_of(now.population.begin(), now.population.end(), [&](const auto& individual) {
+        return std::ranges::any_of(now.population, [&](const auto& individual) {
             const Fitness& f = individual.fitness;
             return f.known() && f.feasible() && (f.minimises() ? f.value() <= value : f.value() >= value);
         });

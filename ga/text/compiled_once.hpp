@@ -4,12 +4,11 @@
 #include "ga/text/vocabulary.hpp"
 
 /// @file
-/// Compiles the text pipelines of a problem in only one file of a program, because they compile slowly. Write
-/// `GA_PIPELINES_ELSEWHERE(Knapsack)` after the problem's definition in its header and
-/// `GA_PIPELINES_HERE(Knapsack)` in one source file, both at global scope. Without them every file that reads
-/// text pipelines compiles them again.
+/// Compiles the text pipelines of a problem in only one file of a program, because they compile slowly. Both
+/// macros stand at global scope (ga/README.md, "A new variant").
 
-/// Declares that the vocabulary, the parser and `run` of a problem are compiled in another file.
+/// Declares that the vocabulary, the parser and `run` of a problem are compiled in another file. Write it
+/// after the problem's definition in its header.
 #define GA_PIPELINES_ELSEWHERE(P) GA_PIPELINES_OF(extern template, P)
 /// Compiles the vocabulary, the parser and `run` of a problem in this file.
 #define GA_PIPELINES_HERE(P) GA_PIPELINES_OF(template, P)

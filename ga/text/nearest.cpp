@@ -1,5 +1,7 @@
 #include "ga/text/nearest.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <numeric>
 
@@ -22,10 +24,9 @@ std::size_t edits(const std::string& a, const std::string& b) {
 }
 
 std::string suggestion(const std::string& given, const std::vector<std::string>& names) {
-    const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-        return edits(given, a) < edits(given, b);
-    });
-    const auto root = std::find_if(names.begin(), names.end(), [&](const auto& name) { // crossover: cross
+    const auto nearest =
+        std::ranges::min_element(names, {}, [&](const auto& name) { return edits(given, name); });
+    const auto root = std::ranges::find_if(names, [&](const auto& name) { // crossover: cross
         const auto shorter = std::min(given.size(), name.size());
         return shorter >= 4 && given.compare(0, shorter, name, 0, shorter) == 0;
     });
@@ -33,10 +34,7 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
         return "; did you mean '" + *root + "'?";
     if (nearest != names.end() && edits(given, *nearest) <= std::max<std::size_t>(1, given.size() / 3))
         return "; did you mean '" + *nearest + "'?";
-    std::string list;
-    for (const auto& name : names)
-        list += (list.empty() ? "; use one of " : ", ") + name;
-    return names.empty() ? "; define one first" : list;
+    return names.empty() ? "; define one first" : "; use one of " + boost::algorithm::join(names, ", ");
 }
 
 } // namespace ga

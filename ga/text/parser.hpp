@@ -32,7 +32,6 @@ class Syntax {
     static constexpr std::size_t longest = 1000000;
 
     PipelineText read_pipeline();
-
     StageText read_stage();
 
     static bool is_symbol(char c) { return std::string_view("|{}(),=").find(c) != std::string_view::npos; }
@@ -66,7 +65,7 @@ class Parser {
         : registry_(std::move(registry)), variants_(std::move(variants)) {
         const auto names = registry_.names();
         for (const auto& [name, text] : variants_)
-            if (std::find(names.begin(), names.end(), name) != names.end())
+            if (std::ranges::count(names, name) > 0)
                 throw UsageError("variant '" + name + "' has an operator's name; choose another");
     }
 
@@ -85,12 +84,10 @@ class Parser {
         open_.clear();
         stages_ = 0;
     }
-    [[gnu::cold]] Pipeline<P> read(const std::string& text, const std::string& where) {
-        return make(Syntax(text, where).read(), where);
-    }
     [[gnu::cold]] Pipeline<P> named(const std::string& name) {
+        const std::string where = "variant '" + name + "'";
         open_.push_back(name);
-        Pipeline<P> pipeline = read(variants_.at(name), "variant '" + name + "'");
+        Pipeline<P> pipeline = make(Syntax(variants_.at(name), where).read(), where);
         open_.pop_back();
         return pipeline;
     }
@@ -140,17 +137,13 @@ class Parser {
         const auto* alone = registry_.find(stage.name);
         if (members.empty() && alone)
             return alone;
-        if (members.empty()) {
-            std::vector<std::string> names = registry_.names();
-            for (const auto& name : variant_names())
-                names.push_back(name);
+        if (members.empty())
             throw TextError(where, stage.column,
-                            "unknown stage '" + stage.name + "'" + suggestion(stage.name, names));
-        }
-        const auto word =
-            std::find_if(stage.arguments.begin(), stage.arguments.end(), [](const auto& argument) {
-                return argument.key.empty() && !Arguments::parsed(argument.value);
-            });
+                            "unknown stage '" + stage.name + "'" +
+                                suggestion(stage.name, with_variants(registry_.names())));
+        const auto word = std::ranges::find_if(stage.arguments, [](const auto& argument) {
+            return argument.key.empty() && !Arguments::parsed(argument.value);
+        });
         if (word == stage.arguments.end() && alone)
             return alone;
         if (word == stage.arguments.end())
@@ -168,26 +161,21 @@ class Parser {
     /// Reads "fitness 0.99" as fitness=0.99.
     [[gnu::cold]] static void key_words(const typename Registry<P>::Entry& entry, StageText& stage,
                                         const std::string& where) {
-        auto& arguments = stage.arguments;
-        for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
-            const bool names_parameter =
-                std::any_of(entry.parameters.begin(), entry.parameters.end(),
-                            [&](const auto& parameter) { return parameter.name == arguments[i].value; });
-            if (arguments[i].key.empty() && arguments[i + 1].key.empty() && names_parameter) {
-                arguments[i].key = arguments[i].value;
-                arguments[i].value = arguments[i + 1].value;
-                arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-            }
+        for (auto argument = stage.arguments.begin(); argument != stage.arguments.end(); ++argument) {
+            if (!argument->key.empty())
+                continue;
+            argument->key = argument->value; // Arguments will refuse an unknown one
+            const auto parameter = std::ranges::find(entry.parameters, argument->key, &Parameter::name);
+            if (parameter == entry.parameters.end())
+                continue;
+            const auto value = argument + 1;
+            if (value == stage.arguments.end() || !value->key.empty())
+                throw TextError(where, argument->column,
+                                "stage '" + entry.name + "': '" + parameter->name +
+                                    "' lacks its value; give " + parameter->expected());
+            argument->value = value->value;
+            stage.arguments.erase(value);
         }
-        for (auto& argument : arguments)
-            if (argument.key.empty()) {
-                for (const auto& parameter : entry.parameters)
-                    if (parameter.name == argument.value)
-                        throw TextError(where, argument.column,
-                                        "stage '" + entry.name + "': '" + parameter.name +
-                                            "' lacks its value; give " + parameter.expected());
-                argument.key = argument.value; // Arguments will refuse it
-            }
     }
 
     [[gnu::cold]] Pipeline<P> paired(const StageText& text, const std::string& where) {
@@ -206,7 +194,7 @@ class Parser {
         if (!text.arguments.empty() || !text.bodies.empty())
             throw TextError(where, text.column,
                             "variant '" + text.name + "' takes no arguments; remove them");
-        if (std::find(open_.begin(), open_.end(), text.name) != open_.end()) {
+        if (std::ranges::count(open_, text.name) > 0) {
             std::string cycle;
             for (const auto& name : open_)
                 cycle += name + " -> ";
@@ -224,8 +212,8 @@ class Parser {
         return pipeline;
     }
 
-    [[gnu::cold]] std::vector<std::string> variant_names() const {
-        std::vector<std::string> names;
+    /// The names, followed by those of the variants.
+    [[gnu::cold]] std::vector<std::string> with_variants(std::vector<std::string> names) const {
         for (const auto& [name, text] : variants_)
             names.push_back(name);
         return names;
@@ -241,12 +229,12 @@ class Parser {
 template <Problem P>
 Pipeline<P> Parser<P>::parse(const std::string& text, const std::string& where) {
     begin();
-    return read(text, where);
+    return make(Syntax(text, where).read(), where);
 }
 template <Problem P>
 Pipeline<P> Parser<P>::variant(const std::string& name) {
     if (!variants_.count(name))
-        throw UsageError("unknown variant '" + name + "'" + suggestion(name, variant_names()));
+        throw UsageError("unknown variant '" + name + "'" + suggestion(name, with_variants({})));
     begin();
     return named(name);
 }

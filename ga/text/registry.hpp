@@ -132,10 +132,8 @@ class Registry {
 
     /// The operator of a name, or null if the name is unknown.
     const Entry* find(const std::string& name) const {
-        for (const auto& entry : entries_)
-            if (entry.name == name)
-                return &entry;
-        return nullptr;
+        const auto found = std::ranges::find(entries_, name, &Entry::name);
+        return found == entries_.end() ? nullptr : &*found;
     }
     /// The first words of all names, without duplicates.
     std::vector<std::string> names() const {
@@ -160,19 +158,18 @@ class Registry {
         constexpr bool is_block = requires(Op op) { op.body; };
         Entry entry = entry_of<Op>();
         entry.bodies = is_block ? 1 : 0;
-        if constexpr (requires { Op::needs; } && !Callable<Op, P>) {
+        Make make;
+        if constexpr (requires { Op::needs; } && !Callable<Op, P>)
             entry.lacks = Op::needs;
-            add(std::move(entry), {});
-        } else {
-            add(
-                std::move(entry), +[](const Arguments& a, const Bodies& bodies, const Registry&) {
-                    Op op;
-                    if constexpr (is_block)
-                        op.body = bodies[0];
-                    a.fill(op);
-                    return Pipeline<P>(std::move(op));
-                });
-        }
+        else
+            make = +[](const Arguments& a, const Bodies& bodies, const Registry&) {
+                Op op;
+                if constexpr (is_block)
+                    op.body = bodies[0];
+                a.fill(op);
+                return Pipeline<P>(std::move(op));
+            };
+        add(std::move(entry), std::move(make));
     }
     template <class R>
     [[gnu::cold]] void add_one_rule() {

@@ -132,10 +132,8 @@ void exchange_at_points(Sequence& a, Sequence& b, std::size_t n, Stream& stream)
     if (length < 2)
         return;
     const auto exchange = [&](std::size_t from, std::size_t to) {
-        const auto at = [](auto& sequence, std::size_t i) {
-            return sequence.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        std::swap_ranges(at(a, from), at(a, to), at(b, from));
+        const auto first = static_cast<std::ptrdiff_t>(from), last = static_cast<std::ptrdiff_t>(to);
+        std::swap_ranges(a.begin() + first, a.begin() + last, b.begin() + first);
     };
     if (n == 1)
         return exchange(1 + stream.below(length - 1), length);

@@ -22,11 +22,11 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
         return problem.distance(a, b);
     } else if constexpr (HasGenes<P>) {
         const std::vector<double> first = genes_of(problem, a), second = genes_of(problem, b);
-        double sum = 0;
-        std::size_t count = std::max(first.size(), second.size()) - std::min(first.size(), second.size());
-        sum += static_cast<double>(count);
+        const auto [shorter, longer] = std::minmax({first.size(), second.size()});
+        std::size_t count = longer - shorter;
+        double sum = static_cast<double>(count);
         for (const Variable& v : variables_of(problem, a)) {
-            if (v.gene >= std::min(first.size(), second.size()) || !(width(v) > 0))
+            if (v.gene >= shorter || !(width(v) > 0))
                 continue;
             const double apart = first[v.gene] - second[v.gene];
             const double step = v.is_choice ? (std::abs(apart) < 0.5 ? 0 : 1) : apart / width(v);
@@ -35,11 +35,10 @@ double distance(const P& problem, const typename P::Genome& a, const typename P:
         }
         return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
     } else {
-        const std::size_t shorter = std::min(a.size(), b.size()), longer = std::max(a.size(), b.size());
-        std::size_t differ = longer - shorter;
-        for (auto x = a.begin(), y = b.begin(); x != a.begin() + static_cast<std::ptrdiff_t>(shorter);
-             ++x, ++y)
-            differ += *x != *y ? 1 : 0;
+        const auto [shorter, longer] = std::minmax({a.size(), b.size()});
+        const std::size_t differ =
+            std::inner_product(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shorter), b.begin(),
+                               longer - shorter, std::plus(), std::not_equal_to());
         return longer > 0 ? static_cast<double>(differ) / static_cast<double>(longer) : 0;
     }
 }

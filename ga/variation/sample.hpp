@@ -40,7 +40,7 @@ struct Sample : Operator {
 /// n points of Sobol's sequence in the unit cube (Sobol 1967; numbers by Joe and Kuo 2008), with a random
 /// digital shift. Throws UsageError for more dimensions than the table has (3,667).
 std::vector<Point> sobol_points(std::size_t n, std::size_t dimensions, Stream& stream);
-/// n points of a Latin hypercube (McKay, Beckman and Conover 1979): each coordinate has one point in each of
+/// n points of a Latin hypercube (McKay, Beckman and Conover 1979). Each coordinate has one point in each of
 /// n intervals of equal width, at a random place in it.
 std::vector<Point> latin_points(std::size_t n, std::size_t dimensions, Stream& stream);
 
@@ -49,8 +49,7 @@ std::vector<Point> latin_points(std::size_t n, std::size_t dimensions, Stream& s
 template <bool latin>
 struct SampleEvenly : Operator {
     std::size_t n = 1; ///< number of individuals, >= 1
-    static constexpr bool begins = true;
-    static constexpr bool keeps_size = true; ///< the number of individuals is known
+    static constexpr bool begins = Sample::begins, keeps_size = Sample::keeps_size;
     static constexpr const char* needs = "a problem that samples genomes, with bounded real genes";
     static Words words() {
         if (latin)

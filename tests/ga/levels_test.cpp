@@ -42,7 +42,7 @@ struct TwoModels {
         const auto n = static_cast<Eigen::Index>(x.size());
         return {Eigen::Map<const Eigen::VectorXd>(x.data(), n), Eigen::MatrixXd::Identity(n, n)};
     }
-    /// What a counter in the models saw, in evaluations of the coarse one.
+    /// Price of the evaluations that a counter in the models saw, in evaluations of the coarse one.
     double seen() const { return static_cast<double>((*calls)[0] + 3 * (*calls)[1]); }
 };
 

@@ -101,21 +101,7 @@ TEST_CASE("the hypervolume equals that of the union of boxes above the reference
         }
 }
 
-TEST_CASE("hypervolume contributions are differences of volumes, and the smallest go first") {
-    for (std::uint64_t seed = 0; seed < 40; ++seed) {
-        const std::size_t m = 2 + seed % 4;
-        auto all = points(12, m, seed); // with ties and copies
-        const Point reference(m, 1);
-        const double volume = hypervolume(all, reference);
-        const auto without = [&](std::size_t i) {
-            auto others = all;
-            others.erase(others.begin() + static_cast<long>(i));
-            return hypervolume(others, reference);
-        };
-        const auto added = hypervolume_contributions(all, reference);
-        for (std::size_t i = 0; i < all.size(); ++i)
-            CHECK(added[i] == Approx(volume - without(i)).margin(1e-9 * volume));
-    }
+TEST_CASE("the points that add the smallest volumes go first") {
     // Removing one after the other, each time the one that adds least, is the definition.
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const std::size_t m = 2 + seed % 4;
@@ -143,7 +129,12 @@ TEST_CASE("hypervolume contributions are differences of volumes, and the smalles
         for (std::size_t k = 0; k < m; ++k)
             reference[k] = low[k] - (high[k] - low[k]);
         while (left.size() > 6) {
-            const auto added = hypervolume_contributions(left, reference);
+            std::vector<double> added;
+            for (std::size_t i = 0; i < left.size(); ++i) {
+                auto others = left;
+                others.erase(others.begin() + static_cast<long>(i));
+                added.push_back(hypervolume(left, reference) - hypervolume(others, reference));
+            }
             left.erase(left.begin() + (std::ranges::min_element(added) - added.begin()));
         }
         std::vector<Point> chosen;

@@ -5,6 +5,28 @@ using namespace ga;
 
 namespace {
 
+/// Records the genomes of all calls to another evaluator.
+template <Problem P>
+struct Recording : Evaluator<P> {
+    Evaluator<P>& by;
+    std::vector<typename P::Genome> evaluated, differentiated; ///< in the order of the calls
+    std::vector<std::size_t> batches;                          ///< number of calls in each batch
+
+    explicit Recording(Evaluator<P>& other) : by(other) {}
+    void outcomes(const P& problem, std::span<EvaluationCall<P>> calls, const Watch& watch) override {
+        batches.push_back(calls.size());
+        for (const EvaluationCall<P>& call : calls)
+            evaluated.push_back(*call.genome);
+        by.outcomes(problem, calls, watch);
+    }
+    void slopes(const P& problem, std::span<Slope<P>* const> slopes, const Watch& watch) override {
+        for (const Slope<P>* slope : slopes)
+            differentiated.push_back(slope->genome);
+        by.slopes(problem, slopes, watch);
+    }
+    int threads() const override { return by.threads(); }
+};
+
 /// Reals with slow evaluations of uneven length; records the threads that made them.
 struct Uneven {
     std::mutex mutex;
@@ -64,7 +86,7 @@ TEST_CASE("a genome in memory is never evaluated again") {
           "score | repeat 3 { refine nlopt LN_NELDERMEAD 20 | refine lm 3 }",
           "score | islands 2 rounds=3 { mutate 0.5 | cross uniform | score | refine nlopt LN_COBYLA 4 }"}) {
         CAPTURE(pipeline);
-        Serial<CurveFit> serial;
+        OnThreads<CurveFit> serial(1);
         Recording<CurveFit> record(serial);
         const auto result = run_by(record, curves(pipeline), CurveFit{}, CurveFit::start(6));
         CHECK(record.evaluated.size() == static_cast<std::size_t>(result.counters.evaluations));
@@ -77,12 +99,12 @@ TEST_CASE("a genome in memory is never evaluated again") {
 }
 
 TEST_CASE("islands, and searches of several individuals, send their evaluations in common batches") {
-    Serial<CurveFit> serial;
+    OnThreads<CurveFit> serial(1);
     Recording<CurveFit> record(serial);
     run_by(record, curves("score | refine nlopt LN_COBYLA 10"), CurveFit{}, CurveFit::start(6));
     CHECK(record.batches.front() == 6);
     CHECK(std::count(record.batches.begin(), record.batches.end(), 6) >= 8);
-    Serial<Reals> of_reals;
+    OnThreads<Reals> of_reals(1);
     Recording<Reals> islands(of_reals);
     const std::string apart = "islands 4 rounds=3 { mutate 1 gaussian 0.1 | score | elite 1 }";
     run_by(islands, reals("sample 20 | score | " + apart), Reals{}, {});
@@ -105,13 +127,14 @@ TEST_CASE("every thread works from the first batch on, without effect on a bit")
 }
 
 TEST_CASE("an evaluator that throws ends the run with its message, on islands too") {
-    struct Cut : Serial<Reals> {
+    struct Cut : OnThreads<Reals> {
         int batches = 0;
+        Cut() : OnThreads<Reals>(1) {}
         void outcomes(const Reals& problem, std::span<EvaluationCall<Reals>> calls,
                       const Watch& watch) override {
             if (++batches == 3)
                 throw std::runtime_error("the cable is cut");
-            Serial<Reals>::outcomes(problem, calls, watch);
+            OnThreads<Reals>::outcomes(problem, calls, watch);
         }
     } cut;
     const auto pipeline = reals("sample 9 | score | islands 3 rounds=4 { mutate 1 | score | elite 1 }");

@@ -43,7 +43,7 @@ TEST_CASE("a tournament of k chooses the i-th worst with probability ((i+1)/n)^k
 
 TEST_CASE("a tournament that draws each lets everyone compete equally often") {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        std::array<int, 8> places{}; // even, so that nobody meets itself
+        std::array<int, 8> places{}; // even, so that no individual meets itself
         for (const auto& each : run("score | tournament 2 draw=each", given(),
                                     individuals({0, 1, 2, 3, 4, 5, 6, 7}), {.seed = seed})
                                     .population)
