@@ -28,7 +28,7 @@ std::vector<Setting> target_settings() {
          "formula of p (pressure, MPa) or of d (displacement, mm), e.g. \"0.3 + 2 * sqrt(p / 1e-4)\""},
         {"genome", "", "genome file (JSON); its response becomes the target"},
         {"like", "",
-         "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
+         "measured profile, or map (a text matrix with --spacing); its response becomes the target"},
         {"check", "", "target file to check; none is written"},
         {"draw", "", "page to write (HTML), on which a person draws a target and saves it"},
         Setting("quantity", "stiffness",

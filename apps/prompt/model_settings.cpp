@@ -377,7 +377,9 @@ bool asks_for_map(const Settings& settings, const std::string& prefix) {
         return settings.text(prefix + name).find('x') != std::string::npos;
     };
     return (settings.knows("surface") && settings.has("surface")) || is_pair("nodes") || is_pair("length") ||
-           (settings.knows(prefix + "spacing") && is_pair("spacing"));
+           (settings.knows(prefix + "spacing") && is_pair("spacing")) ||
+           (settings.knows("like") && settings.has("like") &&
+            rough::holds_map(settings.text("like"), scan_options(settings, "", false)));
 }
 
 rough::Model model_of(const rough::Profile& surface, const Settings& settings) {

@@ -230,6 +230,16 @@ void prepare(Profile& surface, const ScanOptions& options, std::string& account)
 
 } // namespace
 
+bool holds_map(const std::filesystem::path& file, const ScanOptions& options) {
+    std::string account;
+    try {
+        points_of(read_heights(file, options, false), options, file.string(), account);
+        return false;
+    } catch (const InputError& fault) {
+        return fault.about == "row" && options.row == 0;
+    }
+}
+
 Scan open_scan(const std::filesystem::path& path, const ScanOptions& options) {
     check(options);
     const std::string file = path.string();

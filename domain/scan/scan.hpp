@@ -53,6 +53,9 @@ struct Scan {
 /// line that names the file, the line and the fault.
 Scan open_scan(const std::filesystem::path& file, const ScanOptions& options = {});
 
+/// Whether open_scan() refuses a file only because it has a map, and no row of it is requested.
+bool holds_map(const std::filesystem::path& file, const ScanOptions& options = {});
+
 /// A map's heights, and the statements of its file about them.
 struct Map {
     Profile heights;            ///< heights and spacings, mm

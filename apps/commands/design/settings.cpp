@@ -117,7 +117,7 @@ std::vector<Setting> design_settings() {
         {"target", "", "target file (CSV), or several with commas between"},
         positive("weights", "", "weight of each target, with commas between [1 each]").several(),
         {"like", "",
-         "measured profile, or with --spacing DXxDY a map (text matrix); its response becomes the target"},
+         "measured profile, or map (a text matrix with --spacing); its response becomes the target"},
         {"from", "",
          "genome (JSON) of a surface in production; the phases of --control are changed as little as is "
          "necessary to meet the target"},

@@ -60,7 +60,8 @@ TEST_CASE("a target from a formula, a genome or a scan is read back with its mod
     done(folder, "target --like scan.txt --resolution off --out n.csv");
     CHECK(!rough::read_target(folder / "n.csv").has_band());
     folder.write("map.csv", "1;2;3\n4;9;6\n7;2;7\n");
-    for (const std::string source : {"--like map.csv --spacing 0.1x0.2", "--genome g.json --nodes 8x6"}) {
+    for (const std::string source : {"--like map.csv --spacing 0.1x0.2", "--like map.csv --spacing 0.1",
+                                     "--genome g.json --nodes 8x6"}) {
         done(folder, "target " + source + " --quantity area --out map-target.csv --force");
         CHECK(rough::read_target(folder / "map-target.csv").recorded.contains("width_mm"));
     }
