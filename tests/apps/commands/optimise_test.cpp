@@ -115,7 +115,7 @@ TEST_CASE("a search begins with the genomes of --start, and names a wrong row") 
         desk.write("start.csv", row);
         const Ended ended = desk.optimise(words + "--start start.csv");
         CHECK(ended.code == 2);
-        CHECK_THAT(ended.err, Catch::EndsWith(message));
+        CHECK(ended.err.ends_with(message));
     }
 }
 
