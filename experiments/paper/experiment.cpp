@@ -120,13 +120,13 @@ PaperRun paper_from(const Settings& settings, const Origin& origin) {
 }
 
 /// A pipeline with its name.
-struct Variant {
+struct NamedPipeline {
     std::string name;
     rough::DesignPipeline pipeline;
 };
 
 /// The paper's three in both forms, then what the experiment writes in [variants].
-std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabulary& words) {
+std::vector<NamedPipeline> variants_from(const Settings& settings, const rough::Vocabulary& words) {
     std::vector<std::string> names{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"};
     ga::Variants texts = rough::paper_variants();
     for (const auto& [name, text] : settings.texts_under("variants.")) {
@@ -135,7 +135,7 @@ std::vector<Variant> variants_from(const Settings& settings, const rough::Vocabu
         names.push_back(name);
     }
     ga::Parser<DesignProblem> parser(paper_registry(words), texts);
-    std::vector<Variant> variants;
+    std::vector<NamedPipeline> variants;
     for (const std::string& name : names)
         variants.push_back(
             {name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
@@ -191,7 +191,7 @@ class Paper {
         const rough::DesignSetup setup = setup_for(target, run_.p_bar);
         const DesignProblem problem(setup);
         target.database = scores_of(run_.database, setup);
-        for (const Variant& variant : variants_) {
+        for (const NamedPipeline& variant : variants_) {
             if (conditions_.stop)
                 return;
             conditions_.progress.show(target.title + ": " + variant.name);
@@ -231,7 +231,7 @@ class Paper {
 
     /// Runs a variant and records its stages; its answer is solved exactly. Returns false if the run was
     /// stopped before a genome was scored.
-    bool run_into(VariantRun& run, const Variant& variant, const DesignProblem& problem,
+    bool run_into(VariantRun& run, const NamedPipeline& variant, const DesignProblem& problem,
                   std::vector<ga::Observer<rough::Genome>> observers = {},
                   ga::Checkpointer<DesignProblem>* keeper = nullptr) const {
         ga::RunOptions options;
@@ -256,7 +256,7 @@ class Paper {
     }
 
     /// Like run_into(), with a checkpoint and a log of every stage in the run's folder.
-    bool run_with_files(VariantRun& run, const Variant& variant, const DesignProblem& problem,
+    bool run_with_files(VariantRun& run, const NamedPipeline& variant, const DesignProblem& problem,
                         const std::string& title) const {
         const std::string name = title + "-" + variant.name;
         std::error_code none; // without these folders the run continues
@@ -284,7 +284,7 @@ class Paper {
     std::shared_ptr<rough::ResponseMemory> memory_ =
         std::make_shared<rough::ResponseMemory>(); ///< for the sweep
     std::vector<rough::Genome> genomes_;
-    std::vector<Variant> variants_;
+    std::vector<NamedPipeline> variants_;
 };
 
 Findings run_paper(const Settings& settings, const RunConditions& conditions) {
