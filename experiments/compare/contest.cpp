@@ -1,7 +1,10 @@
 #include "experiments/compare/contest.hpp"
 
+#include "apps/prompt/units.hpp"
 #include "domain/numerics/statistics.hpp"
 #include "ga/observers/coco.hpp"
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <cstdio>
 
@@ -11,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 using Areas = std::vector<std::vector<double>>; // [variant][seed]
+
+constexpr double significant = 0.05; ///< p up to which one variant is better than another
 
 /// The problems of a group together.
 struct Group {
@@ -143,7 +148,6 @@ std::vector<json> add_tests(Findings& found, const Group& group) {
 
 /// Adds the group's variants, the best mean rank first. `tests` are the group's rows of tests.csv.
 void add_standing(Findings& found, const Group& group, const std::vector<json>& tests) {
-    constexpr double significant = 0.05;
     const std::string only_problem = group.results.size() == 1 ? group.results[0]->problem.name : "";
     std::map<std::string, long> wins;                    // on problems, by variant
     std::map<std::string, std::set<std::string>> beaten; // variants that are worse in the group
@@ -268,10 +272,11 @@ void add_map(Findings& found, const ProblemResults& results, const json& designe
                       pressure[j * grid.nodes + i]);
 }
 
-/// Adds the set-up of a roughness problem and the answers of its variants, the best median first.
-void add_surfaces(Findings& found, const ProblemResults& results) {
+/// Adds the set-up of a roughness problem and the answers of its variants, the best median first. Returns the
+/// verdict: this variant, and those that rank sums do not tell from it.
+std::string add_surfaces(Findings& found, const ProblemResults& results) {
     Csv& table = found.table(
-        "answers.csv", "problem,variant,similarity_worst,lower,upper,price,curves,gradients,seconds", 6);
+        "answers.csv", "problem,variant,similarity_worst,lower,upper,p,price,curves,gradients,seconds", 6);
     const std::string& problem = results.problem.name;
     const rough::DesignSetup& setup = *results.problem.setup;
     json of_problem = model_json(setup.model);
@@ -292,21 +297,33 @@ void add_surfaces(Findings& found, const ProblemResults& results) {
     };
     const auto order =
         rough::ascending(rough::column(similarities, [](const auto& of) { return -rough::median(of); }));
-    for (const std::size_t v : order) {
+    std::vector<double> p =
+        rough::holm(rough::column(std::vector(order.begin() + 1, order.end()), [&](std::size_t v) {
+            return rough::rank_sum_p(similarities[order[0]], similarities[v]);
+        }));
+    p.insert(p.begin(), NAN);
+    std::vector<std::string> not_told;
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+        const std::size_t v = order[rank];
         const std::string& name = results.variants[v].first;
         const double median = rough::median(similarities[v]);
         const rough::Interval interval = rough::median_interval(similarities[v]);
+        if (p[rank] > significant)
+            not_told.push_back(name);
         const json& middle = median_surface(v);
         json& one = found.result["problems"][problem]["variants"][name];
         one.update(middle);
         one["median_lowest"] = median;
         one["median_lowest_interval"] = {interval.lower, interval.upper};
-        table.row(problem, name, median, interval.lower, interval.upper, middle["price"], middle["curves"],
-                  middle["gradients"], middle["seconds"]);
+        table.row(problem, name, median, interval.lower, interval.upper, p[rank], middle["price"],
+                  middle["curves"], middle["gradients"], middle["seconds"]);
     }
     add_progress(found, results);
     if (setup.model.grid.is_2d())
         add_map(found, results, median_surface(order[0]));
+    return "highest on " + problem + ": " + results.variants[order[0]].first + " " +
+           readable(rough::median(similarities[order[0]]), 4) +
+           (not_told.empty() ? "" : ", not told from " + boost::join(not_told, ", "));
 }
 
 } // namespace
@@ -354,11 +371,11 @@ Findings findings_of(const Contest& contest) {
         add_shares(found, group, contest);
         add_standing(found, group, add_tests(found, group));
         add_problems(found, group, contest);
-        for (const ProblemResults* results : group.results)
-            if (results->problem.setup)
-                add_surfaces(found, *results);
-        found.summary += (found.summary.empty() ? "best on " : ", on ") + group.name + " " +
-                         found.result["groups"][group.name]["standing"][0]["variant"].get<std::string>();
+        const json& standing = found.result["groups"][group.name]["standing"];
+        std::string verdict = "best on " + group.name + ": " + standing[0]["variant"].get<std::string>();
+        if (group.results[0]->problem.setup) // each surface is a group of its own
+            verdict = add_surfaces(found, *group.results[0]);
+        found.summary += (found.summary.empty() ? "" : "; ") + verdict;
     }
     return found;
 }
