@@ -160,9 +160,10 @@ TEST_CASE("ranks that compute with other vectors are refused in one line", "[ran
     if (has_no_mpi() || !rough::vector_loops("avx2"))
         return;
     const Folder folder;
-    const Ended ended = under_mpirun("1 env RUGOSA_VECTORS=baseline '" RUGOSA_PROGRAM
-                                     "' operators : -n 1 env RUGOSA_VECTORS=avx2",
-                                     "operators", folder.path());
+    const Ended ended =
+        under_mpirun("2 sh -c '[ $OMPI_COMM_WORLD_RANK = 1 ] && export RUGOSA_VECTORS=avx2 || "
+                     "export RUGOSA_VECTORS=baseline; exec \"$0\" \"$@\"'",
+                     "operators", folder.path());
     CHECK(ended.code == 2);
     REQUIRE(program_lines(ended).size() == 1);
     CHECK_THAT(program_lines(ended)[0], Catch::Contains("rank 1: ") && Catch::Contains("avx2"));
