@@ -251,10 +251,11 @@ Genome genome_from_json(const json& value, const std::string& where) {
 
 GenomeFile read_genome_file(const std::filesystem::path& file) {
     const std::string text = read_whole(file, max_genome_bytes);
-    if (const auto first = text.find_first_not_of(" \t\r\n"); first != text.npos && text[first] != '{')
+    if (const auto first = text.find_first_not_of(" \t\r\n");
+        first != text.npos && text[first] != '{' && text[first] != '[')
         refuse(file.string(),
-               ": not a genome, which is a JSON object; give a measurement as a profile or as a "
-               "surface");
+               ", line 1: not a genome, which is a JSON object; give a measurement as a profile "
+               "or as a surface");
     json value = parsed_json(text, file.string());
     GenomeFile read;
     if (value.is_object() && value.contains("length_mm")) {
