@@ -48,8 +48,9 @@ std::vector<Point> latin_points(std::size_t n, std::size_t dimensions, Stream& s
 /// or a Latin hypercube. The problem draws everything else, and genes with an infinite bound.
 template <bool latin>
 struct SampleEvenly : Operator {
-    std::size_t n = 1; ///< number of individuals, >= 1
-    static constexpr bool begins = Sample::begins, keeps_size = Sample::keeps_size;
+    std::size_t n = 1;                       ///< number of individuals, >= 1
+    static constexpr bool begins = true;     ///< as Sample
+    static constexpr bool keeps_size = true; ///< as Sample
     static constexpr const char* needs = "a problem that samples genomes, with bounded real genes";
     static Words words() {
         if (latin)

@@ -103,7 +103,8 @@ TEST_CASE("searches are compared by verified similarity on each target and grid"
             CHECK(variant["similarity_worst"] < 1);
             CHECK(variant["median_lowest_interval"][0] <= variant["median_lowest"]);
             CHECK(variant["median_lowest"] <= variant["median_lowest_interval"][1]);
-            CHECK(variant["price"].get<double>() <= 120);
+            // Algorithm 1 is paid for as a whole, also if the budget ends inside it.
+            CHECK(variant["price"].get<double>() <= 120 + 20);
         }
     }
     CHECK(result["groups"]["roughness-drawn"]["standing"].size() == 2);
