@@ -107,6 +107,7 @@ class Design:
     curve: Curve
     interrupted: bool
     evaluations: int
+    price: float
     pipeline: str
     notes: List[str]
     stopped: str
