@@ -104,7 +104,8 @@ std::vector<Setting> search_settings() {
          "--database, like for a scan's contact area, made with --noise or --tilt]"},
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
-                 "hardness that limits the pressure of each node when the answer is verified, MPa [none]"),
+                 "hardness that limits the pressure of each node when the answer is verified, MPa [that of "
+                 "--material]"),
         whole("draws", "", 20, 1e6,
               "draws of noise for the tolerance [as many as cost as much as the search]"),
     };
@@ -251,6 +252,8 @@ DesignRun design_from(const Settings& settings, DesignRequest request, const ga:
     run.trust_options.seed = run.tolerance_options.seed = options.seed;
     run.trust_options.threads = run.tolerance_options.threads = options.threads;
     settings.take("hardness", run.trust_options.hardness);
+    if (!run.trust_options.hardness && settings.has("material"))
+        run.trust_options.hardness = elastic_limit(settings, setup.model.body);
     if (run.from)
         run.trust_options.phase_draws = 0; // with other phases it is another surface
     run.tolerance_options.fixed_draws = settings.has("evaluations");

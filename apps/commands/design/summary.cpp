@@ -15,6 +15,10 @@ std::string in_words(Quantity quantity) {
     return words[static_cast<std::size_t>(quantity)];
 }
 
+std::string in_words(const rough::Target& target) {
+    return columns_of(target).y.starts_with("conductance") ? "conductance" : in_words(target.quantity);
+}
+
 /// A similarity with at least 4 digits, and as many as show that it is below another.
 std::string below(double value, double other) {
     return readable(value, std::max(4, static_cast<int>(std::ceil(-std::log10(other - value)))));
@@ -106,7 +110,7 @@ std::string matched(const DesignRun& run) {
         const rough::Target& target = run.setup.targets[t];
         const double error = std::abs(largest_misfit(run, t).first);
         const std::string band = !target.has_band() ? "off" : "outside the band";
-        join(all, in_words(target.quantity) + ": similarity " + readable(1 - target.weight * error, 4) +
+        join(all, in_words(target) + ": similarity " + readable(1 - target.weight * error, 4) +
                       (target.has_band() && error == 0 ? ", within the band"
                                                        : ", " + band + " by up to " + percent(error)) +
                       (as_designed(run) ? " on the search grid" : " with the estimated error"));
@@ -274,7 +278,7 @@ std::string obstacles(const DesignRun& run) {
     const double allowed = 1 - run.setup.required_similarity;
     std::string all;
     if (weighted(worst) > allowed)
-        join(all, "the largest misfit is " + percent(misfit) + " of the " + in_words(target.quantity) +
+        join(all, "the largest misfit is " + percent(misfit) + " of the " + in_words(target) +
                       at(target, target.x[point]));
     if (run.morphed) {
         const std::size_t missed = run.morphed->missed.size();

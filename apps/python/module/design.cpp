@@ -146,7 +146,8 @@ py::dict trust_of(const Design& design, double noise, double tilt, std::optional
     rough::DesignSetup setup = design.setup;
     setup.errors.noise = noise;
     setup.errors.tilt = tilt;
-    options.hardness = hardness;
+    if (hardness)
+        options.hardness = hardness;
     options.seed = seed;
     options.threads = threads;
     rough::Trust trust;

@@ -239,3 +239,19 @@ TEST_CASE("a design without limits reports that it is not known whether it can b
     REQUIRE(rugosa(small + " --pictures off --max-slope 1", folder.path()).code != 2);
     CHECK_THAT(result_in(folder / "r")["summary"]["making"].get<std::string>(), Catch::StartsWith("yes, by"));
 }
+
+TEST_CASE("a design of a material is checked against its hardness, and speaks of its target's quantity") {
+    const Folder folder;
+    done(folder,
+         "target --formula '3e4 * p^0.95' --quantity conductance --conductivity 167 --material aluminium "
+         "--to 5 --points 6 --out h.csv");
+    REQUIRE(
+        rugosa(
+            "design --target h.csv --conductivity 167 --material aluminium --length 10 --nodes 65 --pictures "
+            "off --out r --pipeline 'shape 6 | score | best 2 | refine lm 8 | best 1'",
+            folder.path())
+            .code != 2);
+    const json summary = result_in(folder / "r")["summary"];
+    CHECK_THAT(summary["matched"].get<std::string>(), Catch::StartsWith("conductance: similarity "));
+    CHECK(summary["yielding"].get<std::string>().ends_with("the hardness"));
+}
