@@ -188,8 +188,9 @@ std::string yielding(const DesignRun& run) {
                                 " of E*)";
     if (!hardness)
         return "assumed to be elastic; " + highest + "; give --hardness to verify this";
-    return peak <= *hardness ? "elastic: " + highest + ", at most the hardness"
-                             : "yields: " + highest + ", above the hardness";
+    return (peak <= *hardness ? "yes, " : "no, it yields: ") + highest +
+           (peak <= *hardness ? ", at most" : ", above") + " the hardness, " +
+           readable(pressure_unit(*hardness).factor * *hardness) + " " + pressure_unit(*hardness).name;
 }
 
 /// A quantity with its limit, e.g. "shortest wave 0.0146 mm (limit 0.0133 mm)".
