@@ -226,7 +226,7 @@ void add_design(py::module_& module) {
         .def_property_readonly("evaluations", [](const Design& d) { return d.found.counters.evaluations; })
         .def_property_readonly(
             "price", [](const Design& d) { return d.found.counters.price; },
-            "What all curves and gradients of the search cost, in curves of the design's grid and load steps.")
+            "Price of all curves and gradients of the search, in curves of the design's grid and load steps.")
         .def_property_readonly("pipeline", [](const Design& d) { return d.found.pipeline; })
         .def_property_readonly("notes", [](const Design& d) { return d.found.notes; })
         .def_property_readonly(
