@@ -85,7 +85,7 @@ Layout profile_layout(const Table& table, const Header& header, bool spacing_giv
     throw InputError(
         line_of(
             at(file, table.line[0]), ": ", table.columns,
-            " columns; give heights, or x and height; of a map give the row to take, or give it as a surface",
+            " columns; give heights, or x and height, or the row to take of a map, or the map as a surface",
             commas ? " (decimal commas need another separator)" : ""),
         "row");
 }

@@ -149,7 +149,7 @@ TEST_CASE("a file that is not a line scan is refused in one line with the reason
     CHECK_THAT(refusal(std::string("\x89PNG\0\0\1", 7)), Catch::Contains("binary"));
     CHECK_THAT(refusal("1\n2\n0\n"), Catch::Contains("give the spacing"));
     CHECK_THAT(refusal("0.5 1\n1 2\n2 1\n", {.spacing = 0.5}), Catch::Contains("two columns"));
-    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("of a map give the row to take, or give it as a surface"));
+    CHECK_THAT(refusal("1 2 3 4\n5 6 7 9\n"), Catch::Contains("the row to take of a map, or the map as a surface"));
     for (const std::string names : {"", "x z valid\n"}) // validity is 0 or 1
         CHECK_THAT(refusal(names + "0 1 1\n1 2 0.5\n3 1 0\n"), Catch::Contains("3 columns"));
     CHECK_THAT(refusal("0 1\r\n1 2\r2 here\n3 1\n"), Catch::Contains("line 3") && Catch::Contains("2 here"));
