@@ -356,6 +356,14 @@ int contact(const Settings& settings, const std::string&) {
     // Held nodes change the meaning of the curve.
     (found.result.account.held_nodes > 0 || (is_2d && found.model.accuracy > 0) ? say : tell)(
         in_words(found.result.account));
+    if (!files.account.empty()) {
+        const Index last = response.steps() - 1;
+        const Unit unit = pressure_unit(response.pressure[last]);
+        say(settings.text("out") + ": at " + readable(unit.factor * response.pressure[last]) + " " +
+            unit.name + " the contact fraction is " + percent(response.contact_fraction[last]) +
+            " and the stiffness " + readable(response.tangent_stiffness[last]) + " MPa/mm" +
+            (files.page.empty() ? "" : "; page " + files.page.string()));
+    }
     return 0;
 }
 

@@ -319,7 +319,9 @@ void write_description(const SurfaceReport& of, const std::filesystem::path& sou
     print_parameters(of.rows, of.largest_height);
     print_parameters(of.requested, of.largest_height);
     say(print_note(*of.surface, extrusion));
-    say("written to " + out.path().string());
+    const bool has_page = settings.choice("pictures") == 0;
+    say("written to " + out.path().string() +
+        (has_page ? "; page " + page_of(page_source(out.path())).string() : ""));
 }
 
 int profile(const Settings& settings, const std::string&) {

@@ -90,7 +90,8 @@ int carry_out(const Experiment& experiment, const Settings& settings, const Requ
         (found.result.is_null() ? "interrupted before the first result, nothing written"
          : interrupt.requested() && experiment.resumes
              ? "interrupted, the results so far are in result.json; --resume continues"
-             : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s"));
+             : (found.summary.empty() ? "" : found.summary + "; ") + readable(clock.seconds()) + " s" +
+                   (draws ? "; page " + (folder / request.page).string() : "")));
     return interrupt.requested() ? exit_interrupted : found.code;
 }
 

@@ -4,6 +4,7 @@
 #include "domain/problem/stored.hpp"
 #include "domain/text/atomic_file.hpp"
 #include "domain/text/json.hpp"
+#include "domain/text/words.hpp"
 #include "experiments/paper/paper.hpp"
 #include "ga/checkpoint/checkpoint.hpp"
 #include "ga/observers/log.hpp"
@@ -125,6 +126,19 @@ struct NamedPipeline {
     rough::DesignPipeline pipeline;
 };
 
+/// Throws rough::InputError on a variant that draws genomes. Only phases move in the paper's problem, so it
+/// has no shortest wavelength to draw them by.
+void expect_no_draws(const Settings& settings, const Variant& variant) {
+    const std::string text = "|" + variant.pipeline.text() + "|";
+    for (std::size_t at = text.find("sample"); at != std::string::npos; at = text.find("sample", at + 1)) {
+        const std::size_t before = text.find_last_not_of(' ', at - 1), end = text.find_first_of("|{}", at);
+        if (text[before] == '|' || text[before] == '{')
+            settings.refuse("variants." + variant.name,
+                            "stage '" + std::string(rough::trim(text.substr(at, end - at))) +
+                                "' draws genomes, but this run starts from its database; omit the stage");
+    }
+}
+
 /// The paper's three in both forms, then what the experiment writes in [variants].
 std::vector<NamedPipeline> variants_from(const Settings& settings, const rough::Vocabulary& words) {
     std::vector<std::string> names{"sog", "gco", "cco", "sog-minimax", "gco-minimax", "cco-minimax"};
@@ -139,6 +153,8 @@ std::vector<NamedPipeline> variants_from(const Settings& settings, const rough::
     for (const std::string& name : names)
         variants.push_back(
             {name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
+    for (const Variant& variant : variants)
+        expect_no_draws(settings, variant);
     return variants;
 }
 

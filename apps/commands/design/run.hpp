@@ -166,7 +166,9 @@ int run_in_folder(const char* kind, const std::string& line, const Settings& set
         if (!fact.text.empty())
             say(fact.name + ": " + fact.text);
     say(folder.string() + ": " + run.summary.verdict + " (" + readable(run.clock.seconds()) + " s)" +
-        (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues it" : ""));
+        (std::filesystem::exists(folder / "checkpoint.cbor") ? "; --resume continues it" : "") +
+        (std::filesystem::exists(folder / "report.html") ? "; page " + (folder / "report.html").string()
+                                                         : ""));
     return run.interrupted ? exit_interrupted : run.summary.found ? 0 : 3;
 }
 

@@ -84,7 +84,8 @@ std::string verdict_of(const DesignRun& run) {
             (": lowest similarity " + readable(verified, 5)) + ", " + conditions +
             (is_verified(run) ? "" : ", but the time did not suffice for the given noise, tilt or hardness");
     else
-        line = missed_by(run.found) + ": the best design has " +
+        line = (run.interrupted ? "not found before the interrupt" : missed_by(run.found)) +
+               ": the best design has " +
                (std::isinf(verified) ? "no response in one of the checks"
                                      : "a lowest similarity of " + below(verified, required)) +
                ", " + conditions + "; " + wanted;
@@ -243,8 +244,10 @@ std::string carries_over(const DesignRun& run) {
         if (const auto words = in_words(quantity) + " valid " + scope; all.find(words) == std::string::npos)
             join(all, words);
     }
-    return "designed for kernel " + name_of(model.body.kernel) + ", length " + brief(model.grid.length, 5) +
-           (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm; " + all;
+    if (run.setup.measured && !run.accounts.empty())
+        join(all, "the scan as it was read: " + run.accounts.front());
+    return "designed for the body '" + name_of(model.body.kernel) + "' (--kernel), length " +
+           brief(model.grid.length, 5) + (is_2d ? " x " + brief(model.grid.width, 5) : "") + " mm; " + all;
 }
 
 /// The changes of the phases, and the similarities before and after them.
@@ -262,6 +265,15 @@ std::string moved(const rough::Morphed& morphed) {
 std::string at(const rough::Target& target, double x) {
     const Unit unit = target.against_pressure() ? pressure_unit(target.last()) : length_unit(target.last());
     return " at " + readable(unit.factor * x) + " " + unit.name;
+}
+
+/// Nodes of a grid of this shape with `factor` times as many, as --nodes takes them.
+std::string nodes_for(const rough::Grid& grid, double factor) {
+    const double side = grid.is_2d() ? std::sqrt(factor) : factor;
+    const auto more = [&](rough::Index nodes) {
+        return brief(std::ceil(side * static_cast<double>(nodes)), 9);
+    };
+    return more(grid.nodes) + (grid.is_2d() ? "x" + more(grid.rows) : "");
 }
 
 /// Reasons why no answer was found: the largest misfit, then its possible causes.
@@ -299,16 +311,22 @@ std::string obstacles(const DesignRun& run) {
     if (is_contact_fraction(target.quantity) && 0.5 / wanted > allowed)
         join(all, "the requested area" + at(target, target.x[point]) + " is " + readable(wanted) + " of " +
                       brief(nodes, 9) + " nodes, so half a node changes it by " + percent(0.5 / wanted) +
-                      ": use more --nodes");
+                      ": give --nodes " + nodes_for(run.setup.model.grid, 0.5 / wanted / allowed));
     for (const rough::Margin& margin : run.margins)
         if (margin.is_limited() && margin.margin() < 0.05)
             join(all, in_words(margin) + (margin.holds() ? " is close to its limit" : " violates its limit"));
-    if (!run.found.best.is_verified() && !run.interrupted)
-        join(all, "the time did not suffice to verify the answer: give more --seconds, or fewer --nodes");
-    if (!run.found.stopped.empty())
-        join(all, "the search ended early: " + run.found.stopped);
+    const std::string longer = std::isfinite(run.options.seconds)
+                                   ? ": give --resume --seconds " + readable(2 * run.options.seconds)
+                                   : ": give --resume";
+    if (run.interrupted)
+        join(all, "the design was interrupted: give --resume");
+    else if (!run.found.stopped.empty())
+        join(all, "the search ended early, " + run.found.stopped + longer);
+    else if (!run.found.best.is_verified())
+        join(all, "the time did not suffice to verify the answer" + longer);
     else if (run.unreachable.reasons.empty())
-        join(all, "the search ended without success: try another --seed or --variant");
+        join(all, "the search ended without success: give --seed " + std::to_string(run.options.seed + 1) +
+                      " or another --variant");
     return all;
 }
 

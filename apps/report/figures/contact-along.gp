@@ -11,7 +11,7 @@ stats file using shown nooutput
 factor = is_pressure ? pressure_factor(STATS_max) : length_factor(STATS_max)
 set xlabel sprintf("Position x (%s)", length_unit(across))
 set ylabel (is_pressure ? "Pressure (".pressure_unit(STATS_max) : "Gap (".length_unit(STATS_max)).")"
-set yrange [0:*]
+set xrange [0:length_factor(across) * across]; set yrange [0:*]
 plot for [i = words(loads):1:-1] file using (column("load") == i ? length_factor(across) * column("x_mm") : NaN): \
     (factor * column(shown)) with lines lc i lw 1.2 \
     title sprintf("%.3g %s", pressure_factor(mean) * word(loads, i), pressure_unit(mean))

@@ -9,5 +9,6 @@ factor = is_height ? length_factor(largest) : pressure_factor(largest)
 set cblabel (is_height ? "Height below the highest point (".length_unit(largest) : \
     "Pressure (".pressure_unit(largest)).")" offset 0.5,0
 set xlabel "x (mm)"; set ylabel "y (mm)"
-# A node out of contact has an empty field. As an undefined number it keeps its place in the image.
-plot file using (column("x_mm")):(column("y_mm")):(strlen(strcol(shown)) ? factor * column(shown) : NaN) with image
+# A node out of contact has an empty field. As an undefined number it keeps its place in the image. (strcol() of an
+# empty last field ends gnuplot 5.4.)
+plot file using (column("x_mm")):(column("y_mm")):(column(shown) > -1e300 ? factor * column(shown) : NaN) with image

@@ -78,6 +78,14 @@ TEST_CASE("variants of an experiment, written as text, run with the paper's") {
     CHECK(variants["mine"]["stages"][2]["path"] == "mine/repeat.1/tournament.1");
 }
 
+TEST_CASE("a paper's run refuses a variant that draws genomes before it computes") {
+    const Folder folder;
+    for (const char* text :
+         {"sample 40 | score | best 1", "score | repeat 2 { sample 4 sobol | score } | best 1"})
+        check_refused(rugosa(paper + " --pictures off --set 'variants.mine=" + text + "'", folder.path()),
+                      "variants.mine: stage 'sample 4");
+}
+
 TEST_CASE("a run without --out finds a free folder, and keeps an existing result") {
     const Folder folder;
     const std::string quick = paper + coarse + " --set paper.sweep-points=0";
