@@ -128,7 +128,7 @@ struct NamedPipeline {
 
 /// Throws rough::InputError on a variant that draws genomes. Only phases move in the paper's problem, so it
 /// has no shortest wavelength to draw them by.
-void expect_no_draws(const Settings& settings, const Variant& variant) {
+void expect_no_draws(const Settings& settings, const NamedPipeline& variant) {
     const std::string text = "|" + variant.pipeline.text() + "|";
     for (std::size_t at = text.find("sample"); at != std::string::npos; at = text.find("sample", at + 1)) {
         const std::size_t before = text.find_last_not_of(' ', at - 1), end = text.find_first_of("|{}", at);
@@ -153,7 +153,7 @@ std::vector<NamedPipeline> variants_from(const Settings& settings, const rough::
     for (const std::string& name : names)
         variants.push_back(
             {name, read_at(settings, "variants." + name, [&] { return parser.variant(name); })});
-    for (const Variant& variant : variants)
+    for (const NamedPipeline& variant : variants)
         expect_no_draws(settings, variant);
     return variants;
 }
