@@ -196,7 +196,7 @@ void write_tables(const CapRun& run, const std::filesystem::path& folder) {
     const rough::Caps caps = caps_of(setup, best.genome);
     Csv table("x_mm,y_mm,height_mm,radius_mm"),
         spots("load_N,x_mm,y_mm,spot_radius_mm,force_N,force_by_model_N,area_mm2,area_low_mm2,area_high_mm2"),
-        curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_finer");
+        curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_verified");
     for (rough::Index i = 0; i < caps.heights.size(); ++i) {
         table.row(setup.array.x(i), setup.array.y(i), caps.heights[i], caps.radii[i]);
         for (std::size_t s = 0; s < verified.meshed.size(); ++s) {

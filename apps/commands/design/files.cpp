@@ -57,6 +57,7 @@ json design_json(const DesignRun& run) {
     json result = result_json(run.origin, run.setup, {variant});
     result.update(record_json(run, run.setup.targets,
                               std::string(run.found.best.on_finer.empty() ? "" : " finer") +
+                                  (run.found.best.is_verified() ? " verified" : "") +
                                   (run.from ? " before" : "")));
     result["is_2d"] = run.setup.model.grid.is_2d();
     result["required_similarity"] = run.setup.required_similarity;
@@ -94,27 +95,29 @@ json design_json(const DesignRun& run) {
 
 constexpr std::size_t max_surfaces = 6; ///< answers whose heights are drawn
 
-/// Curves and, at the targets' points, misfits over the weight; x and y in the units of columns_of(target).
-/// Drawn are the answer's response, that on a grid four times finer if it was verified there, and that of the
-/// surface in production.
+/// Curves and, at the targets' points, misfits; x and y in the units of columns_of(target). Drawn are the
+/// answer's response, that on a grid four times finer if it was verified there, and that of the surface in
+/// production. The verified misfit is that of the finest curve with its estimated error, which decides.
 void write_curves(const DesignRun& run, const std::filesystem::path& folder) {
     std::vector<std::pair<std::string, rough::DesignResponse>> responses{{"answer", run.response}};
     if (const auto& finer = run.found.best.on_finer; !finer.empty())
         responses.emplace_back("finer", design_response(run.setup, finer));
     if (run.from)
         responses.emplace_back("before", respond(run.setup, run.from->genome, run.setup.model));
-    Csv curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_finer");
+    Csv curves("target,curve,x,y"), points("target,x,y,lower,upper,misfit,misfit_verified");
     for (std::size_t t = 0; t < run.setup.targets.size(); ++t) {
         const rough::Target& target = run.setup.targets[t];
         const rough::WrittenColumns columns = columns_of(target);
-        Eigen::VectorXd designed, finer = Eigen::VectorXd::Constant(target.points(), NAN);
+        Eigen::VectorXd designed, verified = Eigen::VectorXd::Constant(target.points(), NAN);
+        if (run.found.best.is_verified())
+            verified = run.found.best.largest[t] / target.weight;
         for (const auto& [name, response] : responses) {
             const rough::Curve curve = to_its_end(response.curves[t]);
             curves.points(curve.x / columns.x_unit, curve.y / columns.y_unit, t + 1, name);
-            if (name != "before")
-                (name == "finer" ? finer : designed) = misfit(target, response.curves[t]) / target.weight;
+            if (name == "answer")
+                designed = misfit(target, response.curves[t]) / target.weight;
         }
-        add_points(points, t + 1, target, designed, finer);
+        add_points(points, t + 1, target, designed, verified);
     }
     rough::write_atomically(folder / "curves.csv", curves.text());
     rough::write_atomically(folder / "points.csv", points.text());
@@ -223,14 +226,14 @@ json tolerance_json(const rough::Tolerance& tolerance) {
 }
 
 void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
-                const Eigen::VectorXd& finer) {
+                const Eigen::VectorXd& verified) {
     const rough::WrittenColumns columns = columns_of(target);
     const auto end = [&](const Eigen::VectorXd& values, rough::Index k) {
         return target.has_band() ? values[k] / columns.y_unit : NAN;
     };
     for (rough::Index k = 0; k < target.points(); ++k)
         points.row(number, target.x[k] / columns.x_unit, target.y[k] / columns.y_unit, end(target.lower, k),
-                   end(target.upper, k), misfits[k], finer[k]);
+                   end(target.upper, k), misfits[k], verified[k]);
 }
 
 json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,

@@ -125,7 +125,7 @@ nlohmann::json tolerance_json(const rough::Tolerance& tolerance);
 /// Adds a row for each point of a target to points.csv, in the units of columns_of(target). Misfits are over
 /// the weight; `finer` are those on the finer grid.
 void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
-                const Eigen::VectorXd& finer);
+                const Eigen::VectorXd& verified);
 /// The keys of result.json for the record, and for each target its points, file, quantity, and the argument
 /// of its figure with further `curves`.
 nlohmann::json record_json(const DesignRecord& run, const std::vector<rough::Target>& targets,

@@ -1,6 +1,6 @@
 # A target and the curves of the answer, or the misfit of the answer at each point in percent.
 # arg: target or misfit; number of the target, its quantity, pressure or displacement; in the units of its file: own and
-# the labels of x and y; further curves: finer, before, band
+# the labels of x and y; further curves: finer, verified, before, band
 is_misfit = word(arg, 1) eq "misfit"; number = int(word(arg, 2)); quantity = word(arg, 3)
 is_pressure = word(arg, 4) eq "pressure"; in_own_units = word(arg, 5) eq "own"
 here(i) = column("target") == number
@@ -17,8 +17,8 @@ if (is_misfit) {
     set ylabel "Misfit (%)"
     set arrow from graph 0, first 0 to graph 1, first 0 nohead lc rgb faint dt 2
     plot points using (p(0)):(100 * column("misfit")) with linespoints lc rgb blue lw 1.5 ps 0.45 title "answer", \
-        points using (p(0)):(100 * column("misfit_finer")) with linespoints lc rgb orange lw 1.5 ps 0.45 \
-            title shown("finer", "finer grid")
+        points using (p(0)):(100 * column("misfit_verified")) with linespoints lc rgb orange lw 1.5 ps 0.45 \
+            title shown("verified", "as verified")
 } else {
     set ylabel (in_own_units ? word(arg, 7) : quantity eq "stiffness" ? "Stiffness K (MPa/mm)" : \
         quantity eq "load" ? "Mean pressure p (MPa)" : quantity eq "contact_fraction" ? "Contact fraction A" : \

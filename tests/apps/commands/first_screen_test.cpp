@@ -133,6 +133,10 @@ TEST_CASE("every number on a design's first screen follows from its genome and t
     };
     CAPTURE(checks);
     REQUIRE(lowest < 0.99); // so that the screen names the obstacles
+    double drawn = 0; // largest misfit in the picture
+    for (const auto& row : app::csv_rows(rough::read_whole(folder / "r" / "points.csv")))
+        drawn = std::max(drawn, std::abs(std::stod(row.back())));
+    CHECK(drawn == Approx(largest).epsilon(1e-6));
 
     for (const auto& [key, value] : {std::pair("similarity", checks[0]),
                                      {"similarity_refined", checks[1]},
