@@ -10,6 +10,7 @@ namespace rough {
 enum class Interpolation {
     linear, ///< linear on a line, bilinear on a map
     spline, ///< cubic spline, on a map along x and then along y
+    kinked, ///< parabolas, with kinks at sharp crests between nodes, along x and then y
 };
 
 /// The surface on a finer grid, with `times` (>= 1) elements for each element along each axis, as
@@ -30,9 +31,9 @@ const std::vector<std::string>& resolution_names();
 /// node spacing.
 constexpr Index resolved_spot_nodes = 4;
 
-/// Two responses of a scan or map on a grid 4 times finer, 5 times on the cells of a free map. The first is
-/// for linear interpolation, the second for a spline. Empty if `resolution` omits them. The displacements are
-/// those of the measured response, so that the pressures are nearly equal, too. Throws as solve_contact().
+/// One response of a scan or map for each interpolation. The grid is 4 times finer, 5 times on the cells of a
+/// free map. Empty if `resolution` omits them. The displacements are those of the measured response, so
+/// that the pressures are nearly equal, too. Throws as solve_contact().
 std::vector<Response> finer_responses(const Profile& scan, const Model& model, const Response& measured,
                                       Resolution resolution);
 

@@ -172,8 +172,8 @@ Target target_at(Quantity quantity, const std::string& name, const Eigen::Vector
 
 /// A profile's response as a target, with its recorded model. If the last point is not given or beyond the
 /// last load step, this step is used. Points at which the curve is continued to 0 or less are omitted. Unless
-/// `resolution` is `off`, the band spans the curves of the given heights and of heights interpolated linearly
-/// and by a spline. Throws InputError if an interface stiffness is infinite at full contact.
+/// `resolution` is `off`, the band spans the curves of the given heights and of finer_responses(). Throws
+/// InputError if an interface stiffness is infinite at full contact.
 Target target_like(const Profile& profile, const Model& model, const std::string& name,
                    Quantity quantity = Quantity::stiffness, const PointPlacement& points = {},
                    Resolution resolution = Resolution::off);

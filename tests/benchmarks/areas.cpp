@@ -45,7 +45,8 @@ void press(Index side, Kernel kernel, const std::vector<double>& pressures, Solv
 
 /// benchmark_areas [largest side [side up to which Polonsky-Keer runs]]: periodic maps, 10 load steps to 17 %
 /// contact. benchmark_areas loads [side]: each of seven loads alone on a free map. Then ten equal steps to
-/// 11 % contact on one and on two threads.
+/// 11 % contact on one and on two threads. benchmark_areas full [side]: each of four loads alone, near full
+/// contact of a periodic map.
 int main(int count, char** words) {
     std::printf("%5s %-14s %7s %9s %10s %9s %9s %9s %10s\n", "side", "solver", "threads", "contact",
                 "products", "a step", "cpu, s", "wall, s", "memory GB");
@@ -61,6 +62,15 @@ int main(int count, char** words) {
             press(side, Kernel::free, {units * slope}, Solver::automatic);
         for (const int threads : {1, 2})
             press(side, Kernel::free, steps_to(0.054 * slope), Solver::automatic, threads);
+        return 0;
+    }
+    if (count > 1 && std::string(words[1]) == "full") {
+        const Index side = count > 2 ? std::atol(words[2]) : 256;
+        Body body;
+        body.kernel = Kernel::periodic;
+        const double full = full_contact_load(maps::self_affine(side, 0.8, 1, slope), body);
+        for (const double share : {0.45, 0.7, 0.87, 0.95})
+            press(side, Kernel::periodic, {share * full}, Solver::active_set);
         return 0;
     }
     const Index largest = count > 1 ? std::atol(words[1]) : 1024,

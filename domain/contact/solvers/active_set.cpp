@@ -373,11 +373,42 @@ Eigen::VectorXd refined_pressures(const StepSolution& coarse, Extent from, Index
 
 Solution guess(const ContactProblem& problem, ContactOptions options);
 
+/// Limits within which the pressures of full contact are a better start than a coarser grid's: least share of
+/// nodes under pressure, greatest mean width of gaps along rows. Coarser grids miss narrow gaps.
+constexpr double nearly_full = 0.8, narrow_gap = 8;
+
+/// The pressures of full contact under the problem's first load, without its tensions: the nearest pressures
+/// p >= 0 with the load as their sum. Nothing if the gaps are too many or too wide.
+std::optional<Eigen::VectorXd> clipped_full_contact(const ContactProblem& problem) {
+    if (!problem.is_2d() || problem.kernel != Kernel::periodic || problem.load.empty())
+        return {};
+    Eigen::VectorXd full = full_contact_pressure(problem);
+    const double nodes = static_cast<double>(problem.nodes()), load = problem.load[0];
+    // Newton's method on a convex piecewise linear function comes from above and ends at its solution.
+    for (double mean = load / nodes;;) {
+        const double excess = (full.array() + mean).cwiseMax(0).sum() - load,
+                     loaded = static_cast<double>((full.array() + mean > 0).count());
+        if (loaded < nearly_full * nodes)
+            return {};
+        if (!(excess > 1e-9 * load) || mean - excess / loaded == mean) {
+            full = (full.array() + mean).cwiseMax(0).eval();
+            const auto is_gap = full.array() == 0;
+            const double gaps =
+                static_cast<double>((is_gap.head(full.size() - 1) && !is_gap.tail(full.size() - 1)).count());
+            return nodes - loaded <= narrow_gap * (gaps + 1) ? std::optional(std::move(full)) : std::nullopt;
+        }
+        mean -= excess / loaded;
+    }
+}
+
 /// Solves every load step, on the coarser grid first as long as it is worth it. The first load begins with an
 /// even pressure on the smallest grid, and if the coarser grid is in full contact below the load.
 void solve_levels(const ContactProblem& problem, const ContactOptions& options, Purpose purpose,
                   Solution& solution) {
-    const bool cascade = problem.nodes() > coarsest(problem), by_load = !problem.load.empty();
+    std::optional<Eigen::VectorXd> flat;
+    if (purpose == Purpose::curve) // a guess would end with it
+        flat = clipped_full_contact(problem);
+    const bool cascade = !flat && problem.nodes() > coarsest(problem), by_load = !problem.load.empty();
     const Index stride = problem.is_2d() ? area_stride : line_stride;
     ContactProblem coarse_problem = cascade ? coarsened(problem, stride) : ContactProblem();
     std::vector<double>& coarse_steps = by_load ? coarse_problem.load : coarse_problem.approach;
@@ -396,6 +427,9 @@ void solve_levels(const ContactProblem& problem, const ContactOptions& options, 
             start = refined_pressures(coarse.steps[j], coarse_problem.shape, stride, problem.shape,
                                       *problem.team);
             approach = coarse.steps[j].approach;
+        } else if (flat) {
+            start = std::exchange(flat, std::nullopt);
+            approach = problem.gap.mean();
         } else if (by_load && j == 0) {
             start = Eigen::VectorXd::Constant(problem.nodes(),
                                               problem.load[0] / static_cast<double>(problem.nodes()));

@@ -364,7 +364,8 @@ bool SetSolver::improve(const ContactSet& set, const std::function<double(Index)
             continue;
         }
         before = scale;
-        start = x.pressure(nodes);
+        if (!is_2d())
+            start = x.pressure(nodes);
         double rz = 1;
         for (bool first = true;; first = false, ++iteration) {
             const double residual = largest(team_, r);
@@ -433,7 +434,10 @@ void SetSolver::tangent(const ContactSet& set, double tolerance, bool each_entry
         if (!set.holds(i))
             w.pressure[i] = 0;
     });
-    update(w);
+    if (w.pressure.isZero(0))
+        w.displacement.setZero(), w.displacement_error = 0;
+    else
+        update(w);
     const auto good = [&](double energy) {
         return energy <= 0.5 * tolerance * team_.sum(n, [&](Index first, Index count) {
             return w.pressure.segment(first, count).sum();
