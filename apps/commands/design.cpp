@@ -113,6 +113,10 @@ int design(const Settings& settings, const std::string& line) {
     DesignRun run = design_from(settings, request_from(settings), clock);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
         std::ranges::for_each(run.accounts, say);
+        if (!run.from)
+            for (const std::string& doubt : rough::doubts(run.setup))
+                say("note: " + doubt);
+        say_unreachable(run.unreachable, run.setup.model.grid.is_2d() ? "every map" : "every profile");
         ProgressLine progress;
         const double limit = run.options.seconds;
         const auto record = [&](const std::filesystem::path& to) {

@@ -97,7 +97,7 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
     return {std::move(target), scene.model};
 }
 
-/// Describes the target and returns the exit code: 3 if no profile can reach it.
+/// Describes the target and returns the exit code: 3 if no surface can reach it.
 int report(const rough::Target& target, const rough::Model& model, const Settings& settings) {
     const rough::WrittenColumns columns = columns_of(target);
     say(target.name + ": " + std::to_string(target.points()) + " points of " + columns.y + " from " +

@@ -34,7 +34,8 @@ Interface interface_at(const Profile& surface, const Body& body, const LoadStep&
     return found;
 }
 
-SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve) {
+SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve,
+                       bool with_derivatives) {
     constexpr double tolerance = 1e-9; // residual of the adjoint's solutions over the right-hand side
     constexpr long max_iterations = 500;
     // Keeps an edge's rate finite if both of its nodes are at the edge of contact; a share of the
@@ -80,6 +81,9 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
         for (const int i : state.nodes)
             each_neighbour(i, problem.shape, problem.kernel == Kernel::periodic,
                            [&](Index k) { add_edge(i, k); });
+        area.fraction[j] = count / static_cast<double>(n);
+        if (!with_derivatives)
+            continue;
         // dp_A = w s + H_AA^-1 dZ_A, dgap_k = H_kA dp_A - s - dZ_k with s = dDelta - dZ_max.
         solver.update(off);
         const Eigen::VectorXd right = on + off.displacement;
@@ -88,7 +92,6 @@ SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCu
             largest = std::max(largest, std::abs(right[i]));
         solver.improve(
             set, [&](Index i) { return right[i]; }, z, Enough{tolerance * largest}, max_iterations);
-        area.fraction[j] = count / static_cast<double>(n);
         area.by_displacement[j] = rate * per_mm;
         area.by_height.row(j) = per_mm * (z.pressure - off.pressure).transpose();
         area.by_height(j, highest) -= rate * per_mm;

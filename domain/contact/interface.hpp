@@ -34,7 +34,8 @@ struct SmoothArea {
 };
 
 /// The smooth contact fraction of a curve with states (ContactOptions::states). One linear solution on each
-/// step's contact set gives the derivatives (adjoint).
-SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve);
+/// step's contact set gives the derivatives (adjoint). Without derivatives, they are 0.
+SmoothArea smooth_area(const Profile& profile, const Body& body, const ContactCurve& curve,
+                       bool with_derivatives = true);
 
 } // namespace rough

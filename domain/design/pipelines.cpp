@@ -72,7 +72,7 @@ Designs shortened(const Designs& designs, ga::Context<DesignProblem>& context) {
 DesignPipeline under(const std::string& name, int n, const DesignPipeline& body,
                      DesignSetup (*change)(DesignSetup, int)) {
     return ga::derived_stage<DesignProblem>(
-        name + " " + std::to_string(n), body,
+        n > 0 ? name + " " + std::to_string(n) : name, body,
         [=](Designs designs, const DesignPipeline& stages, ga::Context<DesignProblem>& context) {
             const DesignProblem& problem = context.problem();
             return run_derived(stages, problem.with(change(problem.setup(), n)), std::move(designs), context);
@@ -96,6 +96,13 @@ DesignSetup on_coarser_grid(DesignSetup setup, int halvings) {
 
 DesignPipeline coarser(const ga::Arguments& arguments, const DesignPipeline& body) {
     return under("coarser", static_cast<int>(arguments.count("n")), body, on_coarser_grid);
+}
+
+DesignPipeline smooth(const ga::Arguments&, const DesignPipeline& body) {
+    return under("smooth", 0, body, [](DesignSetup setup, int) {
+        setup.smooth_area = true;
+        return setup;
+    });
 }
 
 DesignPipeline in_more_steps(const ga::Arguments& arguments, const DesignPipeline& body) {
@@ -209,8 +216,10 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           });
     start("own",
           "replaces the population by n sums of the measured profile's waves, each of half as many waves as "
-          "the one before",
-          [](const DesignSetup& given, std::size_t i, ga::Stream, ga::Work& work) {
+          "the one before; for a map by sums of random waves with its spectrum",
+          [](const DesignSetup& given, std::size_t i, ga::Stream random, ga::Work& work) {
+              if (given.measured && given.measured->is_2d())
+                  return waves_like(given, random);
               work.price += scan_waves_price(given);
               return scan_waves(given, max_scan_waves(given) >> i);
           });
@@ -235,6 +244,10 @@ ga::Registry<DesignProblem> design_registry(const DesignSetup& setup) {
           {ga::whole("n", std::nullopt, 1, "how often the nodes are halved")}, coarser);
     block("more-steps", "runs the pipeline in n times the load steps",
           {ga::whole("n", std::nullopt, 2, "the factor").up_to(64)}, in_more_steps);
+    block("smooth",
+          "runs the pipeline with contact fractions smoothed as in the derivatives, instead of counts of "
+          "nodes",
+          {}, smooth);
     block("corrected",
           "runs the pipeline on the first individual, with targets corrected by the change of its curve on "
           "the finer grid and in finer load steps",
@@ -278,11 +291,12 @@ DesignPipeline design_pipeline(const DesignSetup& setup, const std::string& text
 std::string usual_variant(const DesignSetup& setup, bool stored) {
     const bool wants_contact_area =
         std::ranges::any_of(setup.targets, is_contact_fraction, &Target::quantity);
-    return stored                                 ? "in-line"
-           : setup.model.grid.is_2d()             ? "maps"
-           : setup.errors.any()                   ? "made"
-           : setup.measured && wants_contact_area ? "like"
-                                                  : "default";
+    const bool is_like = setup.measured && wants_contact_area;
+    return stored                     ? "in-line"
+           : setup.model.grid.is_2d() ? is_like ? "maps-like" : "maps"
+           : setup.errors.any()       ? "made"
+           : is_like                  ? "like"
+                                      : "default";
 }
 
 extern const char* const design_variants_ini; // variants.ini (.cmake/data.cmake)

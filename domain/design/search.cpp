@@ -85,11 +85,10 @@ std::vector<Genome> candidates_of(const DesignProblem& problem, const ga::Popula
             if (keys.insert(problem.key(best[i].genome)).second)
                 candidates.push_back(best[i].genome);
     };
-    const bool is_map = problem.setup().model.grid.is_2d();
     consider(population, max_count);
     consider(verified, max_count);
-    consider(seen, !is_map ? max_count : candidates.empty() ? 1 : 0);
-    if (!options.starts.empty() && !is_map) // the answer is not worse than the nearest start
+    consider(seen, problem.setup().model.grid.is_2d() ? 1 : max_count);
+    if (!options.starts.empty()) // the answer is not worse than the nearest start
         consider(ga::population(std::vector{options.starts.front()}), 1);
     return candidates;
 }
@@ -274,6 +273,56 @@ SearchResult search(const DesignSetup& given, const SearchOptions& given_options
         result.notes.push_back(
             "the answer was not verified on this grid and the finer one, for lack of time");
     return result;
+}
+
+std::vector<std::string> doubts(const DesignSetup& setup) {
+    constexpr double shown = 4;         // node spacings of a wave that a grid shows
+    constexpr double nearly_full = 0.9; // contact fraction
+    constexpr std::uint64_t starts = 4;
+    const Grid& grid = setup.model.grid;
+    std::vector<std::string> all;
+    const double shortest = setup.limits.shortest_wave, spacing = grid.widest_spacing();
+    if (!setup.phases && setup.bounds.lambda_to < shown * spacing * (1 - 1e-9))
+        all.push_back(line_with_digits(4, "lambda-to: no wave has ", shown, " node spacings, ",
+                                       shown * spacing,
+                                       " mm, so the grid shows none; raise lambda-to, or give more nodes"));
+    else if (!setup.phases && shortest < shown * spacing * (1 - 1e-9))
+        all.push_back(
+            line_with_digits(4, "shortest-wave: waves of ", shortest, " mm are ", shortest / spacing,
+                             " node spacings long, and the grid does not show those below ", shown,
+                             "; raise shortest-wave to ", shown * spacing, " mm, or give more nodes"));
+    const Target& target = setup.targets.front();
+    const auto& reach = setup.model.loading.reach;
+    if (!setup.max_pressure || !reach)
+        return all;
+    double least = 1;
+    for (std::uint64_t i = 0; i < starts && least >= nearly_full; ++i)
+        try {
+            const ga::Stream random(ga::fold(0, "doubts") + i);
+            const Genome start = i % 2 ? drawn_start(setup, random) : shaped_start(setup, random);
+            least = std::min(least, respond(start, setup.model).contact_fraction.tail(1)[0]);
+        } catch (const std::exception&) { // a start without a response
+        }
+    if (least >= nearly_full)
+        all.push_back(line_with_digits(
+            4, "max-pressure: its load step has nearly full contact, because it presses by ", *reach,
+            " of the height range: at least ", 100 * least, " % of the nodes touch in ", starts,
+            " starts; lower reach if the surface is to touch on less"));
+    if (target.quantity == Quantity::stiffness) {
+        double approach = 0, from = 0; // at least: K never falls, and is continued at its last value
+        for (Index k = 0; k < target.points(); from = target.x[k++])
+            approach += (target.x[k] - from) / (target.has_band() ? target.upper[k] : target.y[k]);
+        const double range = approach / *reach,
+                     slope = setup.limits.max_slope * std::hypot(grid.length, grid.width),
+                     highest = std::min(setup.limits.max_height, slope);
+        if (!grid.periodic && range * setup.required_similarity > highest)
+            all.push_back(line_with_digits(
+                4, setup.limits.max_height <= slope ? "max-height" : "max-slope",
+                ": no surface within it is near the target, whose stiffness needs an approach of ", approach,
+                " mm and so heights of ", range, " mm at a reach of ", *reach, "; the limit allows ", highest,
+                " mm"));
+    }
+    return all;
 }
 
 Unreachable unreachable(std::vector<OutOfReach> reasons, double required) {

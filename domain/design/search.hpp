@@ -70,18 +70,24 @@ void expect_searchable(const DesignSetup& setup, const std::string& pipeline);
 SearchResult search(const DesignSetup& setup, const SearchOptions& options = {},
                     std::vector<ga::Observer<Genome>> observers = {});
 
-/// Why no profile can meet a set-up's targets, and an upper bound on the similarity of any profile.
+/// Why no surface can meet a set-up's targets, and an upper bound on the similarity of any surface.
 struct Unreachable {
     std::vector<OutOfReach> reasons; ///< empty if the bound is at least the required similarity
-    double bound = 1;                ///< upper bound on the similarity of any profile
+    double bound = 1;                ///< upper bound on the similarity of any surface
 };
 
 constexpr double exact_enough = 0.999; ///< usual similarity for unreachable()
 
-/// The reasons and the lowest of their bounds; no reasons if a profile may have the similarity `required`.
+/// The reasons and the lowest of their bounds; no reasons if a surface may have the similarity `required`.
 Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
 /// The reasons and the bound for a set-up.
 Unreachable unreachable(const DesignSetup& setup, double required);
+
+/// Remarks on settings that leave little to search, each in one line. The price is at most eight curves.
+/// - waves below four node spacings are allowed, which the grid does not show
+/// - under Eq. 11, of four starts none has less than `nearly_full` contact at the last load step
+/// - under Eq. 11, heights within the limits are too low for the approach that the first target needs
+std::vector<std::string> doubts(const DesignSetup& setup);
 
 constexpr long enough_for_the_nearest = 3000; ///< maximum number of evaluations if the target is out of reach
 

@@ -6,6 +6,7 @@
 #include "domain/numerics/statistics.hpp"
 #include "domain/problem/prices.hpp"
 #include "domain/problem/response.hpp"
+#include "domain/profile/spectrum.hpp"
 #include "ga/base/parallel.hpp"
 
 #include <Eigen/Cholesky>
@@ -329,6 +330,61 @@ Genome scan_waves(const DesignSetup& setup, Index waves) {
         if (series.A > 0)
             genome.series.push_back(std::move(series));
     }
+    return genome;
+}
+
+Genome waves_like(const DesignSetup& setup, ga::Stream random) {
+    if (!setup.measured || !setup.measured->is_2d())
+        throw InputError("own: a measured map is missing; design like a map");
+    constexpr double ratio = 1.25;      // of neighbouring wavelengths
+    constexpr double negligible = 1e-4; // share of the power
+    const Profile& map = *setup.measured;
+    const Eigen::ArrayXXd powers = wave_powers(map, setup.model.grid.periodic);
+    const double length = map.spacing * static_cast<double>(map.shape().columns),
+                 width = map.row_spacing * static_cast<double>(map.rows), longest = std::max(length, width),
+                 shortest = setup.limits.shortest_wave * std::pow(ratio, random.uniform(0, 1));
+    const Index bands = 1 + static_cast<Index>(std::max(0.0, std::log(longest / shortest) / std::log(ratio))),
+                ridges = setup.ridges;
+    Eigen::ArrayXXd power = Eigen::ArrayXXd::Zero(bands, ridges); // of each wavelength and direction
+    for (Index j = 0; j < powers.cols(); ++j)
+        for (Index i = 0; i < powers.rows(); ++i) {
+            const double x = static_cast<double>(i) / length,
+                         y = static_cast<double>(2 * j > map.rows ? j - map.rows : j) / width;
+            const double band = std::round(-std::log(std::hypot(x, y) * shortest) / std::log(ratio)),
+                         angle = std::atan2(y, x) / std::numbers::pi * static_cast<double>(ridges);
+            if (i + j > 0 && band >= 0)
+                power(std::min(static_cast<Index>(std::min(band, 1e6)), bands - 1),
+                      (std::lround(angle) + ridges) % ridges) += powers(i, j);
+        }
+    Genome genome{1, {}};
+    for (Index b = 0; b < bands; ++b) {
+        if (!(power.row(b).sum() > negligible * power.sum()))
+            continue;
+        Series series{1,
+                      std::clamp(1.0, setup.bounds.H_from, setup.bounds.H_to),
+                      std::clamp(2.0, setup.bounds.gamma_from, setup.bounds.gamma_to),
+                      shortest * std::pow(ratio, static_cast<double>(b)),
+                      {{1, {}}}};
+        const double unit = amplitude(series, 1, static_cast<std::size_t>(ridges));
+        series.A = 0;
+        std::vector<Cosine> waves;
+        for (Index m = 0; m < ridges; ++m) {
+            const double angle = random.uniform(0, 2 * std::numbers::pi), R = std::sqrt(2 * power(b, m));
+            waves.emplace_back(R * std::cos(angle), R * std::sin(angle));
+            series.A = std::max(series.A, waves.back().least_A(unit));
+        }
+        Series twin = series;
+        for (const Cosine& wave : waves) {
+            const double half = wave.half_between(series.A * unit);
+            series.chromosomes[0].phases.push_back(wave.theta + half);
+            twin.chromosomes[0].phases.push_back(wave.theta - half);
+        }
+        genome.series.push_back(std::move(series));
+        genome.series.push_back(std::move(twin));
+    }
+    if (genome.series.empty())
+        throw InputError("own: the measured map has no waves of " + std::to_string(shortest) +
+                         " mm or longer; allow shorter ones");
     return genome;
 }
 

@@ -42,6 +42,11 @@ Index max_scan_waves(const DesignSetup& setup);
 /// contact depends on have the largest weight: nodes that touch under the targets' last load, and nodes below
 /// the sum of the waves. Throws InputError without a measured profile or with a map.
 Genome scan_waves(const DesignSetup& setup, Index waves);
+/// A sum of waves of random phases with the measured map's spectrum (DesignSetup::measured). Wavelengths are
+/// a constant factor apart, from the shortest allowed one to the map's length. Each is two series of one
+/// chromosome. In each direction they have the power of the map's waves near that length and direction.
+/// Throws InputError without a measured map.
+Genome waves_like(const DesignSetup& setup, ga::Stream random);
 /// The price of the contact that scan_waves() solves, in curves of the set-up's model.
 double scan_waves_price(const DesignSetup& setup);
 

@@ -143,7 +143,9 @@ std::vector<Response> responses_of(const DesignSetup& setup, const Genome& genom
         loaded.loading = loading;
         if (may_pass_full_contact(loading, model.body))
             loaded.loading = up_to_full_contact(loading, sample(shape, model.grid), model);
-        responses.push_back(respond(shape, loaded));
+        responses.push_back(setup.smooth_area ? respond_smoothly(sample(shape, model.grid), model.body,
+                                                                 loaded.loading, model.contact)
+                                              : respond(shape, loaded));
     }
     return responses;
 }

@@ -40,6 +40,9 @@ struct DesignSetup {
     /// Number of ridges M of each chromosome of a drawn genome. Default: 1 on a line, because all ridges of a
     /// chromosome together are one cosine, and 8 on a map, on which ridges are directions.
     int ridges = model.grid.is_2d() ? 8 : 1;
+    /// Whether a search reads contact fractions as its derivatives do (contact/interface.hpp). They are less
+    /// off on a coarse grid. The verification counts nodes.
+    bool smooth_area = false;
     /// Errors under which an answer must keep its similarity. Default: none, at a noise length of L/60.
     MakingErrors errors = {.noise_length = model.grid.length / 60};
 };

@@ -42,7 +42,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MakingLimits, shortest_wave, max_slope, max_h
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Profile, heights, spacing, rows, row_spacing)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MakingErrors, noise, noise_length, tilt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DesignSetup, model, targets, max_pressure, threshold, bounds, phases,
-                                   limits, measured, required_similarity, ridges, errors)
+                                   limits, measured, required_similarity, ridges, smooth_area, errors)
 /// @endcond
 
 /// A set-up without the names and records of its targets, which do not affect a result.

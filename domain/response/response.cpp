@@ -49,6 +49,12 @@ std::vector<double> even_steps(double last, const Loading& loading) {
     return displacements;
 }
 
+void expect_smooth_area(const Body& body) {
+    if (body.yields())
+        refuse("hardness: the contact fraction has no gradient with a hardness, ", body.hardness,
+               " MPa; use a body without");
+}
+
 } // namespace
 
 double reach_of(const Loading& loading, Kernel kernel) {
@@ -99,13 +105,24 @@ Response respond(const Profile& profile, const Body& body, const Loading& loadin
                        full_contact_stiffness(profile, body, options.threads));
 }
 
+Response respond_smoothly(const Profile& profile, const Body& body, const Loading& loading,
+                          ContactOptions options) {
+    expect_smooth_area(body);
+    const double range = displacement_range(profile, body.kernel);
+    options.states = true;
+    const ContactCurve curve = solve_load_steps(profile, body, loading, options);
+    Response response =
+        response_of(curve.steps, curve.solver, range, full_contact_stiffness(profile, body, options.threads));
+    response.contact_fraction = smooth_area(profile, body, curve, false).fraction;
+    return response;
+}
+
 ResponseWithGradient respond_with_gradient(const Profile& profile, const Body& body, const Loading& loading,
                                            ContactOptions options, bool with_area) {
     if (!loading.pressures.empty())
         refuse("pressures: load steps at given pressures have no gradient; use steps of equal displacement");
-    if (with_area && body.yields())
-        refuse("hardness: the contact fraction has no gradient with a hardness, ", body.hardness,
-               " MPa; use a body without");
+    if (with_area)
+        expect_smooth_area(body);
     const double range = displacement_range(profile, body.kernel);
     options.states = true;
     const ContactCurve curve = solve_load_steps(profile, body, loading, options);

@@ -74,6 +74,10 @@ ContactCurve solve_load_steps(const Profile& profile, const Body& body, const Lo
 Response respond(const Profile& profile, const Body& body = {}, const Loading& loading = {},
                  const ContactOptions& options = {});
 
+/// respond() with smooth contact fractions (contact/interface.hpp). Throws InputError on a hardness, too.
+Response respond_smoothly(const Profile& profile, const Body& body, const Loading& loading,
+                          ContactOptions options = {});
+
 /// Derivatives of a response with respect to the heights Z_i (columns), or to genes (in_genes).
 struct ResponseJacobian {
     Eigen::MatrixXd pressure; ///< dP_j, one row per load step; over the heights a row sums to zero

@@ -27,7 +27,7 @@ const char* name_of(const Target& target) {
     return target.quantity == Quantity::interface_stiffness ? "interface stiffness" : "stiffness";
 }
 
-/// Whether a misfit that no profile can avoid is the largest so far.
+/// Whether a misfit that no surface can avoid is the largest so far.
 bool is_worse(double misfit, const OutOfReach& worst) {
     return misfit > negligible && 1 - misfit < worst.bound;
 }
@@ -54,6 +54,7 @@ struct Load {
     StiffnessLimits secants;
     int steps;
     double last; ///< MPa
+    bool on_map; ///< full contact of a map is stiffer on a finer grid
 };
 
 /// The lowest K or K_i that a curve can have at a pressure (MPa), MPa/mm. The limit below the first secant is
@@ -84,7 +85,7 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
         };
         if (const double misfit = misfit_at(min); !of_interface && misfit > negligible) {
             stiff.at.push_back(x);
-            stiff.on_this_grid = stiff.on_this_grid && misfit_at(0) <= negligible;
+            stiff.on_this_grid = stiff.on_this_grid && (load.on_map || misfit_at(0) <= negligible);
             if (is_worse(misfit, stiff)) {
                 stiff.bound = 1 - misfit;
                 stiff.reason = line_with_digits(6, "stiffness ", allowed.lower(k), " MPa/mm at ", x,
@@ -113,8 +114,9 @@ void find_beyond_limits(const Target& target, const Load& load, std::vector<OutO
 
 /// A load above the chord of two points, the first of which may be (0, 0). Or one that rises by more than in
 /// full contact, or by less than with a single node.
-void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std::vector<OutOfReach>& found) {
+void find_beyond_loads(const Target& target, const Load& load, std::vector<OutOfReach>& found) {
     const Allowed allowed{target};
+    const StiffnessLimits& limits = load.secants;
     OutOfReach steep, light;
     for (Index i = -1; i < target.points(); ++i) {
         const double x_i = i < 0 ? 0 : target.x[i], y_i = i < 0 ? 0 : target.y[i],
@@ -146,7 +148,7 @@ void find_beyond_loads(const Target& target, const StiffnessLimits& limits, std:
                              on_this_grid};
             };
             rises(allowed.lower(j) - (high_i + limits.max * (x - x_i)), "faster than with full contact",
-                  limits.max, false, steep);
+                  limits.max, load.on_map, steep);
             rises(low_i + limits.min * (x - x_i) - allowed.upper(j),
                   "slower than with a single node in contact", limits.min, true, light);
         }
@@ -162,12 +164,11 @@ StiffnessLimits stiffness_limits(const Model& model) {
     Profile flat{Eigen::VectorXd::Zero(grid.shape().nodes()), spacing, grid.rows, grid.row_spacing()};
     const double entry = influence_column(in_units(body, spacing, flat.row_spacing), grid.shape())[0];
     const double min = body.effective_modulus / (elements(flat, body.kernel) * spacing * entry);
-    // Full contact grows stiffer as the grid grows coarser, so the value of a coarse grid is an upper bound.
+    // Full contact of a line grows stiffer as the grid grows coarser, so a coarse grid gives an upper bound.
+    // That of a map grows softer.
     Grid coarse = grid;
-    while (coarse.shape().nodes() > (grid.is_2d() ? 128 * 128 : 1024)) {
+    while (!grid.is_2d() && coarse.nodes > 1024)
         coarse.nodes = (coarse.nodes + 1) / 2;
-        coarse.rows = (coarse.rows + 1) / 2;
-    }
     flat = {Eigen::VectorXd::Zero(coarse.shape().nodes()), coarse.spacing(), coarse.rows,
             coarse.row_spacing()};
     return {min, full_contact_stiffness(flat, body)};
@@ -199,29 +200,33 @@ StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double 
 }
 
 std::string OutOfReach::verdict() const {
-    return (on_this_grid ? "out of reach of every profile on this grid: "
-                         : "out of reach of every profile: ") +
-           reason;
+    return line_of("out of reach of every ", of_map ? "map" : "profile",
+                   on_this_grid ? " on this grid: " : ": ", reason);
 }
 
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure) {
     if (!contact_sets_nest(model.body, model.grid)) // stiffness may fall
         return {};
-    Load load{stiffness_limits(model), model.loading.steps, max_pressure.value_or(0)};
+    Load load{stiffness_limits(model), model.loading.steps, max_pressure.value_or(0), model.grid.is_2d()};
     for (const Target& target : targets)
         if (target.against_pressure())
             load.last = std::max(load.last, target.last());
     std::vector<OutOfReach> found;
     for (const Target& target : targets) {
         if (target.quantity == Quantity::load_at_displacement)
-            find_beyond_loads(target, load.secants, found);
+            find_beyond_loads(target, load, found);
         else
             find_fall(target, found);
         if (target.quantity == Quantity::stiffness || target.quantity == Quantity::interface_stiffness)
             find_beyond_limits(target, load, found);
     }
     std::erase_if(found, [](const OutOfReach& one) { return one.bound == 1; });
+    for (OutOfReach& one : found) {
+        one.of_map = load.on_map;
+        if (load.on_map && model.grid.periodic)
+            one.reason += " (proven without a grid; on the grid of a periodic map it is not)";
+    }
     return found;
 }
 

@@ -7,7 +7,7 @@
 namespace rough {
 
 /// The stiffness of a single node and of full contact on the grid, MPa/mm. Contact sets only grow, and a
-/// larger contact set is stiffer. So every tangent and every secant of every profile lies between these two
+/// larger contact set is stiffer. So every tangent and every secant of every surface lies between these two
 /// stiffnesses, and secants never fall with the load.
 struct StiffnessLimits {
     double min; ///< stiffness of a single node, MPa/mm
@@ -15,19 +15,20 @@ struct StiffnessLimits {
 };
 StiffnessLimits stiffness_limits(const Model& model); ///< the limits for the model's grid and body
 
-/// The lowest and highest stiffness K, MPa/mm, that the scored curve of any profile can have at the pressure
+/// The lowest and highest stiffness K, MPa/mm, that the scored curve of any surface can have at the pressure
 /// `share` P_nt. P_nt is the last load. The scored curve is the curve of secant_stiffness(). It is continued
 /// to 0 and P_nt with the slopes of its end segments. If all secants lie within `secants`, the limits are
 /// sharp.
 /// `steps` is the number of equal load steps, at least 2.
 StiffnessLimits scored_limits(const StiffnessLimits& secants, int steps, double share);
 
-/// The reason why no profile can match a target exactly, and an upper bound on the similarity.
+/// The reason why no surface can match a target exactly, and an upper bound on the similarity.
 struct OutOfReach {
     std::string reason;        ///< reason in one line, with numbers
     std::vector<double> at;    ///< x of the target's points at fault, MPa or mm
-    double bound = 1;          ///< upper bound on the similarity (Eq. 12, scored curve) of any profile
-    bool on_this_grid = false; ///< whether a profile on a finer grid could have a higher similarity
+    double bound = 1;          ///< upper bound on the similarity (Eq. 12, scored curve) of any surface
+    bool on_this_grid = false; ///< whether a surface on a finer grid could have a higher similarity
+    bool of_map = false;       ///< whether it is about maps
 
     std::string verdict() const; ///< the verdict in words, with the reason
 };
@@ -42,6 +43,9 @@ struct OutOfReach {
 /// of all targets. A target passes a test if its band contains a curve that fulfils the condition. For each
 /// test that a target fails, returns the violation with the lowest bound. Returns nothing if contact sets may
 /// shrink (contact_sets_nest).
+///
+/// On a free map contact sets only grow because of the signs of the inverse of H, which a test computes. On
+/// the grid of a periodic map it is not proven, and the reasons say so.
 std::vector<OutOfReach> out_of_reach(const std::vector<Target>& targets, const Model& model,
                                      std::optional<double> max_pressure = {});
 

@@ -82,6 +82,8 @@ CapRun cap_run_from(const Settings& settings) {
     run.unreachable =
         rough::unreachable(out_of_reach(setup), settings.has("reach-similarity") ? setup.required_similarity
                                                                                  : rough::exact_enough);
+    if (!run.unreachable.reasons.empty() && run.options.pipeline == "default")
+        run.options.pipeline = "pass"; // further passes would not reach it
     return run;
 }
 
@@ -243,6 +245,7 @@ std::vector<Setting> asperity_settings() {
 int design_asperities(const Settings& settings, const std::string& line) {
     CapRun run = cap_run_from(settings);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
+        say_unreachable(run.unreachable, "these caps");
         ProgressLine progress;
         run.found =
             search(run.setup, run.options,

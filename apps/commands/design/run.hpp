@@ -59,6 +59,8 @@ struct DesignRecord {
     Origin origin = {};
 };
 
+/// Says before a search why it cannot succeed, if there is a reason. `of_what` are the surfaces, in words.
+void say_unreachable(const rough::Unreachable& found, const std::string& of_what);
 /// The reason why a search stopped, in words. A stop that the user did not request came from the time limit.
 inline std::string stop_reason(const std::string& reason, bool is_requested) {
     return reason == "stop requested" && !is_requested ? "time budget spent" : reason;

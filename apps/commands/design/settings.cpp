@@ -101,7 +101,7 @@ std::vector<Setting> search_settings() {
         {"database", "", "genome database; the search begins from its curves nearest to the target"},
         {"variant", "",
          "name of the pipeline to run (rugosa operators) [default, or maps for a map, in-line with "
-         "--database, like for a scan's contact area, made with --noise or --tilt]"},
+         "--database, like or maps-like for a scan's or map's contact area, made with --noise or --tilt]"},
         {"pipeline", "", "text of the pipeline to run, instead of a variant"},
         positive("hardness", "",
                  "hardness that limits the pressure of each node when the answer is verified, MPa [that of "

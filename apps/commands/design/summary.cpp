@@ -57,14 +57,15 @@ std::string verdict_of(const DesignRun& run) {
     const double designed = run.found.best.similarity, required = run.setup.required_similarity,
                  verified = verified_of(run);
     const bool is_enough = verified >= required, found = is_found(run);
-    const std::string wanted = brief(required, 15) + " is required";
+    const std::string wanted = brief(required, 15) + " is required",
+                      surface = run.setup.model.grid.is_2d() ? "map" : "profile";
     std::string conditions = "on finer grids and in finer load steps", line;
     if (run.trust)
         conditions += line_of(run.setup.errors.noise > 0 ? ", under noise" : "",
                               run.setup.errors.tilt > 0 ? ", tilted" : "",
                               run.trust_options.hardness ? ", under the hardness" : "");
     if (!run.unreachable.reasons.empty())
-        line = run.unreachable.reasons.front().verdict() + "; no profile has a similarity above " +
+        line = run.unreachable.reasons.front().verdict() + "; no " + surface + " has a similarity above " +
                readable(run.unreachable.bound, 4) + "; the best design found has " +
                (std::isnan(verified) ? readable(designed, 4) + " as designed" : readable(verified, 4));
     else if (std::isnan(verified))
@@ -301,7 +302,7 @@ std::string obstacles(const DesignRun& run) {
         return all;
     }
     if (run.unreachable.bound < run.setup.required_similarity)
-        join(all, line_of("no profile ",
+        join(all, line_of(run.setup.model.grid.is_2d() ? "no map " : "no profile ",
                           run.unreachable.reasons.empty() || run.unreachable.reasons.front().on_this_grid
                               ? "on this grid "
                               : "",
@@ -355,6 +356,13 @@ Shares unrequested_errors(const rough::DesignSetup& design, const rough::Genome&
         if (setup.targets[t].y.maxCoeff() < nearly_rigid * design.model.body.effective_modulus)
             all[in_words(setup.targets[t].quantity)] = 1 - each[t];
     return all;
+}
+
+void say_unreachable(const rough::Unreachable& found, const std::string& of_what) {
+    if (!found.reasons.empty())
+        say("note: out of reach of " + of_what + ": " + found.reasons.front().reason +
+            "; no similarity is above " + readable(found.bound, 4) +
+            "; the search is short, for the nearest");
 }
 
 bool is_found(const DesignRun& run) {

@@ -205,7 +205,7 @@ void add_design(py::module_& module) {
             "Whether similarity_worst is as high as requested, by default 0.99.")
         .def_property_readonly(
             "bound", [](const Design& d) { return d.unreachable.bound; },
-            "Upper bound of the similarity of every profile.")
+            "Upper bound of the similarity of every profile, or of every map if the design is one.")
         .def_property_readonly(
             "out_of_reach",
             [](const Design& d) {
@@ -214,7 +214,7 @@ void add_design(py::module_& module) {
                     reasons.push_back(reason.verdict());
                 return reasons;
             },
-            "Reasons why no profile can match the target exactly; empty if one may.")
+            "Reasons why no profile, or no map, can match the target exactly; empty if one may.")
         .def_property_readonly(
             "alternatives",
             [](const Design& d) -> const std::vector<Answer>& { return d.found.alternatives; },

@@ -74,6 +74,11 @@ TEST_CASE("a target is checked against its model, and reported if out of reach")
     const Ended falls = rugosa("target --check falls.csv", folder.path());
     CHECK(falls.code == 3);
     CHECK(falls.out.find("falls from") != std::string::npos);
+    CHECK_THAT(falls.out, Catch::Contains("of every profile: "));
+    CHECK(rough::read_target(folder / "falls.csv").recorded.empty()); // a formula belongs to no body
+    const Ended on_map = rugosa("target --check falls.csv --nodes 16x16 --length 1", folder.path());
+    CHECK(on_map.code == 3);
+    CHECK_THAT(on_map.out, Catch::Contains("of every map: ") && !Catch::Contains("profile"));
     folder.write("g.json", genome_text(1e-3, 1, 1.6, {{1, {0.3}}, {2, {1}}, {3, {4}}}));
     done(folder, "target --genome g.json --out recorded.csv");
     check_refused(rugosa("target --check recorded.csv --kernel strip", folder.path()), "kernel");

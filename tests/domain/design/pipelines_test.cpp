@@ -23,10 +23,10 @@ TEST_CASE("every named variant finds the same genome by its name and by its text
         DesignSetup setup = drawn(area ? 16 : 64, area);
         setup.targets.push_back(setup.targets[0]); // for mcco and nsga2
         for (const auto& [name, text] : design_variants()) {
-            if (area != (name == "maps")) // on a map all others would solve the whole database
+            if (area != name.starts_with("maps")) // on a map all others would solve the whole database
                 continue;
             INFO(name << (area ? " on an area" : ""));
-            setup.measured = name == "like"
+            setup.measured = name.ends_with("like")
                                  ? std::optional(sample(shaped_start(setup, ga::Stream(3)), setup.model.grid))
                                  : std::nullopt;
             const std::string run =

@@ -51,14 +51,78 @@ TEST_CASE("the objective verified agrees with the verification, its residuals wi
           Approx(verified.both).epsilon(1e-9));
 }
 
-TEST_CASE("a search with given starts returns an answer at least as good as the first") {
-    const DesignSetup setup = nested_setup();
-    SearchOptions options;
-    options.pipeline = "shape 8 | score | refine lm 20 | best 1";
-    const Answer good = search(setup, options).best;
-    options.starts = {good.genome};
-    options.pipeline = "mutate 1 | score";
-    CHECK(search(setup, options).best.lowest() >= good.lowest() - 1e-9);
+TEST_CASE("an answer is at least as good as the first start and the best surface seen, on lines and maps") {
+    for (const bool map : {false, true}) {
+        INFO((map ? "a map" : "a line"));
+        DesignSetup setup = nested_setup();
+        if (map) {
+            setup.model.grid = {.nodes = 16, .length = 0.84942, .rows = 16, .width = 0.84942};
+            setup.model = completed({setup.model.grid});
+            setup.ridges = 8, setup.limits.shortest_wave = 0.3;
+        }
+        SearchOptions options;
+        options.alternatives = 1;
+        options.pipeline = "shape 4 | score | refine lm 6 | best 1";
+        const Answer good = search(setup, options).best;
+        options.starts = {good.genome};
+        for (const char* worse : {"mutate 1 | score", "score | mutate 1 | score"}) {
+            options.pipeline = worse;
+            CHECK(search(setup, options).best.lowest() >= good.lowest() - 1e-9);
+        }
+    }
+}
+
+TEST_CASE("a smooth area is scored as its derivatives read it, on lines and maps") {
+    for (const bool map : {false, true}) {
+        DesignSetup setup = nested_setup();
+        if (map)
+            setup.model = completed({.grid = {.nodes = 16, .length = 0.84942, .rows = 18, .width = 0.84942}});
+        Target& target = setup.targets[0];
+        target = {Quantity::area_at_pressure, "", target.x,
+                  Eigen::VectorXd::LinSpaced(target.points(), 0.1, 0.6)};
+        const auto error = [&] {
+            const DesignProblem problem(setup);
+            const auto residuals = problem.sensitivity(three_waves(), "similarity").residuals;
+            return (problem.evaluate(three_waves()).misfits[0] - residuals).cwiseAbs().maxCoeff();
+        };
+        CHECK(error() > 1e-3); // a count of nodes
+        setup.smooth_area = true;
+        CHECK(error() < 1e-9);
+    }
+}
+
+TEST_CASE("settings that leave little to search are named before it, on lines and maps") {
+    for (const bool map : {false, true}) {
+        INFO((map ? "a map" : "a line"));
+        DesignSetup usual =
+            map ? DesignSetup{.model = completed(
+                                  {.grid = {.nodes = 32, .length = 0.84942, .rows = 32, .width = 0.84942}})}
+                : DesignSetup{};
+        usual.targets = nested_setup().targets;
+        usual.max_pressure = 1.6e-4;
+        CHECK(doubts(usual).empty());
+        const auto first = [&](auto change) {
+            DesignSetup setup = usual;
+            change(setup);
+            const auto all = doubts(setup);
+            return all.empty() ? std::string() : all.front();
+        };
+        const double spacing = usual.model.grid.widest_spacing();
+        CHECK_THAT(first([&](DesignSetup& setup) { setup.limits.shortest_wave = 3.9 * spacing; }),
+                   Catch::StartsWith("shortest-wave: "));
+        CHECK(first([&](DesignSetup& setup) { setup.limits.shortest_wave = 4 * spacing; }).empty());
+        CHECK_THAT(first([&](DesignSetup& setup) { setup.bounds.lambda_to = 3.9 * spacing; }),
+                   Catch::StartsWith("lambda-to: "));
+        CHECK_THAT(first([](DesignSetup& setup) { setup.limits.max_height = 1e-5; }),
+                   Catch::StartsWith("max-height: "));
+        CHECK_THAT(first([](DesignSetup& setup) { setup.limits.max_slope = 1e-5; }),
+                   Catch::StartsWith("max-slope: "));
+        usual.model.body.kernel = Kernel::periodic;
+        usual.model.grid.periodic = true;
+        usual.model.body.datum.reset();
+        usual.model.loading.reach = 0.999;
+        CHECK_THAT(first([](DesignSetup&) {}), Catch::StartsWith("max-pressure: "));
+    }
 }
 
 // The stiffness of a line rises steeply where a crest begins to touch. A search uses what its load steps do

@@ -3,6 +3,8 @@
 #include "tests/catch.hpp"
 #include "tests/domain/random_genome.hpp"
 
+#include <Eigen/LU>
+
 using namespace rough;
 
 namespace {
@@ -174,4 +176,71 @@ TEST_CASE("a load curve above a chord is out of reach by its exact distance") {
     CHECK(found[0].at == std::vector<double>{2e-5});
     target.y = unit * Eigen::Vector3d(1, 2.4, 4);
     CHECK(out_of_reach({target}, model).empty());
+}
+
+TEST_CASE("no response of a map is out of reach, and the verdict on a bent one names maps", "[areas]") {
+    std::mt19937_64 random(53);
+    std::normal_distribution<double> height, bend;
+    int verdicts = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        Model model{.grid = {.nodes = 9, .length = 0.5, .rows = 7, .width = 0.5 + 0.1 * (trial % 4)},
+                    .body = {trial % 2 ? Kernel::periodic : Kernel::free}};
+        model.loading = {8, trial % 2 ? 0.9 : 1};
+        model = completed(model);
+        Profile map{Eigen::VectorXd(63), model.grid.spacing(), 7, model.grid.row_spacing()};
+        for (double& z : map.heights)
+            z = 1e-3 * height(random);
+        const Response response = respond(map, model.body, model.loading);
+        for (const Quantity quantity :
+             {Quantity::stiffness, Quantity::area_at_pressure, Quantity::load_at_displacement}) {
+            const Curve curve = curve_of(quantity, response);
+            Target own = read_off(curve, quantity, 12);
+            if (own.y.minCoeff() <= 0)
+                continue;
+            CHECK(out_of_reach({own}, model).empty());
+            for (double& y : own.y)
+                y *= std::exp(0.3 * bend(random));
+            for (const OutOfReach& one : out_of_reach({own}, model)) {
+                CHECK(similarity(own, curve) <= one.bound + 1e-9);
+                CHECK_THAT(one.verdict(), Catch::StartsWith("out of reach of every map"));
+                CHECK((one.verdict().find("proven without a grid") != std::string::npos) == (trial % 2 == 1));
+                ++verdicts;
+            }
+        }
+    }
+    CHECK(verdicts > 20);
+}
+
+// H is then the inverse of a matrix with no positive entry off its diagonal, and so is each of its parts.
+// Every contact set has w > 0, and none loses a node.
+TEST_CASE("the inverse of a free map's influence has negative entries off its diagonal", "[areas]") {
+    for (const double ratio : {0.1, 1.0, 3.0}) {
+        const Grid grid{.nodes = 14, .length = 1, .rows = 12, .width = ratio};
+        const Eigen::VectorXd column =
+            influence_column(in_units(Body{Kernel::free}, grid.spacing(), grid.row_spacing()), grid.shape());
+        const Index n = grid.shape().nodes();
+        Eigen::MatrixXd inverse =
+            Eigen::MatrixXd::NullaryExpr(n, n, [&](Index a, Index b) {
+                return column[std::abs(a / 14 - b / 14) * 14 + std::abs(a % 14 - b % 14)];
+            }).inverse();
+        CHECK(inverse.rowwise().sum().minCoeff() > 0);
+        inverse.diagonal().setConstant(-1);
+        CHECK(inverse.maxCoeff() < 0);
+    }
+}
+
+// Nodes in the middle of cells: a finer grid has stiffer full contact, so the bound is that of the grid.
+TEST_CASE("full contact of a map is that of its own grid, and a verdict from it says so", "[areas]") {
+    double before = 0;
+    for (const Index side : {Index{16}, Index{32}, Index{160}}) {
+        const Model model = completed({.grid = {.nodes = side, .length = 1, .rows = side, .width = 1}});
+        const double full = stiffness_limits(model).max;
+        CHECK(full > before * 1.001);
+        before = full;
+        const Target stiff{Quantity::stiffness, "", Eigen::Vector2d(1e-5, 1e-4),
+                           Eigen::Vector2d(0.9, 9) * full};
+        const auto found = out_of_reach({stiff}, model);
+        REQUIRE(found.size() == 1);
+        CHECK_THAT(found[0].verdict(), Catch::StartsWith("out of reach of every map on this grid: "));
+    }
 }
