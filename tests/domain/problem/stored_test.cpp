@@ -41,7 +41,7 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
     CHECK(description(other) == description(setup));
     // A new member does not compile before it has a name here.
     auto& [model, targets, max_pressure, threshold, bounds, phases, limits, measured, similarity, ridges,
-           errors] = other;
+           smooth_area, errors] = other;
     auto& [grid, body, loading, contact, accuracy] = model;
     auto& [nodes, length, periodic, from, rows, width, from_y] = grid;
     auto& [kernel, modulus, datum, strip_width, hardness, layering] = body;
@@ -68,6 +68,9 @@ TEST_CASE("a set-up's description depends on every number that affects a result,
                  H_to, gamma_from, gamma_to, lambda_from, lambda_to, relative, absolute, shortest_wave, slope,
                  height, radius, noise, noise_length, tilt, similarity, *max_pressure, *threshold,
                  targets[0].weight, measured->spacing, nodes, rows, steps, ridges, layering.poissons_ratio);
+    smooth_area = true;
+    CHECK(description(other) != description(setup));
+    smooth_area = false;
     other.model.body.kernel = Kernel::periodic;
     CHECK(description(other) != description(setup));
 }
