@@ -112,6 +112,8 @@ int design(const Settings& settings, const std::string& line) {
     const ga::Stopwatch clock;
     DesignRun run = design_from(settings, request_from(settings), clock);
     const auto work = [&](const OutputFolder& output, const Interrupt& interrupt) {
+        if (!run.from)
+            rough::expect_searchable(run.setup, run.options.pipeline);
         std::ranges::for_each(run.accounts, say);
         if (!run.from)
             for (const std::string& doubt : rough::doubts(run.setup))
