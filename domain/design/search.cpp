@@ -176,8 +176,10 @@ std::vector<Compromise> compromises(const DesignSetup& given, const std::vector<
         if (ranks[i] == 0)
             front.push_back(all[i]);
     std::ranges::stable_sort(front, {}, &Compromise::similarity);
-    const auto repeated = std::ranges::unique(front, {}, &Compromise::similarity);
-    front.erase(repeated.begin(), repeated.end());
+    const auto is_same = [](const Compromise& a, const Compromise& b) {
+        return a.similarity == b.similarity;
+    };
+    front.erase(std::unique(front.begin(), front.end(), is_same), front.end());
     if (front.size() > max_count) {
         std::vector<Compromise> spread;
         for (std::size_t i = 0; i < max_count; ++i)
