@@ -378,8 +378,10 @@ Settings Settings::with(const std::map<std::string, std::string>& values,
 }
 
 std::vector<Setting> joined(const std::vector<std::vector<Setting>>& lists) {
-    const auto all = lists | std::views::join;
-    return {all.begin(), all.end()};
+    std::vector<Setting> all;
+    for (const auto& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
 }
 
 void expect_none(const Settings& settings, const std::vector<std::string>& names,
