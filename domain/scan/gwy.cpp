@@ -3,6 +3,7 @@
 #include "domain/text/bytes.hpp"
 
 #include <cmath>
+#include <map>
 
 namespace rough {
 namespace {
