@@ -199,10 +199,15 @@ ga::Variants cap_variants(const CapSetup& setup) {
     variants["pass"] = "independent { sample 1000 | score | best 30 | refine lm 60 | best 8 | "
                        "refine lm 150 sharpen=30 } | score | best 3 | refine lm 30 sharpen=1 | round 200 | "
                        "score | best 1";
-    const std::string enough = ga::number(1 - 0.5 * (1 - setup.required_similarity));
+    const double enough = 1 - 0.5 * (1 - setup.required_similarity);
+    const bool is_beyond = std::ranges::any_of(
+        out_of_reach(setup), [&](const OutOfReach& reason) { return reason.bound < enough; });
     variants["default"] =
-        "pass | until fitness " + enough + " generations 4 { pass | plus 1 }" +
-        (setup.positions ? " | repeat 30 { parents | mutate 0.05 exchange | score | plus 1 }" : "");
+        "pass" +
+        (is_beyond ? "" // further passes would not reach it
+                   : " | until fitness " + ga::number(enough) + " generations 4 { pass | plus 1 }" +
+                         (setup.positions ? " | repeat 30 { parents | mutate 0.05 exchange | score | plus 1 }"
+                                          : ""));
     variants["genetic"] = "independent { sample 50 | score | repeat 500 { tournament 2 | cross uniform | "
                           "mutate 0.03 | score | elite 2 } | best 3 } | score";
     return variants;

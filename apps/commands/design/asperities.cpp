@@ -82,8 +82,6 @@ CapRun cap_run_from(const Settings& settings) {
     run.unreachable =
         rough::unreachable(out_of_reach(setup), settings.has("reach-similarity") ? setup.required_similarity
                                                                                  : rough::exact_enough);
-    if (!run.unreachable.reasons.empty() && run.options.pipeline == "default")
-        run.options.pipeline = "pass"; // further passes would not reach it
     return run;
 }
 
