@@ -115,9 +115,12 @@ int design(const Settings& settings, const std::string& line) {
         if (!run.from)
             rough::expect_searchable(run.setup, run.options.pipeline);
         std::ranges::for_each(run.accounts, say);
-        if (!run.from)
-            for (const std::string& doubt : rough::doubts(run.setup))
+        if (!run.from) {
+            rough::DesignSetup asked = run.setup;
+            asked.model.contact.stop = rough::ending_after(0.05 * run.options.seconds, run.options.stop);
+            for (const std::string& doubt : rough::doubts(asked))
                 say("note: " + doubt);
+        }
         say_unreachable(run.unreachable, run.setup.model.grid.is_2d() ? "every map" : "every profile");
         ProgressLine progress;
         const double limit = run.options.seconds;

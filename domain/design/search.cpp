@@ -298,14 +298,16 @@ std::vector<std::string> doubts(const DesignSetup& setup) {
     if (!setup.max_pressure || !reach)
         return all;
     double least = 1;
+    std::uint64_t answered = 0;
     for (std::uint64_t i = 0; i < starts && least >= nearly_full; ++i)
         try {
             const ga::Stream random(ga::fold(0, "doubts") + i);
             const Genome start = i % 2 ? drawn_start(setup, random) : shaped_start(setup, random);
             least = std::min(least, respond(start, setup.model).contact_fraction.tail(1)[0]);
-        } catch (const std::exception&) { // a start without a response
+            ++answered;
+        } catch (const std::exception&) { // a start without a response, or the set-up's stop
         }
-    if (least >= nearly_full)
+    if (answered == starts && least >= nearly_full)
         all.push_back(line_with_digits(
             4, "max-pressure: its load step has nearly full contact, because it presses by ", *reach,
             " of the height range: at least ", 100 * least, " % of the nodes touch in ", starts,

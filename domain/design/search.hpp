@@ -83,7 +83,8 @@ Unreachable unreachable(std::vector<OutOfReach> reasons, double required);
 /// The reasons and the bound for a set-up.
 Unreachable unreachable(const DesignSetup& setup, double required);
 
-/// Remarks on settings that leave little to search, each in one line. The price is at most eight curves.
+/// Remarks on settings that leave little to search, each in one line. The price is at most eight curves,
+/// which ContactOptions::stop ends.
 /// - waves below four node spacings are allowed, which the grid does not show
 /// - under Eq. 11, of four starts none has less than `nearly_full` contact at the last load step
 /// - under Eq. 11, heights within the limits are too low for the approach that the first target needs
