@@ -80,7 +80,7 @@ std::pair<rough::Target, rough::Model> made_target(const Settings& settings) {
         target.written = written;
         return {std::move(target), model}; // it records no body, because a formula belongs to none
     }
-    const Scene scene = scene_from(settings, "like");
+    const Scene scene = scene_from(settings, "like", asks_for_map(settings));
     std::ranges::for_each(scene.notes, say);
     const auto [quantity, written] = quantity_from(settings, scene.model);
     rough::Model loaded = scene.model;

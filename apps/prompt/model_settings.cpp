@@ -436,9 +436,9 @@ Scene map_from(const Settings& settings, const std::string& map) {
     return scene;
 }
 
-Scene scene_from(const Settings& settings, const std::string& flag) {
+Scene scene_from(const Settings& settings, const std::string& flag, bool is_map) {
     Scene scene;
-    if (asks_for_map(settings)) {
+    if (is_map) {
         scene = map_from(settings, flag);
     } else {
         Source source = source_from(settings, flag);

@@ -124,8 +124,7 @@ struct Scene {
 };
 /// The map of --genome or of the file that the flag names. Throws rough::InputError on settings of a profile.
 Scene map_from(const Settings& settings, const std::string& map);
-/// The profile of --genome or of the file that the flag names, or a map if the settings request one. Filled
-/// points have a note.
-Scene scene_from(const Settings& settings, const std::string& flag);
+/// The profile or map of --genome or of the file that the flag names. Filled points have a note.
+Scene scene_from(const Settings& settings, const std::string& flag, bool is_map);
 
 } // namespace app

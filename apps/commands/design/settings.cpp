@@ -187,7 +187,7 @@ DesignRequest request_from(const Settings& settings) {
         rough::refuse("--from: given with a map; omit it, as it is for profiles only");
     if (is_like) {
         // The nodes of a profile are those of its design.
-        const Scene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like");
+        const Scene scene = scene_from(is_map ? settings : settings.with({{"nodes", ""}}), "like", is_map);
         request.accounts = scene.notes;
         // The band of a map would take most of the time.
         request.setup = setup_like(scene.surface, scene.model, settings.text("like"), settings,
