@@ -5,7 +5,6 @@
 
 #include <boost/program_options.hpp>
 
-#include <ranges>
 #include <set>
 
 namespace app {

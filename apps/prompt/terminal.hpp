@@ -46,6 +46,7 @@ class Interrupt {
     Interrupt();
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
 
     bool requested() const { return flag(); }
     static const std::atomic<bool>& flag(); ///< for the engine's budget

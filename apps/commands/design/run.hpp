@@ -61,6 +61,7 @@ struct DesignRecord {
 
 /// Says before a search why it cannot succeed, if there is a reason. `of_what` are the surfaces, in words.
 void say_unreachable(const rough::Unreachable& found, const std::string& of_what);
+
 /// The reason why a search stopped, in words. A stop that the user did not request came from the time limit.
 inline std::string stop_reason(const std::string& reason, bool is_requested) {
     return reason == "stop requested" && !is_requested ? "time budget spent" : reason;
@@ -125,7 +126,7 @@ nlohmann::json tolerance_json(const rough::Tolerance& tolerance);
 ///@}
 
 /// Adds a row for each point of a target to points.csv, in the units of columns_of(target). Misfits are over
-/// the weight; `finer` are those on the finer grid.
+/// the weight; `verified` are those that decide, NaN if there are none.
 void add_points(Csv& points, std::size_t number, const rough::Target& target, const Eigen::VectorXd& misfits,
                 const Eigen::VectorXd& verified);
 /// The keys of result.json for the record, and for each target its points, file, quantity, and the argument
